@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Callable, Iterator
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -41,19 +42,32 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
                 pytrace=False,
             )
         return
-    mark = definition.get_closest_marker(MARK)
+    mark = definition.get_closest_marker(MARK) or _misspelt(definition)
     if mark and mark.args:
         pytest.fail(
             f"the mark of {definition.name} takes keywords alone, such as edges=4, not "
             f"{', '.join(map(repr, mark.args))}",
             pytrace=False,
         )
+    from allworlds.inputs import InputError
     from allworlds.testing import levels_of, unknown_option
 
     if mark and (told := unknown_option(mark.kwargs)):
         pytest.fail(f"the mark of {definition.name} has {told}", pytrace=False)
-    levels = levels_of(mark.kwargs if mark else {})
+    try:
+        levels = levels_of(mark.kwargs if mark else {})
+    except InputError as error:
+        pytest.fail(f"the mark of {definition.name} has {error}", pytrace=False)
     metafunc.parametrize(FIXTURE, levels, ids=[f"edges-{edges}" for edges in levels], indirect=True)
+
+
+def _misspelt(definition: pytest.Item) -> None:
+    """Fail a test that has no mark of ours, but one with nearly its name."""
+    for mark in definition.iter_markers():
+        if get_close_matches(mark.name.lower(), [MARK], cutoff=0.85):
+            pytest.fail(
+                f"{definition.name} is marked '{mark.name}'; did you mean '{MARK}'?", pytrace=False
+            )
 
 
 class _Explores:
@@ -65,8 +79,21 @@ class _Explores:
 
     def __call__(self, *arguments: Any, **options: Any) -> Any:
         __tracebackhide__ = True
+        from allworlds.inputs import InputError
+        from allworlds.testing import unknown_option
+
         self.asked = True
-        return self._level(*arguments, **options)
+        if "edges" in options:
+            pytest.fail(
+                f"'edges' is an option of the mark: @pytest.mark.{MARK}(edges={options['edges']})",
+                pytrace=False,
+            )
+        if told := unknown_option(options):
+            pytest.fail(f"{FIXTURE}(...) has {told}", pytrace=False)
+        try:
+            return self._level(*arguments, **options)
+        except InputError as error:
+            pytest.fail(f"{FIXTURE}(...): {error}", pytrace=False)
 
 
 @pytest.fixture

@@ -15,8 +15,10 @@ from pathlib import Path
 from typing import TypeAlias
 
 FILE = Path(__file__).with_suffix(".csv")
-KEPT = ("family", "seed", "edges", "vertices", "explorer", "runs", "places", "mean", "worst")
-COLUMNS = (*KEPT, "bound")
+COLUMNS = (
+    *("family", "seed", "edges", "vertices", "drawn_from", "explorer"),
+    *("runs", "places", "mean", "worst", "bound"),
+)
 
 Row: TypeAlias = dict[str, str]
 Costs: TypeAlias = dict[int, list[float]]
@@ -49,6 +51,20 @@ def costs(rows: Iterable[Row], explorer: str) -> Costs:
         if row["explorer"] == explorer:
             found.setdefault(int(row["edges"]), []).append(float(row["mean"]))
     return dict(sorted(found.items()))
+
+
+def exact_sizes(rows: Iterable[Row], explorer: str) -> set[int]:
+    """The numbers of edges of which every world that seeds draw was run, in every place."""
+    sizes: dict[int, list[Row]] = {}
+    for row in rows:
+        if row["explorer"] == explorer:
+            sizes.setdefault(int(row["edges"]), []).append(row)
+    return {
+        edges
+        for edges, some in sizes.items()
+        if some[0]["drawn_from"] == str(len(some))
+        and all(row["runs"] == row["places"] for row in some)
+    }
 
 
 if __name__ == "__main__":

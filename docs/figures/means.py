@@ -3,7 +3,8 @@
     allworlds paper figure 3 --out figure-3.svg
     python docs/figures/means.py figure-3.csv > docs/figures/figure-3-means.csv
 
-The data themselves have a line for each of 2,520 runs.
+The data themselves have a line for each run. A world counts with its mean over the directions of
+the marker; low and high are the ends of the 95% interval by a bootstrap over the worlds.
 """
 
 from __future__ import annotations
@@ -12,20 +13,24 @@ import csv
 import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from statistics import mean, stdev
+from statistics import mean
+
+from allworlds.studies.compare.intervals import mean_interval
 
 
 def means(rows: Iterable[dict[str, str]]) -> Iterator[list[object]]:
     """The header, and the lines in the order in which they first occur."""
-    kinds: dict[tuple[str, ...], list[int]] = {}
+    kinds: dict[tuple[str, ...], dict[str, list[int]]] = {}
     for row in rows:
         key = (*(row[name] for name in KEYS), *(row[name] for name in SAME))
-        kinds.setdefault(key, []).append(int(row["traversals"]))
-    yield [*KEYS, "graphs", "mean", "standard_error", *SAME]
-    for key, costs in kinds.items():
-        error = stdev(costs) / len(costs) ** 0.5 if len(costs) > 1 else 0.0
-        spread = [len(costs), f"{mean(costs):.2f}", f"{error:.2f}"]
-        yield [*key[: len(KEYS)], *spread, *key[len(KEYS) :]]
+        kinds.setdefault(key, {}).setdefault(row["world"], []).append(int(row["traversals"]))
+    yield [*KEYS, "graphs", "runs", "mean", "low", "high", *SAME]
+    for key, worlds in kinds.items():
+        costs = [mean(some) for some in worlds.values()]
+        ends = [f"{end:.2f}" for end in mean_interval(costs) or ()] or ["", ""]
+        runs = sum(map(len, worlds.values()))
+        found = [len(costs), runs, f"{mean(costs):.2f}", *ends]
+        yield [*key[: len(KEYS)], *found, *key[len(KEYS) :]]
 
 
 KEYS = ("family", "vertices", "edges", "explorer")

@@ -5,12 +5,15 @@
 
      least_in_corridor N w   the least T after which there are w logs, with N near hubs.
      corridor_needs_least    so many motions in one of the corridors, w the number of matchings.
-     row, logs_in_binary  the same sum, in binary numbers: by these the least numbers are computed.
-     least_in_camouflage  one motion less would leave too few logs.
-     root_of_factorial    y^y <= 3^y y!.
-     logs_bounded         with less than 2(N+1)(Y+1) motions at most 3 (Y+1) (12 (N+1))^Y logs.
-     squared_pairings     the square of (2M-1)(2M-3)... is at least (2M-1)^M.
+     row, logs_in_binary     the same sum, in binary numbers: by these the least numbers are computed.
+     least_in_camouflage     one motion less would leave too few logs.
+     root_of_factorial       y^y <= 3^y y!.
+     logs_bounded            with less than 2(N+1)(Y+1) motions at most 3 (Y+1) (12 (N+1))^Y logs.
+     squared_pairings        the square of (2M-1)(2M-3)... is at least (2M-1)^M.
      corridor_closed_form    2(N+1)(Y+1) motions in one of the corridors, if 9 (24 (N+1))^2Y < (2M-1)^M.
+     camouflaged_needs, camouflaged_order    in the corridors of CorridorWorlds.v with F far hubs and M pairs of far
+                             darts: the least T with so many logs; and (2F+1)(M log (2M-1) - 4) / (1 + log (24(2F+1))),
+                             logarithms to the base 2, rounded down.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Coq Require Import BinNat Nnat Lia.
@@ -241,8 +244,8 @@ Theorem corridor_closed_form N h r (out : 'I_h.+1 -> bool -> 'I_r.+1) (L : layou
   episode X (rooted (@start (corridor_world L near a))) (@percept_of (corridor_world L near a)) fuel
     = (t, Some e, z) -> 2 * N.+1 * Y.+1 <= size t.
 Proof.
-move=> Nh ev c large E meaning X H; have [a A] := @corridor_costs _ _ _ _ L _ near Nh ev _ _ _ H; exists a => fuel t e z R.
-rewrite leqNgt; apply/negP=> lt; move: large; rewrite ltnNge => /negP[].
+move=> Nh ev c large E meaning X H; have [a A] := @corridor_costs _ _ _ _ L _ near Nh ev _ _ _ H.
+exists a => fuel t e z R; rewrite leqNgt; apply/negP=> lt; move: large; rewrite ltnNge => /negP[].
 apply: leq_trans (squared_pairings M) _; rewrite -c.
 have le : pairings ((h - N) * (r.+1 - 4) + (r.+1 - 2)) <= 3 * (24 * N.+1) ^ Y.
   have := A _ _ _ _ R; rewrite -logs_sum => /leq_trans; apply.
@@ -251,11 +254,58 @@ have le : pairings ((h - N) * (r.+1 - 4) + (r.+1 - 2)) <= 3 * (24 * N.+1) ^ Y.
 by rewrite [2 * Y]mulnC expnM -[9]/(3 ^ 2) -expnMn leq_exp2r.
 Qed.
 
-Example algorithm1_in_corridors (g : near_loops 2 0) : exists a : far_edges_of 2 0, forall fuel t e z,
-  episode (algorithm1 fifo) (rooted (@start (camouflaged g a))) (@percept_of (camouflaged g a)) fuel
-    = (t, Some e, z) -> 728 <= size t.
+(* ---- In the corridors of CorridorWorlds.v ---- *)
+Section Camouflaged.
+Variables (f e : nat) (g : near_loops f e).
+Local Notation F := f.+1.
+Local Notation M := (far_pairs_in f e).
+Local Notation W := (fun a : far_edges_of f e => camouflaged g a).
+Variables (E : Type) (meaning : E -> rooted_map) (X : explorer percept E).
+Hypothesis finds : forall a, finds_map meaning X (rooted (@start (W a))) (@percept_of (W a)).
+Local Notation takes b := (exists a, forall fuel t e z,
+  episode X (rooted (@start (W a))) (@percept_of (W a)) fuel = (t, Some e, z) -> b <= size t).
+
+Lemma nearer : 2 * F <= 3 * f + 2.
+Proof. by move: f; clear; numbers. Qed.
+
+Theorem camouflaged_needs : takes (least_in_corridor (2 * F) (pairings M.*2)).
 Proof.
-have [_ _ <-] := least_in_camouflage.
-exact: (@corridor_needs_least 6 8 41 _ (camouflaged_layout 2 0) _ (valP g) isT isT _ denote _
-  (fun a => right_finds_map (@algorithm1_right (camouflaged g a) fifo))).
+rewrite -camouflaged_pairs.
+exact: (@corridor_needs_least _ _ _ _ (camouflaged_layout f e) _ (valP g) nearer (even_degree f e) _ meaning).
 Qed.
+
+Lemma camouflaged_closed_form Y : 9 * (24 * (2 * F).+1) ^ (2 * Y) < M.*2.-1 ^ M -> takes (2 * (2 * F).+1 * Y.+1).
+Proof.
+move=> large; exact: (@corridor_closed_form _ _ _ _ (camouflaged_layout f e) _ (valP g) M Y nearer
+  (even_degree f e) (camouflaged_pairs f e) large _ meaning).
+Qed.
+
+Theorem camouflaged_order : exists a, forall fuel t e z,
+  episode X (rooted (@start (W a))) (@percept_of (W a)) fuel = (t, Some e, z) ->
+  (2 * F).+1 * (M * trunc_log 2 M.*2.-1 - 4) <= size t * (trunc_log 2 (24 * (2 * F).+1)).+1.
+Proof.
+set l := trunc_log 2 M.*2.-1; set k := (trunc_log 2 _).+1; pose Y := (M * l - 5) %/ (2 * k).
+have M8 : 8 <= M by rewrite /far_pairs_in expnS expn1; move: f e; clear; numbers.
+have M15 : 15 <= M.*2.-1 by rewrite -ltnS prednK ?double_gt0 ?(leq_trans _ M8) // (leq_double 8).
+have l3 : 3 <= l by apply: trunc_log_max => //; exact: leq_trans M15.
+have Ml : 5 <= M * l by apply: leq_trans (leq_mul M8 l3).
+have small : 24 * (2 * F).+1 < 2 ^ k by apply: trunc_log_ltn.
+have large : 2 ^ l <= M.*2.-1 by apply: trunc_logP => //; exact: leq_trans M15.
+have Yk : 2 * Y * k <= M * l - 5 by rewrite [2 * Y]mulnC -mulnA leq_trunc_div.
+have Yl : M * l - 4 <= 2 * k * Y.+1.
+  have : M * l - 5 < Y.+1 * (2 * k) by apply: ltn_ceil.
+  by rewrite -subSn // subSS [Y.+1 * _]mulnC.
+have [|a A] := @camouflaged_closed_form Y.
+  apply: leq_trans (_ : (2 ^ l) ^ M <= _); last by rewrite leq_exp2r // (leq_trans _ M8).
+  apply: leq_trans (_ : 2 ^ 4 * (2 ^ k) ^ (2 * Y) <= _); last first.
+    rewrite -!expnM -expnD leq_exp2l // [l * M]mulnC [k * _]mulnC.
+    by move: Yk Ml; move: (2 * Y * k) (M * l); clear; numbers.
+  apply: leq_trans (_ : (9 + 1) * (2 ^ k) ^ (2 * Y) <= _); last by rewrite leq_mul2r orbT.
+  rewrite mulnDl mul1n; apply: leq_ltn_trans (_ : 9 * (2 ^ k) ^ (2 * Y) < _).
+    by rewrite leq_mul2l /=; case: (2 * Y) => // y; rewrite leq_exp2r // ltnW.
+  by rewrite -[X in X < _]addn0 ltn_add2l !expn_gt0.
+exists a => fuel t r z /A le; apply: leq_trans (_ : (2 * F).+1 * (2 * k * Y.+1) <= _).
+  by rewrite leq_mul2l Yl orbT.
+by rewrite [2 * k]mulnC -mulnA mulnCA [X in _ <= X]mulnC leq_mul2l mulnA [_ * 2]mulnC le orbT.
+Qed.
+End Camouflaged.

@@ -10,6 +10,7 @@
                           hub, where the robot knows its hub_place, and s motions after a far hub.
      same_corridor        different matchings are different maps.
      far_counted          the number of darts that are matched.
+     far_pairs_in f e     half of it, in the corridors with F = f+1 far hubs of degree 12F+6+2e.
      corridor_needs       a world that takes an explorer as many motions as there must be for so many logs.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
@@ -360,6 +361,24 @@ have := far_matchings_exist (camouflaged_layout f e) Nh (even_degree f e).
 by case/card_gt0P=> a _; exact: (inhabits a).
 Qed.
 
+(* as many pairs of far darts *)
+Definition far_pairs_in f e := 6 * f.+1 ^ 2 + f.+1 + 1 + f.+1 * e.
+
+Lemma camouflaged_pairs f e : (3 * f + 2 - 2 * f.+1) * ((12 * f.+1 + 5 + 2 * e).+1 - 4) +
+  ((12 * f.+1 + 5 + 2 * e).+1 - 2) = (far_pairs_in f e).*2.
+Proof.
+rewrite (_ : 3 * f + 2 - 2 * f.+1 = f); last by move: f; clear; numbers.
+rewrite (_ : _.+1 - 4 = 12 * f + 14 + 2 * e); last by move: f e; clear; numbers.
+rewrite (_ : _.+1 - 2 = 12 * f + 16 + 2 * e); last by move: f e; clear; numbers.
+by rewrite /far_pairs_in -mul2n expnS expn1; move: f e; clear; numbers.
+Qed.
+
+Lemma far_edges_counted f e : #|{: far_edges_of f e}| = pairings (far_pairs_in f e).*2.
+Proof.
+have Nh : 2 * f.+1 <= 3 * f + 2 by move: f; clear; numbers.
+by rewrite far_matchings_counted (far_counted (camouflaged_layout f e) Nh) camouflaged_pairs.
+Qed.
+
 Theorem camouflaged_sizes f e (g : near_loops f e) (a : far_edges_of f e) : let W := camouflaged g a in
   [/\ edges W = 18 * f.+1 ^ 2 + 9 * f.+1 + 1 + 3 * f.+1 * e, vertices W = 3 * f.+1 + 1 &
   exists (y : W) w, 2 * f.+1 < hub y /\ home_word w y].
@@ -367,6 +386,12 @@ Proof.
 split; last exact: home_word_exists.
   apply: double_inj; rewrite corridor_edges -mul2n expnS expn1; move: f e {g a}; clear; numbers.
 by rewrite corridor_vertices; move: f {g a}; clear; numbers.
+Qed.
+
+Lemma camouflaged_edges f e (g : near_loops f e) (a : far_edges_of f e) :
+  edges (camouflaged g a) + 2 = 3 * far_pairs_in f e + 6 * f.+1.
+Proof.
+by have [-> _ _] := camouflaged_sizes g a; rewrite /far_pairs_in !expnS expn0; move: f e {g a}; clear; numbers.
 Qed.
 
 (* with one near hub of degree 6, and one far hub, at least 4 motions *)

@@ -17,7 +17,12 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds import maps as maps, strategies as strategies, testing as testing
+    from allworlds import (
+        maps as maps,
+        strategies as strategies,
+        testing as testing,
+        world as world,
+    )
     from allworlds.evidence.bench import bench as bench
     from allworlds.evidence.claims import claims as claims
     from allworlds.evidence.figures import figure as figure

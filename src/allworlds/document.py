@@ -250,9 +250,23 @@ class Pictured:
 
 
 class Paged:
-    """A value that notebooks show as a page, or as a part of one."""
+    """A value that is printed as text, and that notebooks show as a page, or as a part of one."""
 
     __slots__ = ()
+
+    def __str__(self) -> str:
+        """The text of the command line, 100 columns wide."""
+        told: str = loaded("reports.notebook:text_of")(self)
+        return told
+
+    def __init_subclass__(cls, **keywords: Any) -> None:
+        super().__init_subclass__(**keywords)
+        # IPython takes the first class in line that has this, or a repr as dataclasses have.
+        cls._repr_pretty_ = Paged._repr_pretty_  # type: ignore[method-assign]
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:  # noqa: ARG002  # IPython's call
+        """Print the text in a plain IPython."""
+        printer.text(str(self))
 
     def _repr_html_(self) -> str:
         """The element that notebooks show."""
@@ -434,7 +448,7 @@ class Host(Document):
     cores: Annotated[Positive | None, about("of all processors")]
     load: Annotated[Figure, about("processes that wanted a core, averaged over the last minute")]
     python: Annotated[Text, about("the version of Python")]
-    numba: Annotated[Text, about("the version of the compiler")]
+    numba: Annotated[Text | None, about("the version of the compiler; null: there is none")]
 
 
 class MadeBy(Document):
@@ -463,7 +477,7 @@ class MadeBy(Document):
     ] = UNSET
 
 
-class Report(Document):
+class Report(Paged, Document):
     """A document that a verb writes."""
 
     schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
@@ -488,16 +502,6 @@ class Report(Document):
     def seconds_by_part(self) -> dict[str, list[float]]:
         """The seconds that its parts took, by their keys in ``made_by``; by default no part."""
         return {}
-
-    def __str__(self) -> str:
-        """The text of the command line, 100 columns wide."""
-        told: str = loaded("reports.notebook:text_of")(self)
-        return told
-
-    def _repr_html_(self) -> str:
-        """The page of the report, as notebooks show it."""
-        shown: str = loaded("reports.notebook:shown")(self)
-        return shown
 
     def records(self) -> list[dict[str, Any]]:
         """The rows of ``--csv``, by the names of their columns: ``pandas.DataFrame`` takes them."""

@@ -14,7 +14,9 @@ def open_door(package: str, gone: Mapping[str, Any] = {}) -> None:
     """Give a package its names: ``__getattr__``, ``__dir__`` and ``__all__``.
 
     The names are those that the ``__init__`` of the package imports under ``if TYPE_CHECKING``,
-    so each stands there once, and is found by editors and type checkers.
+    so each stands there once, and is found by editors and type checkers.  If there are two such
+    blocks, the names of the second are for other parts of the program: they are loaded like the
+    others, but ``__dir__`` and ``__all__`` do not list them.
 
     Args:
         package: its name; it is being imported.
@@ -23,7 +25,8 @@ def open_door(package: str, gone: Mapping[str, Any] = {}) -> None:
     Cost: the ``__init__`` is parsed, in less than a millisecond; each module is loaded with the
     first of its names.
     """
-    homes = _homes(package)
+    shown, *hidden = _homes(package)
+    homes = {name: home for block in (shown, *hidden) for name, home in block.items()}
     names = vars(sys.modules[package])
 
     def load(name: str) -> Any:
@@ -42,20 +45,22 @@ def open_door(package: str, gone: Mapping[str, Any] = {}) -> None:
             names[name] = import_module(f"{module}.{original}")
         return names[name]
 
-    names.update(__getattr__=load, __dir__=lambda: sorted(homes), __all__=sorted(homes))
+    names.update(__getattr__=load, __dir__=lambda: sorted(shown), __all__=sorted(shown))
 
 
-def _homes(package: str) -> dict[str, tuple[str, str]]:
-    """Return module and name there of each name that is imported under ``if TYPE_CHECKING``."""
+def _homes(package: str) -> list[dict[str, tuple[str, str]]]:
+    """Return, for each block under ``if TYPE_CHECKING``, module and name there of each name."""
     source = inspect.getsource(sys.modules[package])
-    return {
-        alias.asname or alias.name: (imported.module, alias.name)
+    return [
+        {
+            alias.asname or alias.name: (imported.module, alias.name)
+            for imported in block.body
+            if isinstance(imported, ast.ImportFrom) and imported.module
+            for alias in imported.names
+        }
         for block in ast.parse(source).body
         if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
-        for imported in block.body
-        if isinstance(imported, ast.ImportFrom) and imported.module
-        for alias in imported.names
-    }
+    ]
 
 
 def loaded(home: str) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import platform
 import re
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -28,8 +28,16 @@ def host() -> Host:
         cores=os.cpu_count(),
         load=round(os.getloadavg()[0], 2),
         python=platform.python_version(),
-        numba=version("numba"),
+        numba=_version_of("numba"),
     )
+
+
+def _version_of(package: str) -> str | None:
+    """The version of a package; None if it is not installed."""
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return None
 
 
 def _processor() -> str:

@@ -74,5 +74,5 @@ def duration(seconds: float) -> str:
 
 
 def counted(source: str) -> str:
-    """Say that an enumeration met as many as an independent source counts."""
-    return f"there are as many as are counted without making one ({source})"
+    """Say that the number of what was enumerated is that of an independent source."""
+    return f"their number equals an independent count ({source})"

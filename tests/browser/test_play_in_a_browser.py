@@ -3,6 +3,7 @@
 import pytest
 
 from allworlds.reports import game as game_page
+from allworlds.reports.tellings.played import NAMES
 from allworlds.studies.play import play
 
 pytestmark = [pytest.mark.slow, pytest.mark.no_cover]
@@ -90,7 +91,78 @@ def test_the_right_conclusion_is_right_and_tells_what_it_cost(game):
     conclude(game, (3, 0), (1, 2))
     game.locator("#claim").click()
     assert told(game, "outcome").startswith("Right: this is the world")
-    assert "3 traversals; the bound of this world is " in told(game, "outcome")
+    assert told_costs(game)["you"] == "3"
+    # Whoever walks on has not claimed what comes then.
+    game.keyboard.press("0")
+    assert not game.locator("#costs").is_visible()
+
+
+def told_costs(page):
+    """The table of costs, once it is seen."""
+    assert page.locator("#costs").is_visible()
+    rows = page.locator("#cost-rows tr").all()
+    return dict(row.locator("td").all_text_contents() for row in rows)
+
+
+def test_the_costs_stand_beside_ones_own_when_the_world_is_uncovered(game):
+    assert not game.locator("#costs").is_visible()
+    walked_loops(game)
+    assert not game.locator("#costs").is_visible()
+    game.locator("#uncover").click()
+    made = play(WORLD)
+    others = {NAMES[one.who]: str(one.cost) for one in made.costs}
+    assert told_costs(game) == {"you": "3", **others, "the bound of this world": "17"}
+    assert "walks no less" in told(game, "costs-words")
+    game.keyboard.press("0")
+    assert told_costs(game)["you"] == "4"
+    game.locator("#restart").click()
+    assert not game.locator("#costs").is_visible()
+
+
+def middles(page):
+    """Where the places of the notes are in the drawing, by their numbers."""
+    return page.eval_on_selector_all(
+        "#notes .vertex",
+        "all => Object.fromEntries(all.map((one) => {"
+        " const disc = one.querySelector('circle');"
+        " return [one.textContent, [disc.getAttribute('cx'), disc.getAttribute('cy')]]; }))",
+    )
+
+
+def in_frame(page, selector):
+    """How many of these are seen whole in the frame of the notes, and how many there are."""
+    room = page.locator("#notes").bounding_box()
+    boxes = [one.bounding_box() for one in page.locator(selector).all()]
+    seen = [
+        room["x"] <= box["x"]
+        and box["x"] + box["width"] <= room["x"] + room["width"]
+        and room["y"] <= box["y"]
+        and box["y"] + box["height"] <= room["y"] + room["height"]
+        for box in boxes
+    ]
+    return sum(seen), len(seen)
+
+
+def test_places_stay_where_they_are_and_fifteen_are_seen_at_once(visit, tmp_path):
+    page_file = tmp_path / "play.html"
+    page_file.write_text(game_page(play("torus:4x4", seed=3)), encoding="utf-8")
+    with visit(page_file) as page:
+        before = middles(page)
+        for key in "12312312312312":
+            page.keyboard.press(key)
+            now = middles(page)
+            assert {name: now[name] for name in before} == before
+            before = now
+        assert len(before) == 15
+        assert in_frame(page, "#notes .vertex circle") == (15, 15)
+        for key in "123" * 20:
+            page.keyboard.press(key)
+        # Larger notes stay readable, and the robot is seen in them.
+        (size,) = page.eval_on_selector_all(
+            "#notes svg", "all => all.map((one) => one.clientWidth / one.viewBox.baseVal.width)"
+        )
+        assert size >= 0.54
+        assert in_frame(page, "#notes .robot-here circle") == (1, 1)
 
 
 def test_the_world_is_seen_when_it_is_uncovered_and_not_before(game):
@@ -122,3 +194,30 @@ def test_nothing_is_wider_than_a_phone(visit, file):
         walked_loops(page)
         page.locator("#uncover").click()
         assert page.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+def test_a_number_is_written_where_there_is_room_and_typed_digits_are_no_motions(visit, tmp_path):
+    made = tmp_path / "board.html"
+    made.write_text(game_page(play("theta", lighthouse="whiteboard:states=3")), encoding="utf-8")
+    with visit(made) as page:
+        number = page.get_by_label("The number to write")
+        number.press("2")
+        assert page.locator("#log li").count() == 1
+        number.fill("2")
+        button(page, "Write").click()
+        number.fill("3")
+        button(page, "Write").click()
+        assert told(page, "outcome") == "That is not possible: the numbers are 0 to 2."
+        assert page.locator("#log li").all_text_contents() == [
+            "start: degree 3",
+            "write 2: degree 3, marks 2",
+        ]
+        assert button(page, "Drop a marker").is_hidden()
+    with visit(file_of(tmp_path, "directional")) as page:
+        assert page.locator("#number").is_hidden()
+
+
+def file_of(folder, kind):
+    made = folder / f"{kind}.html"
+    made.write_text(game_page(play("theta", lighthouse=kind)), encoding="utf-8")
+    return made

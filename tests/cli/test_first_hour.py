@@ -1,9 +1,11 @@
 """Messages that a new user meets."""
 
 import json
+import sys
 
 import pytest
 
+from allworlds.explorers.command_words import missing_script, syntax_error
 from allworlds.world import world_named
 
 GREEDY = """
@@ -28,11 +30,98 @@ def test_a_file_that_is_no_python_is_told_with_its_line(refused, tmp_path):
     assert "line 2 is no Python: SyntaxError: invalid syntax" in said
 
 
-@pytest.mark.parametrize("command", ["python3 gone.py", "node gone.js"])
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("./notes.txt", "'./notes.txt' is a file, but no file.py with a function"),
+        ("./folder/", "is a directory; an explorer in it is folder/FILE.py:FUNCTION"),
+        ("folder", "is a directory; an explorer in it is folder/FILE.py:FUNCTION"),
+        ("robot", "did you mean 'robot.py'?"),
+        ("robbot.py", "there is no file 'robbot.py'; did you mean 'robot.py'?"),
+        ("./robot.pyy", "there is no file './robot.pyy'; did you mean './robot.py'?"),
+        ("./zzz", "there is no file './zzz'"),
+        ("divides.py", "'divides.py' does not import: ZeroDivisionError"),
+        ("empty.py", "'empty.py' has no generator function: an explorer is def explore(first)"),
+    ],
+)
+def test_a_name_of_no_explorer_is_told_with_the_nearest_legal_one(
+    name, said, refused, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    for file, text in (
+        ("notes.txt", ""),
+        ("robot.py", GREEDY),
+        ("divides.py", "1 / 0"),
+        ("empty.py", ""),
+    ):
+        (tmp_path / file).write_text(text, encoding="utf-8")
+    assert said in refused("check", name, "--edges", 1)
+
+
+def test_an_explorer_that_a_file_imports_is_found(cli, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "door.py").write_text(
+        "from allworlds.explorers import greedy as explore\n", encoding="utf-8"
+    )
+    assert cli("check", "door.py", "--edges", 1, "-q")[0] == 0
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        *("python3 gone.py", "node gone.js", "python3 -u gone.py", "python3 -W error gone.py"),
+        *("node --trace-warnings gone.js", "env node gone.js", "env -u A B=1 sh gone.sh"),
+        *("node -r ./gone.js gone.js", "sh -e gone.sh", "ruby -- gone.rb arg"),
+    ],
+)
 def test_a_script_that_its_interpreter_cannot_open_is_bad_input(command, refused, monkeypatch):
     monkeypatch.setattr("shutil.which", lambda name: f"/usr/bin/{name}")
     said = refused("check", "--edges", 1, "--exec", command)
-    assert f"cannot open '{command.split()[1]}': there is no such file" in said
+    gone = next(word for word in reversed(command.split()) if word.startswith("gone"))
+    assert f"cannot open '{gone}': there is no such file" in said
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        *("python3 -m gone", "python3 -uc gone", "node -e gone", "node --eval=gone", "sh -c gone"),
+        *("python3 -", "python3", "env", "node --unknown value here.js", "node here", "mine gone"),
+        *("perl -ne gone", "node -r ./gone here.js gone"),
+    ],
+)
+def test_a_command_without_a_script_or_with_one_that_is_there_is_not_refused(
+    command, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "here.js").touch()
+    assert missing_script(command.split()) == ""
+
+
+@pytest.mark.parametrize(
+    ("command", "said"),
+    [
+        (f"{sys.executable} -u typo.py", "'typo.py', line 2 is no Python: SyntaxError: invalid"),
+        (f"env A=1 {sys.executable} tabs.py", "'tabs.py', line 3 is no Python: TabError: incons"),
+        ("sh typo.sh", "'typo.sh', line 1 is no shell script: Syntax error: "),
+    ],
+)
+def test_a_script_that_its_interpreter_cannot_read_is_bad_input(
+    command, said, refused, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "typo.py").write_text("a = 1\nb = = 1\n", encoding="utf-8")
+    (tmp_path / "tabs.py").write_text("if 1:\n        a = 1\n\tb = 1\n", encoding="utf-8")
+    (tmp_path / "typo.sh").write_text("if then\n", encoding="utf-8")
+    assert said in refused("check", "--edges", 1, "--exec", command)
+
+
+def test_a_script_that_fails_otherwise_is_no_bad_input(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "raises.py").write_text("raise SyntaxError('mine')", encoding="utf-8")
+    (tmp_path / "right.py").touch()
+    for file in ("raises.py", "right.py"):
+        assert syntax_error([sys.executable, file]) == ""
 
 
 def test_two_explorers_of_one_name_are_told_apart(tmp_path, cli):
@@ -62,7 +151,8 @@ def test_a_world_has_one_name_in_run_play_and_compare(name, cli, tmp_path):
 
 
 def test_run_lists_the_names_of_worlds(cli, refused, tmp_path):
-    code, out, _ = cli("run", "--list", "--json")
+    code, out, _ = cli("run", "--list", "--json", "--csv", (file := tmp_path / "names.csv"))
+    assert "families,lattice:RxC" in file.read_text().splitlines()
     names = json.loads(out)
     assert code == 0
     assert "wheel:N" in names["maps"]

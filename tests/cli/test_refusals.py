@@ -69,7 +69,10 @@ def test_an_empty_argument_is_refused(refused, verb):
         (["fuzz", "--edges", "1", "--runs", "1", "--bound", "m", "--laws", "map"], "bound 'm' has"),
         (["run", "theta", "--bound", "n", "--laws", "map"], "bound 'n' has no effect"),
         (["check", "--edges", "1", "--laws", "map,pose,map"], "'map' is named twice"),
-        (["run", "theta", "--holes", "10%"], "holes 10% has no effect without --family"),
+        (
+            ["run", "theta", "--holes", "10%"],
+            "holes 10% has no effect on world 'theta', which is no family",
+        ),
         *(
             (["check", "--edges", "1", "--estimate", f"--{option}", *value], f"{option} {said}has")
             for option, value, said in (

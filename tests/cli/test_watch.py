@@ -94,3 +94,31 @@ def test_what_is_no_explorer_at_the_beginning_is_refused(file, refused):
 def test_a_check_that_is_interrupted_ends_the_watch(file):
     file.write_text(STAYS)
     assert watched("watched_explorer.py", lambda: 130) == 130
+
+
+def test_a_saved_model_is_read_again(cli, file, meanwhile, tmp_path):
+    # The file that is saved here is that of the judge, of the predicate and of the lighthouse.
+    (tmp_path / "ends.py").write_text(STAYS)
+    model = (
+        "from allworlds import Lighthouse\n\n\nclass Lamp(Lighthouse):\n    @classmethod\n"
+        "    def places(cls, map_, start):\n        yield cls()\n\n\n"
+        "def few(map_):\n    return map_.edge_count < 2\n\n\n"
+        "def judge(world, transcript, answer):\n    return None\n"
+    )
+    file.write_text(model)
+    meanwhile(
+        *(model.replace("return None", "return 'never'"), ""),
+        *(model.replace("< 2", "< 3"), ""),
+        *(model.replace("return None", "return 5"), ""),
+        *(model.replace("yield cls()", "yield from (cls(), cls())"), "", ENDS),
+    )
+    name = "watched_explorer.py"
+    models = ["--lighthouse", f"{name}:Lamp", "--where", f"{name}:few", "--task", f"{name}:judge"]
+    _, out, err = cli("check", "ends.py:explore", "--edges", "2", "-q", "--watch", *models)
+    assert [line.partition(" runs")[0] for line in out.splitlines()] == [
+        "HOLDS: 2 worlds, 2",
+        "REFUTED: law task is broken; 2 worlds, 2",
+        "HOLDS: 12 worlds, 12",
+    ]
+    assert "returns 5, no text and not None" in err
+    assert "the place Lamp() is there twice" in err

@@ -28,6 +28,7 @@ SLOW = {
     "docs/how-to/languages.md",
     "docs/how-to/lighthouse.md",
     "docs/how-to/pytest.md",
+    "docs/how-to/rows.md",
     "docs/paper.md",
     "docs/python.md",
     "docs/research/class.md",

@@ -90,7 +90,8 @@ def test_the_table_of_figure_3_is_that_of_its_data():
     assert [row["family"] for row in rows] == ["lattice"] * 7 + ["dense"] * 7
     means = {}
     for row in rows:
-        means.setdefault(row["explorer"], []).append(f"{float(row['mean']):,.0f}")
+        mean, low, high = (f"{float(row[name]):,.0f}" for name in ("mean", "low", "high"))
+        means.setdefault(row["explorer"], []).append(f"{mean} ({low}..{high})")
     assert {EXPLORERS[name]: told[name] for name in EXPLORERS} == means
     assert told["(1)+(2)"] == [f"{int(rows[i]['bound_1_plus_2']):,}" for i in (0, 7)]
     assert told["2m"] == [rows[i]["twice_the_edges"] for i in (0, 7)]
@@ -99,15 +100,19 @@ def test_the_table_of_figure_3_is_that_of_its_data():
 def test_means_are_of_all_runs_of_a_size():
     same = {"family": "f", "vertices": "2", "edges": "3", "bound_1_plus_2": "9"}
     runs = [
-        {**same, "explorer": who, "twice_the_edges": "6", "traversals": cost}
-        for who, cost in (("a", "1"), ("b", "7"), ("a", "3"))
+        {**same, "explorer": who, "world": world, "twice_the_edges": "6", "traversals": cost}
+        for who, world, cost in (("a", "1", "1"), ("b", "1", "7"), ("a", "2", "3"), ("a", "2", "4"))
     ]
     header, *lines = beside("means").means(runs)
     assert lines == [
-        ["f", "2", "3", "a", 2, "2.00", "1.00", "9", "6"],
-        ["f", "2", "3", "b", 1, "7.00", "0.00", "9", "6"],
+        ["f", "2", "3", "a", 2, 3, "2.25", "", "", "9", "6"],
+        ["f", "2", "3", "b", 1, 1, "7.00", "", "", "9", "6"],
     ]
-    assert len(header) == 9
+    many = [{**runs[0], "world": str(i), "traversals": str(10 + i % 4)} for i in range(20)]
+    _, (*_, mean, low, high, _, _) = beside("means").means(many)
+    assert mean == "11.50"
+    assert 10.8 < float(low) < 11.5 < float(high) < 12.2
+    assert len(header) == 11
 
 
 def texts(picture):

@@ -22,7 +22,7 @@ def hasty(first):
 @dataclass(frozen=True)
 class Parity(Lighthouse):
     dart: int
-    modulus = 2
+    modulus: int = 2
 
     @classmethod
     def places(cls, map_, start):

@@ -9,7 +9,7 @@ from models import PARITY
 WRONG = """
 import itertools
 
-from allworlds import Lighthouse, Percept
+from allworlds import Drop, Lighthouse, Percept
 
 
 class Base(Lighthouse):
@@ -66,6 +66,68 @@ class Changes(Base):
     def places(cls, map_, start):
         for _ in range(next(cls.turn) % 2):
             yield cls()
+
+
+class Nowhere(Base):
+    @classmethod
+    def places(cls, map_, start):
+        yield from ()
+
+
+class TellsNames(Base):
+    def told(self, map_):
+        return map_.alpha[0]
+
+
+class TellsTurns(Base):
+    turn = itertools.count()
+
+    def told(self, map_):
+        return next(self.turn)
+
+
+class Marks(Base):
+    leaves_marks = True
+
+    def refusal(self, action, lying, hand):
+        return "" if type(action) is Drop else "a Move or Drop"
+
+    def acted(self, map_, state, action):
+        return state.with_number(map_.vertex_of[state.dart], 1)
+
+    def left_marks(self, map_, state):
+        return state.number_at(map_.vertex_of[state.dart])
+
+
+class SaysNothing(Marks):
+    leaves_marks = False
+
+
+class MarksByName(Marks):
+    def left_marks(self, map_, state):
+        return state.number_at(map_.vertex_of[0])
+
+
+class RefusesByName(Marks):
+    turn = itertools.count()
+
+    def refusal(self, action, lying, hand):
+        return "a Move" if next(self.turn) % 3 else ""
+
+
+class Counts(Marks):
+    turn = itertools.count()
+
+    def left_marks(self, map_, state):
+        return next(self.turn)
+
+
+class HandByTurn(Marks):
+    turn = itertools.count()
+
+    @property
+    def in_hand(self):
+        return next(self.turn)
 """
 
 
@@ -79,6 +141,8 @@ def test_lighthouses_of_ones_own_pass(tmp_path, monkeypatch):
     (tmp_path / "parity.py").write_text(PARITY)
     assert_lighthouse("parity.py:Parity")
     assert_lighthouse("parity.py:Copy+told:n")
+    (tmp_path / "wrong.py").write_text(WRONG)
+    assert_lighthouse("wrong.py:Marks")
 
 
 @pytest.mark.parametrize(
@@ -91,6 +155,14 @@ def test_lighthouses_of_ones_own_pass(tmp_path, monkeypatch):
         ("Hides", "gives_marks is False"),
         ("Points", "gives_bearings is False"),
         ("Changes", "asked twice"),
+        ("Nowhere", "has no place in a map with 1 to 3 edges"),
+        ("TellsNames", r"tells \d, and \d with the darts renamed"),
+        ("TellsTurns", "tells something else"),
+        ("SaysNothing", "the robot may drop, but leaves_marks is False"),
+        ("MarksByName", "it senses 'degree"),
+        ("RefusesByName", "is legal after"),
+        ("Counts", "done twice|it senses"),
+        ("HandByTurn", "in_hand is 0, and 1"),
     ],
 )
 def test_what_is_no_function_of_the_world_is_found(tmp_path, monkeypatch, kind, said):

@@ -153,12 +153,20 @@ def test_the_fixture_alone_tries_the_default(tests):
         ),
         (
             "@pytest.mark.allworlds(edges=0)\ndef test_mine(explores): pass",
-            "edges = 0",
+            "the mark of test_mine has edges = 0",
+        ),
+        (
+            "@pytest.mark.allworld(edges=2)\ndef test_mine(explores): pass",
+            "test_mine is marked 'allworld'; did you mean 'allworlds'?",
+        ),
+        (
+            "@pytest.mark.Allworlds(edges=2)\ndef test_mine(explores): pass",
+            "test_mine is marked 'Allworlds'; did you mean 'allworlds'?",
         ),
     ],
 )
 def test_a_mark_that_means_nothing_is_an_error(tests, text, said):
-    result = tests(f"import pytest\n{text}\n")
+    result = tests(f"import pytest\n{text}\n", "-W", "ignore::pytest.PytestUnknownMarkWarning")
     result.assert_outcomes(errors=1)
     assert said in result.stdout.str()
 
@@ -201,3 +209,30 @@ def test_a_typo_in_the_mark_is_told_with_what_was_meant(tests):
     result.stdout.fnmatch_lines(
         ["*the mark of test_mine has an unknown option 'edgs'; did you mean 'edges'?*"]
     )
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (
+            "explores('algorithm1', lighthous='labels')",
+            "explores(...) has an unknown option 'lighthous'; did you mean 'lighthouse'?",
+        ),
+        (
+            "explores('algorithm1', lighthouse='directionel')",
+            "explores(...): lighthouse 'directionel' is not one of ",
+        ),
+        ("explores('algorithm2')", "explores(...): explorer 'algorithm2' is not one of "),
+        (
+            "explores('algorithm1', edges=3)",
+            "'edges' is an option of the mark: @pytest.mark.allworlds(edges=3)",
+        ),
+    ],
+)
+def test_bad_input_of_the_fixture_is_one_line(tests, call, said):
+    result = tests(f"def test_mine(explores): {call}", "-k", "edges-1")
+    result.assert_outcomes(failed=1, deselected=3)
+    failed = [line for line in result.outlines if line.startswith("E ")]
+    assert [line for line in result.outlines if line.startswith(said)]
+    assert not failed
+    assert "testing.py" not in result.stdout.str()

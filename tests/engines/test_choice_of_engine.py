@@ -1,7 +1,10 @@
+import importlib.util
+from functools import partial
+
 import pytest
 
-from allworlds import check
-from allworlds.engines import ENGINES, Job, Limits, Scope, Silent, engine_for
+from allworlds import bench, check, claims, count, worst
+from allworlds.engines import ENGINES, Job, Limits, Scope, Silent, engine_for, why_not_compiled
 from allworlds.engines.compiled.agreement import AGREED
 from allworlds.engines.kernel.engine import COMPILING
 from allworlds.explorers import Subject, load
@@ -144,3 +147,28 @@ def test_a_time_limit_is_kept():
 def test_threads_do_not_change_the_report():
     one, three = (check(edges=6, engine="kernel", workers=n).to_json() for n in (1, 3))
     assert one == three
+
+
+@pytest.fixture
+def no_compiler(monkeypatch):
+    """A machine without numba."""
+    there = importlib.util.find_spec
+    monkeypatch.setattr(
+        "allworlds.inputs.checks.find_spec", lambda name: None if name == "numba" else there(name)
+    )
+
+
+@pytest.mark.usefixtures("no_compiler")
+def test_without_a_compiler_the_python_engine_does_what_it_can():
+    assert check(edges=2, engine="auto").engine == "python"
+    scope = Scope(Extent(MapClass.MAPS, 6, None), Rules("directional"))
+    assert engine_for("auto", scope, load("algorithm1")) is ENGINES["python"]
+    assert "pip install" in why_not_compiled(scope, load("algorithm1"))
+    assert [row.rooted for row in count(edges=2).rows] == [2, 10]
+
+
+@pytest.mark.usefixtures("no_compiler")
+@pytest.mark.parametrize("asked", [worst, bench, claims, partial(check, engine="kernel")])
+def test_what_needs_the_compiler_says_how_to_install_it(asked):
+    with pytest.raises(InputError, match=r"needs numba: .*pip install '\.\[fast\]'"):
+        asked()

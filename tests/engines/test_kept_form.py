@@ -14,7 +14,7 @@ from allworlds.engines.units.kept_form import from_kept, to_kept
 from allworlds.inputs import InputError
 from allworlds.maps import Quotient
 from allworlds.protocol import Percept
-from allworlds.studies.ambiguity.marked_worlds import Met
+from allworlds.studies.ambiguity.sensed_worlds import SensedParts
 from allworlds.studies.compare.side_by_side import CostsOfAll
 from allworlds.studies.count.counter import Counted
 from allworlds.studies.optimum.optimum_table import OptimumRows
@@ -44,8 +44,8 @@ def costs():
 
 
 RESULTS = {
-    "counted": lambda: Counted(Counter({(2, 0): 3}), 4),
-    "met": lambda: Met(5, 4, Counter({HALF_EDGE: 3})),
+    "counted": lambda: Counted(Counter({(2, 0): 3}), Counter({(2, 0): 4})),
+    "parts": lambda: SensedParts(5, Counter({(2, 1): 3}), {"q": {"code": {"sigma": [0]}}}),
     "schedules": lambda: ScheduleCostsBySize.of([ScheduleCosts(2, 1, 3, 2, 1, 0, (0, 1), (1, 0))]),
     "optimum": lambda: OptimumRows([*optimum(edges=2).rows]),
     "tally": tally,
@@ -83,7 +83,7 @@ def damaged(value):
         yield {"no": "such thing"}
 
 
-@pytest.mark.parametrize("name", ["counted", "met", "schedules"])
+@pytest.mark.parametrize("name", ["counted", "schedules"])
 def test_what_is_damaged_is_refused(name):
     result = RESULTS[name]()
     for told in damaged(json.loads(json.dumps(to_kept(result)))):
@@ -91,7 +91,7 @@ def test_what_is_damaged_is_refused(name):
             from_kept(told, type(result))
 
 
-@pytest.mark.parametrize("name", ["optimum", "tally", "costs", "side by side"])
+@pytest.mark.parametrize("name", ["parts", "optimum", "tally", "costs", "side by side"])
 def test_of_what_is_larger_every_field_is_checked(name):
     result = RESULTS[name]()
     whole = json.loads(json.dumps(to_kept(result)))

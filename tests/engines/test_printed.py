@@ -6,8 +6,10 @@ import sys
 
 import pytest
 
-from allworlds import Finding, check, replay, run
-from allworlds.engines.isolation.overheard import KEPT, Overheard
+from allworlds import Estimate, Finding, check, replay, run
+from allworlds.engines.isolation.overheard import Overheard
+from allworlds.engines.python.prints import KEPT, Prints
+from allworlds.explorers import algorithm1
 from allworlds.reports.telling import Quote
 from allworlds.reports.tellings.finding import printed
 from native_libraries import attack
@@ -105,8 +107,27 @@ def test_of_much_the_beginning_and_the_end_are_kept(named):
     output = run(named("talks"), "theta").outcome.output
     assert output.startswith("line 0\nline 1\n")
     assert output.endswith("line 2998\nline 2999\n")
-    kept, _, rest = output.partition("\n[... ")
-    assert len(kept) + len(rest.partition(" ...]\n")[2]) == KEPT
+    assert KEPT - 64 < len(output.encode()) <= KEPT
+
+
+def closure():
+    def explore(first):
+        print("begins with", first.degree)  # noqa: T201  # prints are what is tested
+        print("to stderr", file=sys.stderr)  # noqa: T201
+        sys.stdout.buffer.write(b"raw \x1b[31m\n")
+        estimate = yield from algorithm1(first)
+        return Estimate(estimate.map, estimate.map.sigma[estimate.here])
+
+    return explore
+
+
+def test_of_an_explorer_in_this_process_the_run_that_is_told_alone_is_heard(capfd):
+    told = run(closure(), "theta")
+    assert told.outcome.output == "begins with 3\nto stderr\nraw \\x1b[31m\n"
+    (finding,) = check(closure(), edges=3).findings
+    degree = finding.transcript.first.degree
+    assert finding.output == f"begins with {degree}\nto stderr\nraw \\x1b[31m\n"
+    assert "begins with" not in "".join(capfd.readouterr())
 
 
 def test_what_a_program_writes_to_stderr_is_kept_too(tmp_path):
@@ -137,5 +158,28 @@ def test_the_pipe_is_emptied_however_much_is_written():
         os.close(descriptor)
     assert heard.text.startswith("\\xffaaa")
     assert heard.text.endswith("aaz")
-    assert f"[... {300_002 - KEPT} bytes more ...]" in heard.text
     assert not os.path.exists(heard.path)  # noqa: PTH110
+
+
+def text_of(*printed):
+    prints = Prints()
+    for part in printed:
+        prints.add(part)
+    return prints.text
+
+
+def test_the_limit_is_that_of_the_escaped_text():
+    assert text_of(b"a" * KEPT) == "a" * KEPT
+    for letter in (b"\x1b", b"a", "\u00e9".encode(), "\u200b".encode(), b"\xff"):
+        for count in (KEPT // 4, KEPT // 4 + 1, KEPT, KEPT + 1, 5 * KEPT):
+            printed = letter * count
+            text = text_of(printed[: KEPT // 3], printed[KEPT // 3 :])
+            assert len(text.encode()) <= KEPT
+            before, cut, after = text.partition("\n[... ")
+            if cut:
+                lost, _, after = after.partition(" bytes more ...]\n")
+                shown = {b"\x1b": 4, b"\xff": 4, "\u200b".encode(): 2}.get(letter, 1)
+                kept = (len(before.encode()) + len(after.encode())) // shown
+                assert int(lost) == len(printed) - kept
+                assert len(before) > KEPT // 6
+                assert len(after) > KEPT // 6

@@ -115,7 +115,7 @@ def test_what_is_finished_is_not_done_again(name, tmp_path, monkeypatch):
     def nobody(*_):
         raise AssertionError("a unit was done again")
 
-    for engine in (BoundPythonEngine, ScheduleSearch, import_module(CENSUS).Classify):
+    for engine in (BoundPythonEngine, ScheduleSearch, import_module(CENSUS).PartBySensing):
         monkeypatch.setattr(engine, "parts", nobody)
     assert job(run=tmp_path / "run").to_json() == whole
     with pytest.raises(AssertionError):

@@ -1,9 +1,11 @@
 """Both plays have other hash seeds and addresses, and there are not too many of them."""
 
+from itertools import pairwise
+
 import pytest
 
 from allworlds.document import replace
-from allworlds.engines.python.tour import BEGINNING, SEEDS, SPELL, Tour
+from allworlds.engines.python.tour import APART, BEGINNING, BEHIND, SEEDS, SPELL, Tour
 from allworlds.inputs import InputError
 from allworlds.judging import Finding
 from allworlds.studies.check import check
@@ -26,19 +28,26 @@ def explore(first):
 """
 
 
-def test_every_seed_has_its_turn_in_a_thousand_plays():
-    tour, met = Tour(), []
-    for _ in range(8 * SPELL):
-        tour.change()
+def places_of(tour, plays, **options):
+    """The places of both players before each of some second plays, made one by one."""
+    met = []
+    for _ in range(plays):
+        tour.change(1, **options)
+        met.append(tour.places)
         tour.count(1)
-        met.append(tour.seeds)
-    assert {first for first, _ in met} == {0}
-    assert [second for _, second in dict.fromkeys(met)] == [*range(1, SEEDS)]
-    assert met.index((0, 2)) == BEGINNING
+    return met
+
+
+def test_every_seed_has_its_turn_in_a_thousand_plays():
+    tour = Tour()
+    met = places_of(tour, 8 * SPELL)
+    assert {first for first, _ in met} == {(0, 0)}
+    assert [second for _, second in dict.fromkeys(met)] == [(seed, 0) for seed in range(1, SEEDS)]
+    assert met.index(((0, 0), (2, 0))) == BEGINNING
     assert tour.complete
 
 
-def test_later_seeds_change_less_and_less():
+def test_later_layouts_change_less_and_less():
     tour, changes = Tour(), 0
     for _ in range(100_000):
         changes += tour.change()
@@ -46,22 +55,55 @@ def test_later_seeds_change_less_and_less():
     assert SEEDS < changes < 4 * SEEDS
 
 
-def test_players_of_one_seed_have_every_seed():
+def test_players_of_one_seed_meet_every_layout():
     tour = Tour(3, alike=True)
-    met = {tour.seeds}
-    for _ in range(16 * SPELL):
-        tour.change()
-        tour.count(1)
-        met.add(tour.seeds)
-    assert met == {(seed, seed) for seed in range(SEEDS)}
-    assert tour.hash_seed in range(SEEDS)
+    met = {*places_of(tour, 8 * SPELL)}
+    assert met == {((3, 0), (3, copy)) for copy in range(1, SEEDS)}
+    assert (tour.hash_seed, tour.differ) == (3, False)
 
 
 def test_a_tour_that_stays_does_not_change():
     tour = Tour(5, alike=True, stays=True)
     tour.count(10 * BEGINNING)
     assert not tour.change()
-    assert (tour.seeds, tour.complete, tour.upcoming) == ((5, 5), True, None)
+    assert (tour.places, tour.complete, tour.upcoming) == (((5, 0), (5, 1)), True, None)
+
+
+def test_a_library_comes_home_and_visits_other_processes_at_growing_intervals():
+    tour, visits = Tour(at_home=True), []
+    for play in range(1 << 20):
+        if tour.change(1) and not tour.is_home:
+            visits.append((play, tour.turn))
+        tour.count(1)
+        if tour.is_home:
+            assert tour.places[1] == (0, 0)
+    assert [turn for _, turn in visits[: SEEDS - 2]] == [*range(2, SEEDS)]
+    later = visits[SEEDS - 2 :]
+    assert [turn for _, turn in later] == [*range(1, len(later) + 1)]
+    assert len(later) == 5
+    assert all(3 < b / a < 4 for (a, _), (b, _) in pairwise(later))
+
+
+def test_a_visit_waits_for_a_short_stretch_and_is_left_out_if_compiled_code_must_play():
+    tour = Tour(at_home=True)
+    while not tour.is_home or tour.complete:
+        tour.change(1)
+        tour.count(1)
+    tour.count(1 << 12)
+    assert not tour.change(SPELL << 3)
+    assert tour.is_home
+    assert tour.change(SPELL << 3, may_visit=False)
+    assert tour.is_home
+    assert tour.complete
+
+
+def test_in_the_long_run_both_players_of_a_library_come_from_processes_of_their_own():
+    tour = Tour(at_home=True)
+    tour.count(APART)
+    while not tour.is_home:
+        tour.change(1)
+        tour.count(1)
+    assert tour.places == ((0, 0), (0, BEHIND))
 
 
 @pytest.mark.parametrize(

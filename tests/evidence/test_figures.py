@@ -5,7 +5,6 @@ from collections import defaultdict
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
-from statistics import stdev
 
 import pytest
 from msgspec import structs
@@ -16,13 +15,13 @@ from allworlds.evidence.figures import FigureRequest, holes as fig3
 from allworlds.evidence.figures.augmentation import figure_2
 from allworlds.evidence.figures.bounds import figure_bounds
 from allworlds.evidence.figures.figure_table import FIGURES, Figure
-from allworlds.evidence.figures.holes import figure_3, standard_error
+from allworlds.evidence.figures.holes import PLACES, figure_3
 from allworlds.evidence.figures.twins import CAPTION, figure_1
 from allworlds.inputs import InputError
 from allworlds.judging import paper_bound, printed_bound
 from allworlds.outcome import Interrupted, Verdict
 from allworlds.studies.optimum import optimum
-from allworlds.world import FamilyWords
+from allworlds.world import World, map_of_family
 
 
 def verdict_of(drawn):
@@ -100,21 +99,29 @@ def small():
 def test_every_run_is_one_in_the_world_of_that_name_under_that_policy(small):
     assert verdict_of(small) is Verdict.NOT_REFUTED
     header, rows = small.table()
-    assert len(rows) == 3 * 3 * 2
+    assert {(row[4], row[3]) for row in rows} == {
+        (f"{text} --holes 10% --seed {seed}", name)
+        for text in ("lattice:3x3", "lattice:4x4", "dense:5")
+        for seed in (5, 6)
+        for name in ("algorithm1, fifo", "algorithm1, lifo", "greedy")
+    }
     for row in rows:
         told = dict(zip(header, row, strict=True))
         text, _, holes, _, seed = told["world"].split()
-        world = FamilyWords(family=text, holes=holes, seed=int(seed)).world("directional")
+        world = World(map_of_family(text, holes, int(seed)))
         name, _, policy = told["explorer"].partition(", ")
-        again = run(name, world, policy=policy or "fifo").outcome
+        again = run(name, world, policy=policy or "fifo", place=told["place"]).outcome
         assert again.cost == told["traversals"]
         assert again.bound == told["bound_1_plus_2"]
         assert told["twice_the_edges"] == 2 * world.map.edge_count
 
 
-def test_the_standard_error_is_that_of_the_mean():
-    assert standard_error([3, 5, 10]) == pytest.approx(stdev([3, 5, 10]) / 3**0.5)
-    assert standard_error([7]) == 0
+def test_every_direction_of_the_marker_is_run_or_as_many_as_the_caption_says(small):
+    for row in small.growth.rows:
+        for one in row.members:
+            assert len(set(one.ran)) == min(PLACES, one.places)
+    assert any(one.places > 1 for row in small.growth.rows for one in row.members)
+    assert f"at most {PLACES} directions of the marker" in small.caption()[0]
 
 
 def test_the_printed_bound_lacks_what_the_paper_leaves_out():

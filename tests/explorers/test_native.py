@@ -162,6 +162,15 @@ def test_it_is_told_what_the_lighthouse_tells():
     assert told.outcome.violation.law == "map"
 
 
+def test_where_several_numbers_are_told_it_is_refused(refused):
+    library = native(attack("if (told != 1) abort()"))
+    said = "is a library, which is told one number at most, and the lighthouse .* tells n, m"
+    for kind in ("told:n,m", "compass+told:n,m"):
+        assert re.search(said, refused("check", library, "--lighthouse", kind, "--edges", "1"))
+    told = check(library, edges=1, lighthouse="told:m")
+    assert not any(found.law == "crash" for found in told.findings)
+
+
 def test_it_may_say_that_several_worlds_look_alike():
     position, ours = Position(0), native(quotient())
     for map_ in (small.PLANE, small.TORUS):

@@ -5,7 +5,7 @@ import inspect
 import pytest
 
 from allworlds.explorers import whole_name
-from allworlds.explorers.spelling import did_you_mean, explorers_in, short_names
+from allworlds.explorers.spelling import explorers_in, short_names
 from allworlds.inputs import InputError
 from allworlds.studies.check import check
 
@@ -69,13 +69,6 @@ def test_a_file_that_is_not_there_is_no_name():
 
 def test_what_is_no_python_has_no_functions():
     assert [*explorers_in("def")] == []
-
-
-def test_a_name_that_is_nearly_one_is_told():
-    assert did_you_mean("algorthm1", ["greedy", "algorithm1"]) == "; did you mean 'algorithm1'?"
-    assert did_you_mean("sun", ["greedy", "algorithm1"]) == ""
-    with pytest.raises(InputError, match="did you mean 'algorithm1'"):
-        check("algorthm1", edges=1)
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,8 @@ from types import SimpleNamespace
 import pytest
 
 from allworlds.cli.app import call
+from allworlds.inputs import InputError, did_you_mean
+from allworlds.studies.check import check
 from ground.cases import KINDS, cases
 from ground.law import LONGEST, Case, Said, said, tried, written, wrong
 
@@ -155,3 +157,10 @@ def test_a_traceback_is_found(monkeypatch):
     monkeypatch.setattr("allworlds.cli.plain_command.answered", _index_error)
     case = Case("options", ("count", "--edges", "1"))
     assert wrong(case.arguments, said(case, call))[:2] == ["a traceback", "the exit code 70"]
+
+
+def test_a_name_that_is_nearly_one_is_told():
+    assert did_you_mean("algorthm1", ["greedy", "algorithm1"]) == "; did you mean 'algorithm1'?"
+    assert did_you_mean("sun", ["greedy", "algorithm1"]) == ""
+    with pytest.raises(InputError, match="did you mean 'algorithm1'"):
+        check("algorthm1", edges=1)

@@ -1,5 +1,7 @@
 """What each law tells of a run that breaks it."""
 
+import re
+
 import pytest
 
 from allworlds.document import replace
@@ -38,8 +40,8 @@ def test_a_run_that_ends_at_the_start_has_no_last_step(told):
     ("name", "law", "words"),
     [
         ("no-answer", "no-estimate", "without an answer that could be judged"),
-        ("never-stops", "budget", "went on for longer than it may"),
-        ("state-kept", "nondeterministic", "the explorer did something else"),
+        ("never-stops", "budget", "did not end within its step budget"),
+        ("state-kept", "nondeterministic", "the explorer acted differently"),
     ],
 )
 def test_other_endings_are_told(name, law, words, told):
@@ -72,8 +74,8 @@ def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
     assert (law, step) == ("pose", 2)
     # Two loops side by side, at dart 3; 'here' is dart 0, which the symmetry takes to dart 2.
     assert "stands at v0, dart 3, and the answer says dart 0 of the same vertex" in text
-    assert "off by a turn of 1 of 4 darts clockwise" in text
-    assert "symmetric: 1 other dart" in text
+    assert "the same vertex, 1 dart too far clockwise" in text
+    assert "symmetric map 1 other dart" in text
 
 
 def test_a_robot_at_another_vertex_is_told_so(explained, answering):
@@ -122,7 +124,7 @@ def test_a_pass_without_progress_is_told(told):
 def test_folding_counts_the_open_darts_and_names_the_vertex_seen_as_several(told):
     law, step, text = told("no-retracing")
     assert (law, step) == ("folding", None)
-    assert "does not settle where 3 darts lead" in text
+    assert "it is open where 3 darts lead" in text
     assert "came to v1 in 2 ways, and the log does not show that this is one vertex" in text
 
 
@@ -159,6 +161,13 @@ def test_it_is_told_whose_the_bound_is(rules, said, answering):
     finding = run(answering(PATH, 0, 0, 1, 0, 1), World(PATH, Directional(0)), **rules).finding
     assert said in " ".join(explain(finding).sentences)
     assert ("the pose are right" in " ".join(explain(finding).sentences)) == ("laws" not in rules)
+
+
+@pytest.mark.parametrize("bound", ["2*m", "m"])
+def test_another_bound_is_proposed_than_the_one_that_was_asked_for(bound, finding_of):
+    finding = replace(finding_of("walks-too-much"), under=Rules(bound=bound), expected=1)
+    (proposed,) = re.findall(r"such as --bound '(.*)'", " ".join(tell_whose_bound(finding)))
+    assert proposed != bound
 
 
 def test_the_bound_of_an_explorer_is_called_its_own(finding_of):

@@ -3,6 +3,7 @@
 import pytest
 
 from allworlds import CombinatorialMap, Move
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import algorithm1
 from allworlds.judging import Belief, Chirality, Story, explain, same_map
@@ -77,7 +78,7 @@ def with_a_leaf_more(estimate):
 
 CASES = {
     "mirrored": (mirrored, "mirror image"),
-    "exchanged": (exchanged, "One slip makes all the difference"),
+    "exchanged": (exchanged, "The answer differs from the world only in this"),
     "without an edge": (without_an_edge, "The answer lacks one edge of the world"),
     "one vertex for two": (with_one_vertex_for_two, "for one vertex"),
     "a leaf more": (with_a_leaf_more, "one edge too many"),
@@ -150,7 +151,7 @@ def test_whatever_slip_is_claimed_the_answer_is_right_without_it(findings):
         world, answer = finding.world.map, belief.answer.map
         for recognise in SLIPS.values():
             slip = recognise(belief)
-            if slip is None:
+            if slip is None or slip.mended is None:
                 continue
             assert same_map(slip.mended, slip.truth)
             if slip.here is not None:
@@ -216,9 +217,71 @@ def test_an_edge_that_is_elsewhere_is_told_where_no_crossing_of_two_explains_it(
     assert "edge misplaced" in {slip.name for slip in slips}
 
 
+def numbered(bearing):
+    """Depth first in a building with numbered rooms; the arrival is read off the bearing."""
+
+    def explore(first):
+        rooms, leads = {}, {}
+
+        def enter(percept):
+            room = percept.marks
+            if room not in rooms:
+                rooms[room] = percept
+                return room, 0
+            return room, bearing(rooms[room].bearing, percept.bearing) % percept.degree
+
+        def search(room, door):
+            for k in range(rooms[room].degree):
+                if (room, k) not in leads:
+                    known = set(rooms)
+                    there = enter((yield Move(k - door)))
+                    if (room, k) == there or there in leads:
+                        return None
+                    leads[room, k], leads[there] = there, (room, k)
+                    at = there[1]
+                    if there[0] not in known:
+                        at = yield from search(*there)
+                        if at is None:
+                            return None
+                    yield Move(there[1] - at)
+                    door = k
+            return door
+
+        door = yield from search(*enter(first))
+        if door is None:
+            return None
+        darts = sorted(leads)
+        number = {dart: i for i, dart in enumerate(darts)}
+        sigma = [number[room, (k + 1) % rooms[room].degree] for room, k in darts]
+        return Estimate(
+            CombinatorialMap(sigma, [number[leads[d]] for d in darts]), number[first.marks, door]
+        )
+
+    return explore
+
+
+@pytest.mark.no_cover
+def test_bearings_that_are_read_the_wrong_way_round_are_told():
+    rules = {"edges": 3, "max_findings": 100, "lighthouse": "labels", "laws": ("map", "pose")}
+    assert not check(numbered(lambda before, now: before - now), **rules).findings
+    found = check(numbered(lambda before, now: now - before), **rules).findings
+    told = {finding: the_slip(Belief(Story(finding))) for finding in found if finding.law == "map"}
+    assert told
+    for finding, slip in told.items():
+        assert slip.name == "bearings anticlockwise", finding
+
+
+@pytest.mark.no_cover
+def test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings):
+    for finding in findings:
+        if finding.law in ("map", "pose"):
+            slip = the_slip(Belief(Story(finding)))
+            assert slip is None or slip.name != "bearings anticlockwise", finding
+
+
 def test_the_slip_stands_in_the_explanation():
     (finding,) = check(spoiling(mirrored), edges=4, laws=("map", "pose")).findings
-    told = explain(finding, chirality=Chirality("anticlockwise", "a chiral world"))
+    told = explain(replace(finding, chirality=Chirality("anticlockwise", "a chiral world")))
     assert told.slip == told.to_json()["slip"] == "mirror image"
     assert "mirror image" in told.sentences[0]
 
@@ -232,7 +295,7 @@ def test_a_pose_that_is_off_by_a_turn_is_told_so():
     assert "off by a turn" in {one.slip for one in told}
     for one in told:
         assert one.slip == "off by a turn"
-        assert any("off by a turn" in sentence for sentence in one.sentences)
+        assert any("too far" in sentence for sentence in one.sentences)
 
 
 @pytest.mark.no_cover
@@ -280,7 +343,7 @@ def test_a_pose_at_the_far_end_of_the_last_edge_is_told_so_exactly_where_it_is()
         truly = bool(
             rooted_isomorphism(belief.answer.map, belief.answer.here, world, world.alpha[robot])
         )
-        said.append("the far end of the edge" in " ".join(explain(finding).sentences))
+        said.append("is the other end of the edge" in " ".join(explain(finding).sentences))
         assert truly or not said[-1]
     assert any(said)
     assert not all(said)

@@ -9,6 +9,49 @@ from allworlds.protocol import Estimate, Move, Transcript
 from allworlds.world import Nothing, State, World
 from small import EDGE, LOLLIPOP, LOOP, PATH, TORUS, TRIANGLE, all_maps
 
+JUDGES = """
+def sees(world, transcript, answer):
+    return repr(answer)
+
+
+def least(steps):
+    return lambda world, transcript, answer: f"{transcript.cost} of {steps}"
+
+
+def raises(world, transcript, answer):
+    return {}["lamp"]
+
+
+def numbers(world, transcript, answer):
+    return 3
+
+
+nothing = 3
+
+
+def looks(world, transcript, answer):
+    steps = [(str(action), percept.degree) for action, percept in transcript]
+    assert len(transcript) == len(steps) == len(transcript.actions)
+    assert transcript.first.degree == world.map.degree_at[world.start]
+    assert [percept.degree for percept in transcript.percepts[1:]] == [each[1] for each in steps]
+    visited, walked = sorted(transcript.visited), sorted(transcript.walked)
+    return f"{steps} {transcript.darts} {visited} {walked} {transcript.cost}"
+
+
+def half(world, transcript, answer):
+    return None
+
+
+half.over = lambda world, transcript: 2 * len(transcript.walked) >= world.map.edge_count
+
+
+def vague(world, transcript, answer):
+    return None
+
+
+vague.over = lambda world, transcript: transcript.cost
+"""
+
 
 def walk(world, *motions):
     """The log of these motions, and the environment after them."""
@@ -82,13 +125,7 @@ def test_where_there_is_one_vertex_all_is_visited_before_the_first_step():
 
 def test_an_estimate_gets_to_a_judge_as_it_is(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "judges.py").write_text(
-        "def sees(world, transcript, answer):\n    return repr(answer)\n\n\n"
-        "def least(steps):\n"
-        "    return lambda world, transcript, answer: f'{transcript.cost} of {steps}'\n\n\n"
-        "def raises(world, transcript, answer):\n    return {}['lamp']\n\n\n"
-        "def numbers(world, transcript, answer):\n    return 3\n\n\nnothing = 3\n"
-    )
+    (tmp_path / "judges.py").write_text(JUDGES)
     estimate = Estimate(EDGE, 1)
     assert wrong("judges.py:sees", EDGE, [], Answered(estimate)) == repr(estimate)
     assert wrong("judges.py:sees", EDGE, [], Over()) == "None"
@@ -99,8 +136,31 @@ def test_an_estimate_gets_to_a_judge_as_it_is(tmp_path, monkeypatch):
         wrong("judges.py:numbers", EDGE, [], Said(None))
     with pytest.raises(InputError, match="is no function, but 3"):
         task_named("judges.py:nothing")
-    with pytest.raises(InputError, match=r"'there' is not one of count:m, .*, stop, path/to"):
-        task_named("there")
+    assert wrong("judges.py:looks", PATH, [0, 1], Said(None)) == (
+        "[('move 0', 2), ('move 1', 1)] [0, 1, 3] [0, 1, 2] [0, 2] 2"
+    )
+    ended = task_named("judges.py:half").environment(World(TORUS, Nothing()))
+    assert not ended.over
+    ended.step(ended.initial, Move(0))
+    assert ended.over
+    with pytest.raises(InputError, match=r"over of task .judges.py:vague. returns 0, no"):
+        _ = task_named("judges.py:vague").environment(World(TORUS, Nothing())).over
+    for name in ("there", "count:x", "home:edges", "map:x"):
+        with pytest.raises(InputError, match=rf"'{name}' is not one of map, .*, face, path/to"):
+            task_named(name)
+
+
+def test_a_judge_is_given_as_a_function_that_another_process_can_import(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    (tmp_path / "own_judges.py").write_text(
+        "def sees(world, transcript, answer):\n    return None\n"
+    )
+    from own_judges import sees
+
+    assert task_named(sees).name == "own_judges:sees"
+    assert task_named(sees) == task_named("own_judges:sees")
+    with pytest.raises(InputError, match="lives in this process alone"):
+        task_named(lambda world, transcript, answer: None)
 
 
 def test_the_laws_of_an_estimate_are_those_of_the_task_map():

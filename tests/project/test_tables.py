@@ -26,7 +26,7 @@ from allworlds.engines.kernel.law_numbers import CHECKED
 from allworlds.evidence.figures.figure_table import FIGURES
 from allworlds.evidence.mutants.judges import WEAK_JUDGES
 from allworlds.explorers import BUILT_IN, LANGUAGES, builtin as explorers, load
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, fields_of
 from allworlds.judging import (
     LAWS,
     PRECEDENCE,
@@ -56,7 +56,14 @@ from allworlds.studies.compare.growing_families import GROWING
 from allworlds.studies.fuzz.sample import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, RENAMED, REPLACED, VERBS
-from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouse_from_json, lighthouses
+from allworlds.world import (
+    LIGHTHOUSES,
+    Lighthouse,
+    World,
+    lighthouse_from_json,
+    lighthouses,
+    place_keys,
+)
 from recorded.record import COMMANDS, LEAST
 
 ROOT = Path(__file__).parents[2]
@@ -185,10 +192,7 @@ ONLY_CLI = {
     "worst": {"explorer", "command", "native"},
     "check": {"estimate", "explorer", "command", "native", "watch"},
     "fuzz": {"explorer", "command", "native"},
-    "run": {
-        *("arguments", "command", "native", "family", "holes", "seed"),
-        *("listed", "lighthouse", "place", "without_walk"),
-    },
+    "run": {"arguments", "command", "native", "listed", "without_walk"},
     "replay": {"explorer", "command", "native", "file", "number"},
     "explain": {"file"},
     "compare": {"command", "native"},
@@ -219,13 +223,18 @@ def test_the_command_line_takes_what_the_function_takes(name):
     assert taken - shown == ONLY_PYTHON.get(name, set())
 
 
+RULES = {field.name for field in fields_of(AskedRules)}
+
+
 def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
-    # Besides, which text the judge of a task has that is the user's.
-    assert set(RecordedRules.__annotations__) - {"task_digest"} == set(AskedRules.__annotations__)
-    assert set(AskedRules.__annotations__) < set(CheckedScope.__annotations__)
+    # Besides, which text the judge of a task has that is the user's, and among which maps it is
+    # minimal.
+    more = {"task_digest", "where", "where_digest"}
+    assert set(RecordedRules.__annotations__) - more == RULES
+    assert set(CheckedScope.__annotations__) > RULES
     others = {"policy": "lifo", "bound": bound_named("n"), "laws": ("map",), "step_budget": 7}
     others["task"] = task_named("cover")
-    assert set(others) == set(AskedRules.__annotations__)
+    assert set(others) == RULES
     report = allworlds.check(silent(), edges=1)
     (finding,) = report.findings
     for key, value in others.items():
@@ -443,12 +452,12 @@ def test_every_lighthouse_is_told(kind):
 @pytest.mark.parametrize("kind", LIGHTHOUSES)
 def test_every_lighthouse_is_written_and_read_as_its_schema_says(kind):
     lighthouse = LIGHTHOUSES[kind]
-    written = {"kind", *lighthouse.keys} - {*lighthouse.asked}
+    written = {"kind", *place_keys(lighthouse)}
     tried = 0
     for map_ in all_rooted_maps(3):
         for placed in lighthouse.places(map_, 0):
             document = placed.to_json()
-            assert written - {"distinct"} <= set(document) <= written
+            assert written - {"distinct", "single"} <= set(document) <= written
             assert document["kind"] == kind
             assert lighthouse_from_json(document, map_, 0) == placed
             tried += 1

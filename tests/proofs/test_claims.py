@@ -18,7 +18,7 @@ DEEP = "[" * 100_000
 OF_THE_PACKAGE = {"produce.py", "explorer_server.py"}
 OF_THE_PACKAGE |= {"certified.py", "certified_checker.py", "certified_folding.py"}
 OF_THE_PACKAGE |= {"certified_lines.py", "certified_shield.py", "certified_trees.py"}
-OF_THE_PACKAGE |= {"odd_program.py"}
+OF_THE_PACKAGE |= {"certified_runs.py", "odd_program.py"}
 
 
 def check(folder, *claims):

@@ -39,7 +39,7 @@ transcripts = st.builds(
     [
         (Percept(3), "degree 3"),
         (Percept(3, 1), "degree 3, marked"),
-        (Percept(3, 2), "degree 3, 2 marks"),
+        (Percept(3, 2), "degree 3, marks 2"),
         (Percept(3, 1, 2), "degree 3, marked, bearing 2"),
         (Percept(1, 0, 0), "degree 1, bearing 0"),
     ],

@@ -120,4 +120,4 @@ def test_a_mismatch_with_the_source_is_named(counted):
 
 def test_a_restricted_census_names_its_universe():
     found = census(edges=1, map_class="simple")
-    assert "another world of the class simple" in flat(census_text(found, 80))
+    assert "every rooted map of the class simple" in flat(census_text(found, 80))

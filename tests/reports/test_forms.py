@@ -2,13 +2,16 @@
 
 import ast
 import csv
+import dataclasses
 import io
+import re
 from pathlib import Path
 
 import pytest
 
 from allworlds import reports
-from allworlds.reports import FORMATS, file_of, formats_of
+from allworlds.reports import FORMATS, CsvRows, file_of, formats_of
+from allworlds.reports.csv_rows import csv_rows
 from allworlds.reports.plain_text import brief, text
 from allworlds.reports.telling import Headline, Section, Shown, ToldFacts, ToldResult, ToldTable
 from allworlds.studies.count import count
@@ -55,6 +58,26 @@ def test_a_verb_with_rows_writes_every_form_and_fits_80_columns(verb, cli, tmp_p
     header, *rows = csv.reader(io.StringIO(made["csv"]))
     assert rows
     assert {len(row) for row in rows} == {len(header)}
+    # Names without spaces, each once; no cell is a list.
+    assert all(re.fullmatch("[a-z][a-z_]*", name) for name in header)
+    assert len({*header}) == len(header)
+    assert not any(re.search(r"\d[:-]\d+( |$)", cell) for row in rows for cell in row)
+
+
+@pytest.mark.parametrize("verb", [*with_rows()])
+def test_each_column_of_a_verbs_rows_has_one_type_whatever_is_missing(verb, cli, tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    file, text_file = tmp_path / "rows.parquet", tmp_path / "rows.csv"
+    cli(*least(verb, str(tmp_path)), "--csv", file)
+    if verb != "merge":  # its run directory is used up
+        cli(*least(verb, str(tmp_path)), "--csv", text_file)
+    table = parquet.read_table(file)
+    assert {str(column.type) for column in table.schema} <= {"int64", "double", "string"}
+    assert table.num_rows > 0
+    if text_file.exists():
+        header, *rows = csv.reader(io.StringIO(text_file.read_text(encoding="utf-8")))
+        assert header == table.column_names
+        assert len(rows) == table.num_rows
 
 
 @pytest.mark.parametrize(
@@ -108,7 +131,7 @@ def telling(headline, cells=()):
 CELLS = [["a|b", 1000, Shown(2.5, "2.50")], ["=1", None, Shown("3 or more", "3 or more")]]
 
 
-def test_a_cell_is_a_number_to_programs_and_a_text_to_people():
+def test_a_cell_has_a_text_for_people():
     told = telling(None, CELLS)
     assert text(told, 80).splitlines()[2:6] == [
         "What it costs",
@@ -116,9 +139,16 @@ def test_a_cell_is_a_number_to_programs_and_a_text_to_people():
         "a|b   1,000       2.50",
         "=1        -  3 or more",
     ]
-    from allworlds.reports.csv_rows import csv_rows
 
-    assert csv_rows(told) == "name,costs,much\na|b,1000,2.5\n=1,,3 or more\n"
+
+def test_rows_are_numbers_and_words_and_a_missing_one_is_an_empty_cell():
+    rows = CsvRows(
+        {"name": str, "costs": int, "much": float}, [["a|b", 1000, 2.5], ["=1", None, 3.0]]
+    )
+    told = dataclasses.replace(telling(None, CELLS), rows=lambda: rows)
+    assert csv_rows(told) == "name,costs,much\na|b,1000,2.5\n=1,,3.0\n"
+    assert rows.records[1] == {"name": "=1", "costs": None, "much": 3.0}
+    assert csv_rows(telling(None, CELLS)) == ""
 
 
 def test_quiet_leaves_a_verdict_one_line_and_else_all():
@@ -133,5 +163,5 @@ def test_a_form_is_offered_where_there_is_what_it_shows():
     assert "sarif" not in formats_of("worst")
     assert formats_of("status") == {}
     assert file_of("count", "csv", count(edges=1)) == (
-        "edges,rooted,unrooted,rooted by vertices\n1,2,2,1:1 2:1\n"
+        "edges,vertices,genus,rooted,unrooted\n1,1,0,1,1\n1,2,0,1,1\n"
     )

@@ -27,7 +27,13 @@ def world():
 
 
 def test_the_names_that_one_looks_for_are_found_by_dir():
-    assert {"World", "draw", "maps", "strategies", "testing"} <= set(dir(allworlds))
+    assert {"World", "draw", "maps", "strategies", "testing", "world"} <= set(dir(allworlds))
+    kinds = {kind.__name__ for kind in allworlds.world.LIGHTHOUSES.values()}
+    assert kinds <= set(dir(allworlds.world))
+    assert {"family", "from_networkx", "rooted_maps"} <= set(dir(maps))
+    # Names for other parts of the program are loaded and not listed.
+    assert "AskedExtent" not in dir(maps)
+    assert maps.AskedExtent
     assert allworlds.maps is maps
     assert callable(allworlds.strategies.worlds)
 
@@ -36,7 +42,7 @@ def test_a_saved_drawing_carries_its_style(world, tmp_path):
     drawing = draw(world)
     drawing.save(tmp_path / "world.svg")
     root = ET.parse(tmp_path / "world.svg").getroot()
-    assert root.find(f"{SVG}style").text == STYLE
+    assert root.find(f"{SVG}style").text == STYLE.replace("NAME", root.get("id"))
     # No edge is a black area: each class of a shape that is drawn has a rule.
     shapes = [one for one in root.iter() if one.tag.removeprefix(SVG) in ("path", "circle", "rect")]
     styled = set(re.findall(r"\.([a-z]+)", STYLE))
@@ -44,6 +50,39 @@ def test_a_saved_drawing_carries_its_style(world, tmp_path):
     for shape in shapes:
         hidden = {"stub", "robot"} & set(shape.get("class").split())
         assert hidden or styled & set(shape.get("class").split()), shape.attrib
+
+
+def test_the_rules_of_a_drawing_reach_nothing_else_in_its_page(world):
+    root = ET.fromstring(draw(world).svg)
+    rules = root.find(f"{SVG}style").text
+    for selectors in re.findall(r"([^{}]+)\{", rules):
+        for selector in selectors.split(","):
+            assert selector.strip().startswith(f"#{root.get('id')} ")
+
+
+def test_drawings_of_one_map_have_other_names_under_another_lighthouse_or_start(world):
+    map_ = world.map
+    shown = [
+        map_,
+        world,
+        World(map_, Directional(2)),
+        World(map_, "position"),
+        World(map_, None, 3),
+    ]
+    names = [ET.fromstring(draw(one).svg).get("id") for one in shown]
+    assert len(set(names)) == len(shown)
+    assert ET.fromstring(draw(map_).svg).get("id") == names[0]
+    every = [one.get("id") for one in ET.fromstring(draw(world).svg).iter() if one.get("id")]
+    assert len(every) == 3
+    assert all(name.startswith(names[1]) for name in every)
+
+
+@pytest.mark.parametrize("name", ["x.png", "x", "x.svg.txt"])
+def test_a_file_of_another_kind_is_refused_and_not_written(name, world, tmp_path):
+    with pytest.raises(InputError, match=r"does not end in \.svg"):
+        draw(world).save(tmp_path / name)
+    assert not any(tmp_path.iterdir())
+    draw(world).save(str(tmp_path / "x.SVG"))
 
 
 def test_a_notebook_shows_maps_and_worlds_as_their_drawings(world):
@@ -59,6 +98,25 @@ def test_a_report_is_printed_as_on_the_command_line():
     assert str(report) == text("check", report, 100).rstrip("\n")
     assert str(report).startswith("HOLDS")
     assert "12 worlds" in report._repr_html_()
+
+
+def test_a_finding_and_a_transcript_are_printed_in_words():
+    (finding,) = allworlds.check("dudek91", edges=2).findings
+    assert str(finding).startswith("Finding 1: dudek91 breaks the law 'map'")
+    assert "The walk" in str(finding)
+    first, *lines = str(finding.transcript).splitlines()
+    assert first.split() == ["step", "action", "sensed"]
+    assert len(lines) == len(finding.transcript.percepts)
+    assert lines[1].split()[:3] == ["1", *str(finding.transcript.actions[0]).split()]
+
+
+def test_a_plain_ipython_shows_what_print_does():
+    report = allworlds.check("dudek91", edges=2)
+    for shown in (report, report.findings[0], report.findings[0].transcript):
+        said = []
+        # IPython takes what stands in a class itself before a repr of its bases.
+        vars(type(shown))["_repr_pretty_"](shown, SimpleNamespace(text=said.append), cycle=False)
+        assert said == [str(shown)]
 
 
 @pytest.mark.parametrize("verb", VERBS, ids=lambda verb: verb.name)
@@ -91,21 +149,35 @@ def test_a_page_in_a_frame_cannot_end_it():
     assert "<script" not in shown
 
 
-def test_a_job_shows_a_bar_in_a_notebook_and_nothing_elsewhere(monkeypatch):
-    assert isinstance(progress.usual_listener(), progress.Silent)
+@pytest.fixture
+def bars(monkeypatch):
+    """The bars that are shown in a notebook, and each of their updates."""
     shown = []
     handle = SimpleNamespace(update=shown.append)
 
     def display(bar, display_id):
         assert display_id
-        shown.append(bar)
+        shown.append(("new", bar))
         return handle
 
     ipython = SimpleNamespace(
         get_ipython=lambda: SimpleNamespace(kernel=1), display=SimpleNamespace(display=display)
     )
     monkeypatch.setitem(sys.modules, "IPython", ipython)
+    return shown
+
+
+def test_a_job_shows_a_bar_in_a_notebook_and_nothing_elsewhere(bars, monkeypatch):
     allworlds.check("algorithm1", edges=2)
-    assert repr(shown[0]) == "edges 1: 0 of 2 worlds"
-    assert repr(shown[-1]) == "edges 2: 10 of 10 worlds"
-    assert '<progress value="10" max="10">' in shown[-1]._repr_html_()
+    (_, first), *_, last = bars
+    assert repr(first) == "edges 1: 0 of 2 worlds"
+    assert repr(last) == "edges 2: 10 of 10 worlds"
+    assert '<progress value="10" max="10">' in last._repr_html_()
+    monkeypatch.delitem(sys.modules, "IPython")
+    assert isinstance(progress.usual_listener(), progress.Silent)
+
+
+def test_a_verb_that_asks_others_shows_one_bar(bars, monkeypatch):
+    monkeypatch.setattr("allworlds.studies.optimum.optimum_table._KNOWN", {})
+    allworlds.optimum(edges=2)
+    assert [one[0] == "new" for one in bars].count(True) == 1

@@ -230,7 +230,29 @@ def test_a_shard_says_that_it_is_one_in_its_one_line_too():
     shard = brief("check", check("algorithm1", engine="python", edges=2, shard=(0, 2)), 100)
     assert "shard" not in whole
     assert shard.startswith("HOLDS: ")
-    assert "in shard 0/2; the verdict on every world needs the merge of all shards" in shard
+    assert "in shard 0/2; the verdict on the whole needs the merge of all shards" in shard
+
+
+def test_a_shard_of_a_sample_says_so_too():
+    told = brief("fuzz", fuzz("algorithm1", edges=6, runs=100, shard=(1, 2)), 100)
+    assert "in shard 1/2; the verdict on the whole needs the merge of all shards" in told
+    empty = brief("fuzz", fuzz("algorithm1", edges=6, runs=1, shard=(0, 2)), 100)
+    assert empty.startswith("EMPTY: ")
+
+
+def test_laws_of_checkpoints_alone_are_vacuous_for_an_explorer_without_checkpoints():
+    silent = {"laws": ("invariant-1", "variant")}
+    for verb, report in (
+        ("check", check("folding", edges=1, engine="python", **silent)),
+        ("fuzz", fuzz("folding", edges=3, runs=2, **silent)),
+        ("run", run("folding", "theta", **silent)),
+    ):
+        assert (report.verdict, report.exit_code) == ("vacuous", 4)
+        told = brief(verb, report, 40)
+        assert told.startswith("VACUOUS: nothing was checked: the explorer shows no checkpoint")
+        assert "invariant-1 and variant" in told
+    spoken = run("algorithm1", "theta", **silent)
+    assert (spoken.verdict, spoken.exit_code) == ("holds", 0)
 
 
 def test_the_laws_are_those_of_which_something_was_checked():
@@ -244,7 +266,7 @@ def test_the_laws_are_those_of_which_something_was_checked():
     silent = laws("folding", bound="none")
     checked, _, left = silent.partition(";")
     assert checked.split() == ["laws", "map,", "pose,", "folding"]
-    assert left.endswith("nothing was checked of invariant-1, invariant-2 and variant")
+    assert left.endswith("shows no checkpoint: invariant-1, invariant-2 and variant")
     assert "no law was checked" in laws("algorithm1", lighthouse="natural", edges=1)
 
 

@@ -51,6 +51,25 @@ def test_an_explorer_without_choices_has_one_schedule():
     assert "the one schedule" in text("worst", report, 100)
 
 
+def test_the_worst_case_of_another_task_is_that_of_a_check_of_it():
+    report = worst("dfs", edges=3, task="cover")
+    told = {(r.edges, r.vertices): r.max_cost for r in check("dfs", edges=3, task="cover").rows}
+    assert {(row.edges, row.vertices): row.worst for row in report.rows} == told
+    of_the_map = {(row.edges, row.vertices): row.worst for row in worst("dfs", edges=3).rows}
+    assert all(told[size] <= cost for size, cost in of_the_map.items())
+    assert told[3, 1] == 0 < of_the_map[3, 1]
+    assert report.to_json()["scope"]["task"] == "cover"
+    assert "task cover: every vertex visited" in " ".join(text("worst", report, 100).split())
+
+
+def test_algorithm_1_with_another_task_is_played_and_transit_is_refused_then():
+    told = worst("algorithm1", edges=2, task="cover")
+    assert told.schedules == "all"
+    assert {row.worst for row in told.rows if row.vertices == 1} == {0}
+    with pytest.raises(InputError, match="with the task map"):
+        worst("algorithm1", edges=2, task="cover", transit="simple")
+
+
 def test_algorithm_1_under_another_lighthouse_is_played():
     report = worst("algorithm1-cluster", edges=2, lighthouse="cluster")
     assert report.to_json()["scope"]["lighthouse"] == "cluster"

@@ -6,12 +6,13 @@ import json
 import sys
 from itertools import combinations
 from math import log
+from statistics import mean
 
 import pytest
 
 from allworlds import compare, run
 from allworlds.document import replace
-from allworlds.engines import TimeIsUp, Unsettled
+from allworlds.engines import SweptLevel, TimeIsUp, Unsettled
 from allworlds.explorers import load
 from allworlds.inputs import InputError
 from allworlds.judging import Rules
@@ -35,7 +36,7 @@ from allworlds.studies.compare import (
 )
 from allworlds.studies.compare.growing_families import GROWING, distinct, members_of
 from allworlds.studies.compare.growth import GrownWorld
-from allworlds.world import Directional, FamilyWords, World
+from allworlds.world import Directional, World, map_of_family
 from allworlds.world.named import map_of_code
 from kept_jobs import EXPLORERS
 
@@ -52,7 +53,7 @@ def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
             map_ = one.map()
             assert (map_.edge_count, map_.vertex_count) == (row.edges, row.vertices)
             text, seed = one.name.split(" --seed ")
-            assert FamilyWords(family=text, seed=int(seed)).world("directional").map == map_
+            assert map_of_family(text, None, int(seed)) == map_
             places = [*Directional.places(map_, 0)]
             assert len(places) == one.places
             for place, cost in zip(one.ran, one.costs, strict=True):
@@ -64,6 +65,7 @@ def test_isomorphic_worlds_count_once_and_every_direction_is_run():
     told = compare("algorithm1", "greedy", family="torus", to=18, worlds=10)
     one, other = told.rows
     assert (one.seeds, one.worlds, one.places, one.runs) == (10, 1, 4, 4)
+    assert (one.drawn_from, one.exact, one.interval) == (1, True, None)
     # Of one world `compare` without `to` walks in every place too.
     (row,) = compare("algorithm1", "greedy", family="torus:3x3", seed=1).rows
     assert {"algorithm1": one.mean, "greedy": other.mean} == row.mean
@@ -79,6 +81,40 @@ def test_no_two_worlds_of_a_size_are_isomorphic_and_every_seed_is_isomorphic_to_
         assert not rooted_isomorphism(a, 0, b, 0)
     for member in size:
         assert sum(bool(rooted_isomorphism(member.map(), 0, b, 0)) for b in kept) == 1
+
+
+@pytest.mark.parametrize(
+    ("seeds", "places", "exact"), [(30, 4, True), (3, 4, False), (30, 2, False)]
+)
+def test_a_sample_is_exact_if_it_is_the_whole_family_in_every_place(seeds, places, exact):
+    asked = {"family": "lattice", "to": 12, "worlds": seeds, "places": places}
+    report = compare("algorithm1", "greedy", **asked)
+    one, other = report.rows
+    # A square of 3 x 3 vertices has 24 darts, and 4 turns carry it to itself.
+    assert one.drawn_from == 24 // 4
+    assert (one.worlds == 6, one.exact, other.exact) == (seeds == 30, exact, exact)
+    (ratio,) = report.ratios
+    assert ratio.exact == exact
+    assert (ratio.interval is None) == (one.interval is None) == (exact or seeds == 3)
+    assert ("every world that seeds draw" in text_of("compare", report, 200)) == exact
+
+
+def test_every_start_of_an_exact_sample_has_the_same_chance():
+    (row,) = compare("greedy", family="lattice", to=12, worlds=30, places=4).rows
+    map_ = map_of_family("lattice:3x3", None, 1)
+    means = []
+    for start in map_.darts:
+        rooted = CombinatorialMap(*rooted_code(map_.sigma, map_.alpha, start))
+        places = Directional.places(rooted, 0)
+        costs = [run("greedy", World(rooted, place)).cost for place in places]
+        means.append(mean(costs))
+    assert row.mean == pytest.approx(mean(means))
+
+
+@pytest.mark.parametrize("family", ["dense", "cubic", "bouquet", "corridor"])
+def test_a_family_of_which_seeds_draw_more_than_the_start_is_never_exact(family):
+    (row, *_) = compare("greedy", family=family, to=30, worlds=2).rows
+    assert (row.drawn_from, row.exact) == (None, False)
 
 
 def test_of_many_places_a_sample_is_drawn_and_said():
@@ -118,6 +154,8 @@ def grown(costs, explorers=("who",)):
             vertices=m // 2,
             explorer=name,
             seeds=len(some),
+            drawn_from=None,
+            exact=False,
             members=tuple(
                 GrownWorld(
                     name=f"t --seed {i}", edges=m, places=1, ran=(0,), costs=(c,), bound=None
@@ -207,12 +245,51 @@ def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
         monkeypatch.setattr(GrowingWorlds, "_units", units)
         told = compare("greedy", family=["bouquet", "strip"], to=60, worlds=1, time_limit=1000)
         assert told.exit_code == code
-        assert told.rows == whole.rows[:2]
-        assert {row.family for row in told.rows} == {"bouquet"}
+        # Of each family the smallest size.
+        smallest = [min(r.edges for r in whole.rows if r.family == f) for f in whole.families]
+        assert [(row.family, row.edges) for row in told.rows] == [
+            *zip(whole.families, smallest, strict=True)
+        ]
+        assert all(row in whole.rows for row in told.rows)
         lines, every = (file_of("compare", "csv", one).splitlines() for one in (told, whole))
-        assert lines == every[: len(lines)]
-        assert len(lines) == 1 + sum(row.runs for row in whole.rows[:2])
+        assert [line for line in every if line in lines] == lines
+        assert len(lines) == 1 + sum(row.runs for row in told.rows)
         assert "finished sizes" in text_of("compare", told, 100)
+
+
+def test_finished_worlds_of_a_begun_size_are_in_the_rows_and_marked(monkeypatch):
+    walked = GrowingWorlds._units
+    asked = {"family": "cubic", "to": 30, "worlds": 3, "by": "world"}
+    whole = compare("greedy", "algorithm1", **asked)
+
+    def units(growth, size):
+        for number, unit in enumerate(walked(growth, size)):
+            if growth._rows and number == 4:
+                raise TimeIsUp
+            yield unit
+
+    monkeypatch.setattr(GrowingWorlds, "_units", units)
+    monkeypatch.setattr(GrowingWorlds, "levels", _unsized)
+    told = compare("greedy", "algorithm1", **asked, time_limit=1000)
+    first, second = (row.edges for row in whole.rows if row.explorer == "greedy")
+    assert {row.edges for row in told.rows} == {first}
+    every, kept = whole.records(), told.records()
+    assert all(row["finished"] for row in every)
+    # Greedy in all three worlds; the unit at which the time was up may be asked for early.
+    begun = [row for row in kept if not row["finished"]]
+    assert [(row["explorer"], row["seed"]) for row in begun[:3]] == [
+        ("greedy", seed) for seed in (1, 2, 3)
+    ]
+    assert len(begun) <= 4
+    assert all(row["edges"] == second for row in begun)
+    assert all({**row, "finished": True} in every for row in kept)
+    assert "begun      3 worlds of an unfinished size" in text_of("compare", told, 100)
+
+
+def _unsized(growth):
+    """The levels, without a count of the runs of each."""
+    for size in growth._sizes:
+        yield SweptLevel(size.edges, 1, growth._units(size), size)
 
 
 def test_the_csv_has_a_line_for_each_run(report):
@@ -223,7 +300,7 @@ def test_the_csv_has_a_line_for_each_run(report):
     assert map_of_code(rows[0]["code"]) == CombinatorialMap(*_code(first.map()))
     unbounded = replace(first, bound=None)
     other = replace(report, rows=(replace(report.rows[0], members=(unbounded,)),))
-    assert file_of("compare", "csv", other).splitlines()[1].endswith(",")
+    assert file_of("compare", "csv", other).splitlines()[1].endswith(",,True")
 
 
 def _code(map_):
@@ -240,6 +317,18 @@ def test_by_world_the_csv_has_a_line_for_each_world_and_explorer(report):
         assert float(row["ratio"]) == pytest.approx(float(row["mean"]) / first, abs=1e-6)
 
 
+def test_by_size_the_csv_has_a_line_for_each_row_with_its_ratio(report):
+    rows = report.records("size")
+    assert [(r["family"], r["edges"], r["explorer"], r["mean"]) for r in rows] == [
+        (row.family, row.edges, row.explorer, row.mean) for row in report.rows
+    ]
+    assert [r["ratio"] for r in rows if r["ratio"]] == [one.ratio for one in report.ratios]
+    assert len(report.records("world")) == sum(row.worlds for row in report.rows)
+    assert report.records() == report.records("run")
+    with pytest.raises(InputError, match="by 'edge' is not one of size, world, run"):
+        report.records("edge")
+
+
 @pytest.mark.slow
 def test_the_plot_is_the_same_for_the_same_report(report):
     pytest.importorskip("matplotlib")
@@ -247,6 +336,8 @@ def test_the_plot_is_the_same_for_the_same_report(report):
     assert plot == file_of("compare", "plot", report)
     assert "<svg" in plot
     assert all(text in plot for text in ("lattice", "thick", "greedy", "algorithm1"))
+    assert "exact" not in plot
+    assert ">greedy, exact<" in file_of("compare", "plot", compare("greedy", family="torus", to=18))
 
 
 def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
@@ -279,7 +370,7 @@ def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused,
         ({"family": ["strip"], "worlds": 0}, "worlds = 0"),
         ({"family": ["strip"], "places": 0}, "places = 0"),
         ({"family": ["strip"], "seed": -1}, "seed = -1"),
-        ({"family": ["strip"], "by": "map"}, "by 'map' is not one of world, run"),
+        ({"family": ["strip"], "by": "map"}, "by 'map' is not one of size, world, run"),
         ({"family": []}, "family"),
     ],
 )

@@ -6,6 +6,7 @@ import json
 import sys
 from collections import defaultdict
 from fractions import Fraction
+from statistics import geometric_mean
 
 import pytest
 
@@ -52,6 +53,8 @@ def test_means_and_comparisons_are_those_of_single_runs(report):
             here = [pair for (vertices, _), pair in means.items() if vertices == row.vertices]
             assert row.worlds == len(here)
             assert row.mean["greedy"] == round(float(sum(b for _, b in here) / len(here)), 6)
+            ratios = [float(b / a) for a, b in here]
+            assert row.ratio["greedy"] == pytest.approx(geometric_mean(ratios), abs=1e-6)
             assert row.less["greedy"] == sum(a < b for a, b in here)
             assert row.equal["greedy"] == sum(a == b for a, b in here)
             assert row.more["greedy"] == sum(a > b for a, b in here)

@@ -1,6 +1,7 @@
 import pytest
 
 from allworlds.inputs import InputError
+from allworlds.maps import rooted_maps, unrooted_code
 from allworlds.studies.count import count
 
 
@@ -44,3 +45,22 @@ def test_no_edge_count_with_such_few_vertices_is_an_empty_row():
 def test_bad_bounds_are_refused(options):
     with pytest.raises(InputError):
         count(**options)
+
+
+def test_the_rows_for_programs_count_by_vertices_and_genus_rooted_and_not():
+    report = count(edges=4)
+    rows = report.records()
+    for row in report.rows:
+        here = [one for one in rows if one["edges"] == row.edges]
+        assert sum(one["rooted"] for one in here) == row.rooted
+        assert sum(one["unrooted"] for one in here) == row.unrooted
+        for key, told in (("vertices", row.by_vertices), ("genus", row.by_genus)):
+            for value, maps in told.items():
+                assert sum(one["rooted"] for one in here if one[key] == value) == maps
+    # Of one map there are 2m / |Aut| rootings: each is one of these, up to isomorphism.
+    found = {}
+    for map_ in rooted_maps(4):
+        code = unrooted_code(map_)
+        found.setdefault((map_.vertex_count, map_.genus), set()).add(code)
+    told = {(one["vertices"], one["genus"]): one["unrooted"] for one in rows if one["edges"] == 4}
+    assert told == {cell: len(codes) for cell, codes in found.items()}

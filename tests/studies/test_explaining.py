@@ -1,16 +1,24 @@
 """Explaining where the world of a finding is its own mirror image: another world decides."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
 from allworlds import explain, replay
-from allworlds.judging import Finding, chiral_worlds, chirality_in, needs_a_chiral_world
+from allworlds.engines import finding_from_record, finding_to_record
+from allworlds.judging import (
+    Finding,
+    chiral_worlds,
+    chirality_in,
+    explain as told_of_run,
+    needs_a_chiral_world,
+)
 from allworlds.maps import isomorphism
 from allworlds.studies.check import check
 
 SPOILED = """
-from allworlds import CombinatorialMap, Estimate, Move
+from allworlds import CombinatorialMap, Estimate, Move, Percept
 from allworlds.explorers import algorithm1
 
 
@@ -29,11 +37,36 @@ def no_map(first):
     return Estimate(CombinatorialMap([1, 0, 3, 3], [1, 0, 3, 2]), 0)
 
 
+def no_darts(first):
+    yield Move(0)
+    return Estimate(CombinatorialMap([1, 0], [1, None]), 0)
+
+
+def no_lists(first):
+    yield Move(0)
+    return Estimate(CombinatorialMap(3, 3), 0)
+
+
 def small(first):
     estimate = yield from algorithm1(first)
     if estimate.map.edge_count > 3:
         raise ValueError("too large")
     return Estimate(estimate.map, estimate.map.sigma[estimate.here])
+
+
+def counting_bearings_anticlockwise(first):
+    def turned(percept):
+        if percept is None or percept.bearing is None:
+            return percept
+        return Percept(percept.degree, percept.marks, -percept.bearing % percept.degree)
+
+    explorer, percept = algorithm1(turned(first)), None
+    while True:
+        try:
+            action = explorer.send(percept)
+        except StopIteration as end:
+            return end.value
+        percept = turned((yield action))
 """
 
 
@@ -50,7 +83,7 @@ def test_a_right_map_with_a_wrong_pose_is_told_as_that_although_its_world_cannot
     assert needs_a_chiral_world(finding)
     told = explain(finding)
     assert told.slip == "off by a turn"
-    assert told.sentences[0].startswith("The map is right, it is 'here' that is wrong")
+    assert told.sentences[0].startswith("The map is right, but 'here' is wrong")
     assert "clockwise, as they should be" in told.sentences[1]
 
 
@@ -62,11 +95,25 @@ def test_a_mirror_image_is_told_as_that_where_another_world_shows_it(report_of):
     assert told.sentences[0].startswith("The answer is a mirror image")
 
 
-def test_where_no_world_decides_the_map_is_right_and_the_reason_stands_there(report_of):
+def test_the_report_of_a_check_has_decided_already(report_of):
+    (turned, *_), (mirrored, *_) = report_of("turned").findings, report_of("mirrored").findings
+    assert turned.chirality.rotations == "clockwise"
+    assert mirrored.chirality.rotations == "anticlockwise"
+    assert told_of_run(turned).sentences == explain(turned).sentences
+    assert told_of_run(mirrored).sentences == explain(mirrored).sentences
+    assert "chirality" not in turned.to_json()
+
+
+def test_what_a_check_has_seen_in_another_world_is_kept_with_the_finding(report_of):
+    (finding, *_) = report_of("turned").findings
+    assert finding_from_record(finding_to_record(finding)).chirality == finding.chirality
+
+
+def test_where_no_world_decides_both_slips_are_told_and_why(report_of):
     (finding, *_) = report_of("small").findings
     told = explain(finding)
     assert told.slip == "off by a turn"
-    assert told.sentences[0].startswith("The map is right")
+    assert told.sentences[0].startswith("Either 'here' is wrong, or the rotations are anticlock")
     assert "the law 'crash'" in told.sentences[1]
 
 
@@ -74,8 +121,28 @@ def test_a_finding_whose_explorer_is_gone_is_explained_all_the_same(report_of):
     document = report_of("mirrored").findings[0].to_json()
     document["explorer"] = "gone.py:explore"
     told = explain(Finding.from_json(document))
-    assert told.sentences[0].startswith("The map is right")
-    assert "gone.py" in " ".join(told.sentences)
+    assert told.sentences[0].startswith("Either 'here' is wrong, or")
+    assert "cannot be run" in told.sentences[1]
+    assert "gone.py" in told.sentences[1]
+
+
+def test_an_explorer_that_was_changed_decides_nothing(report_of, tmp_path):
+    (finding, *_) = report_of("mirrored").findings
+    file = tmp_path / "spoiled.py"
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text.replace("estimate.map.mirrored()", "estimate.map"), encoding="utf-8")
+    told = explain(Finding.from_json(finding.to_json()))
+    assert told.sentences[0].startswith("Either 'here' is wrong, or")
+    assert "the explorer has changed" in told.sentences[1]
+
+
+def test_bearings_of_the_wrong_sign_are_named_where_the_map_is_right_by_symmetry(report_of):
+    finding = report_of("counting_bearings_anticlockwise").findings[0]
+    assert finding.law == "pose"
+    told = explain(finding)
+    assert told.slip == "bearings anticlockwise"
+    undecided = told_of_run(replace(finding, chirality=None))
+    assert "or the bearings are counted anticlockwise" in undecided.sentences[0]
 
 
 def test_chiral_worlds_are_no_mirror_images_of_themselves_and_of_the_narrowest_class(report_of):
@@ -110,10 +177,18 @@ def test_an_answer_that_is_no_map_is_told_once_with_what_was_tried(report_of, tm
     assert report.findings[0].confirmed
     file.write_text(json.dumps(report.to_json()), encoding="utf-8")
     _, out, _ = cli("explain", file)
-    facts, _, story = out.partition("\n\nThe explorer's answer is no map")
-    assert [part.count("sigma[2] = sigma[3] = 3") for part in (facts, story)] == [1, 1]
-    assert "sigma  1   0  [3] [3]" in out
-    assert "built in" in out.replace("\n", " ")
+    assert " ".join(out.split()).count("sigma[2] = sigma[3] = 3") == 1
+    assert out.count("sigma  1   0  [3] [3]") == 1
+    assert " ".join(out.split()).count("line 18, in no_map: return Estimate(") == 1
+    assert out.index("the permutations that were tried") < out.index("The world")
+
+
+def test_what_was_tried_is_shown_only_if_it_can_be(report_of, cli):
+    _, out, _ = cli("check", report_of("no_darts").explorer, "--edges", 1)
+    assert "[None]" in out
+    _, out, _ = cli("check", report_of("no_lists").explorer, "--edges", 1)
+    assert "sigma must be a sequence of darts, not 3" in " ".join(out.split())
+    assert "the permutations that were tried" not in out
 
 
 def test_a_finding_of_such_an_answer_that_was_recorded_as_a_crash_is_reproduced(report_of):

@@ -90,6 +90,20 @@ def test_a_size_within_its_own_scatter_does_not_break_a_law():
     assert not power_law({m: [mean(some)] for m, some in costs.items()}).fits
 
 
+def test_a_size_that_is_exact_has_no_scatter():
+    wide = [0.5, 0.7, 0.9, 1.2, 1.6, 2.0]
+    costs = {m: [m**2 * factor for factor in wide] for m in (10, 20, 40)}
+    low, high = power_law(costs).interval
+    some = power_law(costs, {10, 20})
+    assert (some.exponent, some.residual) == (power_law(costs).exponent, power_law(costs).residual)
+    assert high - low > some.interval[1] - some.interval[0] > 0
+    assert some.interval[0] < some.exponent < some.interval[1]
+    assert power_law(costs, set(costs)).interval is None
+    costs[20] = [1.3 * cost for cost in costs[20]]
+    assert power_law(costs).fits
+    assert not power_law(costs, {20}).fits
+
+
 def covered(size, trials, interval):
     """The share of normal samples of that size whose interval holds the mean, 0."""
     random = Random(1)

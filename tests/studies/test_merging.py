@@ -36,6 +36,26 @@ def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path)
 
 
 @pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("worlds", [{"edges": 3}, {"family": "strip", "to": 30, "worlds": 3}])
+@pytest.mark.parametrize("by", ["size", "world", "run"])
+def test_a_merge_has_the_rows_that_the_whole_has(worlds, by, tmp_path):
+    runs = [tmp_path / str(k) for k in range(2)]
+    for k, run in enumerate(runs):
+        allworlds.compare("greedy", "algorithm1", **worlds, shard=(k, 2), run=run)
+    whole = allworlds.compare("greedy", "algorithm1", **worlds, by=by).records()
+    assert allworlds.merge(*runs, by=by).records() == whole
+    assert len(whole) > 2
+
+
+def test_rows_are_chosen_for_jobs_that_have_them(refused, tmp_path):
+    allworlds.check(edges=1, run=tmp_path)
+    with pytest.raises(InputError, match="by world has no effect on a job of check"):
+        allworlds.merge(tmp_path, by="world")
+    said = refused("merge", tmp_path, "--by", "world")
+    assert said == "allworlds: by world has no effect without --csv\n"
+
+
+@pytest.mark.usefixtures("without_workers")
 def test_a_merge_runs_no_explorer(report, tmp_path):
     file = tmp_path / "mine.py"
     file.write_text(WRONG.read_text())

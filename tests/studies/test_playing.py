@@ -10,7 +10,7 @@ from allworlds import Drop, Move, Pick
 from allworlds.cli.app import call
 from allworlds.inputs import InputError
 from allworlds.studies.play import play
-from allworlds.world import Directional, Movable, World
+from allworlds.world import Directional, Movable, World, map_of_family
 from small import LOOP, PATH
 
 
@@ -57,6 +57,16 @@ def test_a_world_that_is_none_is_refused():
         play(3)
 
 
+def test_a_world_of_a_family_is_that_of_its_seed_and_holes():
+    told = {"seed": 3, "holes": "20%"}
+    assert play("lattice:3x4", **told).world.map == map_of_family("lattice:3x4", "20%", 3)
+    for name, value in told.items():
+        with pytest.raises(InputError, match=f"{name} {value} has no effect on world 'theta'"):
+            play("theta", **{name: value})
+        with pytest.raises(InputError, match=f"{name} = .* on a world that is given"):
+            play(World(PATH), **{name: value})
+
+
 @pytest.mark.parametrize("end", ["\n", ""])
 def test_a_line_is_an_action_and_the_conversation_is_no_result(end, capsys, monkeypatch):
     monkeypatch.setattr(sys, "stdin", io.StringIO(f"0\n -1 \ndrop\nleft \x1b\n{end}"))
@@ -67,8 +77,19 @@ def test_a_line_is_an_action_and_the_conversation_is_no_result(end, capsys, monk
     assert document["path"] is None
     assert said.err.count("you sense: degree 3") == 3
     assert "that cannot be done: the directional lighthouse gives no markers" in said.err
-    assert "is not one of a number, drop, pick, or an empty line to end" in said.err
+    legal = "a number, drop, pick, write K with a number K, or an empty line to end"
+    assert f"is not one of {legal}" in said.err
     assert "\x1b" not in said.err
+
+
+def test_a_number_is_written_where_the_lighthouse_has_room_for_it(capsys, monkeypatch):
+    monkeypatch.setattr(sys, "stdin", io.StringIO("write 3\nwrite 2\nwrite two\n\n"))
+    assert call(["play", "theta", "--lighthouse", "whiteboard:states=3", "--json"]) == 0
+    said = capsys.readouterr()
+    assert [row.get("write") for row in json.loads(said.out)["transcript"]] == [None, 2]
+    assert "that cannot be done: a Write(k) with k from 0 to 2" in said.err
+    assert "you sense: degree 3, marks 2" in said.err
+    assert "'write two' is not one of" in said.err
 
 
 def test_a_page_is_written_and_nothing_is_played(tmp_path, capsys):

@@ -9,7 +9,7 @@ from allworlds.reports import text
 from allworlds.world import worlds
 from models import PARITY
 
-census = allworlds.ambiguity.census
+census, twins = allworlds.ambiguity.census, allworlds.twins
 
 
 @pytest.fixture
@@ -22,7 +22,9 @@ def folder(tmp_path, monkeypatch):
 def test_a_copy_of_position_has_the_census_of_position(folder):
     ours, theirs = census(edges=4), census(edges=4, lighthouse="parity.py:Copy")
     assert ours.rows == theirs.rows
-    assert (ours.pair, len(theirs.pair)) == ((), 2)
+    assert ours.by_vertices == theirs.by_vertices
+    assert [world.map for world in ours.pair] == [world.map for world in theirs.pair]
+    assert ours.bisimulation == theirs.bisimulation
     assert ours.scope.lighthouse == "position"
     assert ours.rows[-1].ambiguous_worlds > 0
 
@@ -35,35 +37,63 @@ def test_where_every_world_can_be_known_none_is_ambiguous(kind):
     assert all(row.marked_worlds for row in report.rows)
 
 
-@pytest.mark.parametrize("kind", ["none", "compass", "natural", "position+told:n,m"])
-def test_parts_are_those_that_comparing_every_two_worlds_gives(kind):
-    found = {}
-    for world in worlds(edges=2, lighthouse=kind, places="all"):
-        for part in found.setdefault(world.map.edge_count, []):
-            other = part[0]
-            pair = [Labelled(w.map, w.percepts, w.start) for w in (world, other)]
-            # Starts are all there: two worlds are of one part if some starts look the same.
-            first, second = classes_of_union(*pair)
-            if set(first) & set(second) and world.told == other.told:
-                part.append(world)
+def parted(kind, edges):
+    """The parts of all worlds, each with one world of those that are the same but for the start.
+
+    Every two worlds are compared, with all their starts.
+    """
+    parts = []
+    for world in worlds(edges=edges, lighthouse=kind, places="all"):
+        for part in parts:
+            first, second = classes_of_union(
+                *(Labelled(w.map, w.percepts, w.start) for w in (world, part[0]))
+            )
+            if set(first) & set(second) and world.told == part[0].told:
+                if all(twins(world, other).relation == "different" for other in part):
+                    part.append(world)
                 break
         else:
-            found[world.map.edge_count].append([world])
+            parts.append([world])
+    return parts
+
+
+@pytest.mark.parametrize("kind", ["none", "compass", "natural", "position", "position+told:n,m"])
+def test_parts_are_those_that_comparing_every_two_worlds_gives(kind):
+    parts = [[w.map for w in part] for part in parted(kind, 2)]
     report = census(edges=2, lighthouse=kind)
-    for row in report.rows:
-        parts = found.get(row.edges, [])
-        shapes = [{len(world.map.sigma) for world in part} for part in parts]
-        assert all(len(shape) == 1 for shape in shapes)
-        assert (row.classes > 0) <= any(len(part) > 1 for part in parts)
-        if row.classes == 0:
-            assert row.marked_worlds == len(parts)
+    sizes = {(m.edge_count, m.vertex_count) for part in parts for m in part}
+    assert [(cell.edges, cell.vertices) for cell in report.by_vertices] == sorted(sizes)
+    for cell in report.by_vertices:
+        size = cell.edges, cell.vertices
+        here = [[(m.edge_count, m.vertex_count) == size for m in part] for part in parts]
+        shared = [members for members in here if len(members) > 1 and any(members)]
+        assert cell.marked_worlds == sum(map(sum, here))
+        assert cell.ambiguous_worlds == sum(map(sum, shared))
+        assert cell.classes == len(shared)
+        assert cell.largest_class == max(map(len, shared), default=0)
+
+
+def test_worlds_of_different_sizes_are_twins_where_nothing_is_marked():
+    # A loop, and a cycle of two edges: a robot that senses degrees goes round either for ever.
+    report = census(edges=2, lighthouse="none")
+    assert [row.ambiguous_worlds for row in report.rows] == [1, 3]
+    assert [world.map.edge_count for world in report.pair] == [2, 2]
+    # One after the other alone they would be missed.
+    assert [row.ambiguous_worlds for row in census(edges=1, lighthouse="none").rows] == [0]
+
+
+def test_the_smallest_pair_is_told_with_its_pictures_and_its_proof():
+    told = text("ambiguity census", census(edges=2), 100)
+    assert "The smallest worlds that no motion tells apart" in told
+    assert told.count(" a a a a") == 2
+    assert "smallest worlds" not in text("ambiguity census", census(edges=1), 100)
 
 
 def test_the_smallest_pair_comes_with_a_proof(folder):
     report = census(edges=3, lighthouse="parity.py:Parity")
     one, other = report.pair
-    assert allworlds.twins(one, other).distinguishable is False
-    assert report.bisimulation == allworlds.twins(one, other).bisimulation
+    assert twins(one, other).distinguishable is False
+    assert report.bisimulation == twins(one, other).bisimulation
     first = next(row for row in report.rows if row.classes)
     assert one.map.edge_count == first.edges
     assert text("ambiguity census", report, 100)

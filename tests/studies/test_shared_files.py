@@ -8,6 +8,9 @@ from pathlib import Path
 
 import pytest
 
+import allworlds
+from allworlds.reports import text
+
 ATTACK = Path(__file__).parents[1] / "attacks" / "reaching" / "shares_its_file.py"
 
 HONEST = """
@@ -82,3 +85,38 @@ def test_a_model_in_a_file_of_its_own_judges_as_it_should(folder, option, name):
 @pytest.mark.parametrize(("option", "name"), MODELS.items())
 def test_the_attack_is_lost_where_nobody_who_judges_loads_it(folder, option, name):
     assert checked("attack", option, f"models.py:{name}")[:2] == ("refuted", "")
+
+
+@pytest.fixture
+def modules(tmp_path, monkeypatch):
+    """Files that import from one another, and are named as no other module of these tests is."""
+    for name, content in {
+        "shared_walker": HONEST + "\n\ndef other(first):\n    return 1\n    yield\n",
+        "shared_judge": "from shared_walker import judge as theirs\n\n\n"
+        "def judge(world, transcript, answer):\n    return theirs(world, transcript, answer)\n",
+        "shared_twice": "def judge(world, transcript, answer):\n"
+        "    from shared_judge import judge\n    return judge(world, transcript, answer)\n",
+        "shared_alone": "def judge(world, transcript, answer):\n    return None\n",
+    }.items():
+        (tmp_path / f"{name}.py").write_text(content)
+        monkeypatch.delitem(sys.modules, name, raising=False)
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.parametrize("name", ["shared_walker", "shared_judge", "shared_twice"])
+def test_a_file_that_a_model_loads_only_by_imports_is_shared_too(modules, name):
+    report = allworlds.check("shared_walker.py:explore", edges=1, task=f"{name}.py:judge")
+    assert report.scope.shared_file == "shared_walker.py"
+
+
+def test_every_verb_that_judges_runs_names_the_shared_file_and_no_other_file(modules):
+    options = {"edges": 1, "task": "shared_judge.py:judge"}
+    searched = allworlds.worst("shared_walker.py:explore", **options)
+    assert searched.scope.shared_file == "shared_walker.py"
+    assert "trust shared_walker.py holds" in " ".join(text("worst", searched, 100).split())
+    compared = allworlds.compare("shared_walker.py:explore", "dfs", **options)
+    assert [one.shared_file for one in compared.explorers] == ["shared_walker.py", ""]
+    assert "trust shared_walker.py holds" in " ".join(text("compare", compared, 100).split())
+    apart = allworlds.worst("shared_walker.py:explore", edges=1, task="shared_alone.py:judge")
+    assert apart.scope.shared_file == ""

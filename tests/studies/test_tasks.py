@@ -86,6 +86,29 @@ def test_a_run_that_is_over_costs_what_it_has_cost_by_then(folder):
     assert bounded.findings[0].confirmed
 
 
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_judge_of_ones_own_ends_a_run_as_ours_do(folder, workers):
+    (folder / "covers.py").write_text(
+        "def judge(world, transcript, answer):\n"
+        "    left = world.map.vertex_count - len(transcript.visited)\n"
+        "    return f'{left} left' if left else None\n\n\n"
+        "judge.over = lambda world, transcript: "
+        "len(transcript.visited) == world.map.vertex_count\n"
+    )
+    asked = {"lighthouse": "none", "where": "trees", "workers": workers}
+    ours = checked("goes_on", "cover", edges=4, **asked)
+    theirs = checked("goes_on", "covers.py:judge", edges=4, **asked)
+    assert ours.verdict.value == theirs.verdict.value == "holds"
+    assert ours.to_json()["rows"] == theirs.to_json()["rows"]
+    loops = {**asked, "where": None, "edges": 2}
+    (one,), (other,) = (
+        checked("goes_on", task, **loops).findings for task in ("cover", "covers.py:judge")
+    )
+    assert (one.law, one.world, one.transcript) == (other.law, other.world, other.transcript)
+    assert other.confirmed
+    assert allworlds.replay(other).outcome == "reproduced"
+
+
 def test_an_end_before_all_is_visited_breaks_the_task(folder):
     report = checked("gives_up", "stop", edges=4)
     (finding,) = report.findings

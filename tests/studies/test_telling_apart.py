@@ -6,6 +6,7 @@ import pytest
 from allworlds.inputs import InputError
 from allworlds.maps import Disagreement, named_map, rooted_code, rooted_maps
 from allworlds.protocol import Move
+from allworlds.reports import text
 from allworlds.studies.ambiguity import class_of, twins
 from allworlds.studies.ambiguity.telling_apart import Separation, replayed, separation
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World, flaw
@@ -164,6 +165,17 @@ def test_the_document_has_motions_and_percepts_or_a_bisimulation():
     assert (alike["distinguishable"], alike["twins"]) == (False, True)
     assert alike["bisimulation"] == [[0] * 4, [0] * 4]
     assert "motions" not in alike
+
+
+def test_worlds_of_which_different_things_are_told_are_told_apart_by_no_motion_at_all():
+    # Without a word, no motion tells how long a cycle is.
+    assert twins("cycle:3", "cycle:4", lighthouse="none").twins
+    one, other = (named(f"cycle-{n}", "told:n") for n in (3, 4))
+    found = twins(one, other)
+    assert (found.distinguishable, found.motions, found.told) == (True, (), ({"n": 3}, {"n": 4}))
+    assert found.to_json()["percepts"] == [[one.first.to_json()], [other.first.to_json()]]
+    assert "by 0 motions: before the start {'n': 3} is told" in text("ambiguity twins", found, 100)
+    assert "told" not in twins(one, one).to_json()
 
 
 def test_worlds_of_different_lighthouses_are_not_compared():

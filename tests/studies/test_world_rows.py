@@ -9,7 +9,16 @@ from allworlds import compare, run, worst
 from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap, named_map, rooted_isomorphism
 from allworlds.reports import file_of
-from allworlds.world import Directional, World, at_place, code_of, map_of_code, world_named
+from allworlds.world import (
+    Adversary,
+    Directional,
+    World,
+    at_place,
+    code_of,
+    map_of_code,
+    map_of_family,
+    world_named,
+)
 from allworlds.world.enumeration import worlds
 
 
@@ -66,6 +75,13 @@ def test_without_by_there_is_a_row_for_each_size_and_explorer():
     report = compare("algorithm1", "greedy", edges=2)
     assert len(rows_of(report)) == 2 * len(report.rows)
     assert report.in_worlds == ()
+    with pytest.raises(InputError, match="by world: these rows are kept if compare has"):
+        report.records("world")
+
+
+def test_rows_without_a_file_are_refused(refused):
+    words = ("greedy", "algorithm1", "--edges", 2, "--by", "world")
+    assert refused("compare", *words) == "allworlds: by world has no effect without --csv\n"
 
 
 def test_one_world_of_a_family_has_its_family_and_seed():
@@ -83,6 +99,45 @@ def test_the_command_line_takes_a_code_and_a_place(cli, refused):
     assert f'"cost": {told.outcome.cost}' in out
     assert "place 7 is none of the 3 places" in refused("run", "greedy", world, "--place", 7)
     assert cli("run", "greedy", "--family", "torus:3x3", "--seed", 1, "--place", 3)[0] == 0
+
+
+def test_a_row_names_its_run_in_python_too():
+    report = compare("algorithm1", "greedy", family="lattice:3x3", holes="20%", seed=4, by="run")
+    for row in report.records():
+        names = {name: row[name] for name in ("family", "holes", "seed")}
+        assert run(row["explorer"], **names, place=row["place"]).cost == row["cost"]
+        found = run(row["explorer"], row["code"], place=row["place"])
+        assert found.cost == row["cost"]
+        text = run(row["explorer"], row["family"], holes="20%", seed=4, place=row["place"])
+        assert text.cost == row["cost"]
+        assert text.world.map == map_of_family("lattice:3x3", "20%", 4)
+
+
+def test_a_lighthouse_is_named_for_a_world_that_names_none():
+    assert run("algorithm1", "k4").world.lighthouse.kind == "directional"
+    assert run("dudek91", "k4").world.lighthouse.kind == "movable"
+    told = run("dudek91", "k4", lighthouse="movable:markers=2")
+    assert told.world.lighthouse.markers == 2
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({}, "neither a world nor a family"),
+        ({"world": 5}, "world = 5 is no World"),
+        ({"world": "k4", "family": "torus:3x3"}, "family torus:3x3 has no effect on world 'k4'"),
+        ({"world": "k4", "holes": "10%"}, "holes 10% has no effect on world 'k4'"),
+        ({"world": World(named_map("k4")), "lighthouse": "position"}, "lighthouse position has no"),
+        ({"family": "k4"}, "family 'k4' is not one of"),
+        ({"family": "torus:3x3", "place": 4}, "place 4 is none of the 4 places"),
+        ({"world": "adversary:corridor:1", "place": 0}, "place 0 has no effect on adversary:corr"),
+        ({"world": "adversary:corridor:1", "lighthouse": "position"}, "under the lighthouse dire"),
+        ({"world": Adversary(1, 1), "seed": 2}, "seed 2 has no effect on adversary:corridor:1"),
+    ],
+)
+def test_what_says_nothing_of_the_world_is_named(given, said):
+    with pytest.raises(InputError, match=said):
+        run("algorithm1", **given)
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ from allworlds import Lighthouse, Percept
 @dataclass(frozen=True)
 class Parity(Lighthouse):
     dart: int
-    modulus = 2
+    modulus: int = 2
 
     @classmethod
     def places(cls, map_, start):
@@ -23,6 +23,10 @@ class Parity(Lighthouse):
 
 
 def parity(modulus):
+    return type("Other", (Parity,), {"modulus": modulus, "__annotations__": {"modulus": int}})
+
+
+def forgets(modulus):
     return type("Other", (Parity,), {"modulus": modulus})
 
 

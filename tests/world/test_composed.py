@@ -50,10 +50,10 @@ def test_percepts_add_up_and_places_multiply():
         ("compass+directional", "compass and directional both have bearings"),
         ("natural+told:n", "natural and told:n both tell something"),
         ("position+", "'' is not one of"),
-        ("told:n,n", "names 'n' twice"),
-        ("told:x", "tells 'x'"),
-        ("told:n=3", "'n=3' is not one of n, m, d, g"),
-        ("whiteboard:states=1", "option states = 1 is none of 2"),
+        ("told:n,n", "names 'n'; legal are n, m, d, g, each once"),
+        ("told:x", "names 'x'; legal are n, m, d, g"),
+        ("told:n=3", "names 'n=3'; legal are n, m, d, g"),
+        ("whiteboard:states=1", "option states = 1 is less than 2"),
         ("whiteboard:marks=3", "has no option 'marks'"),
         ("ports:states=many", "option states = 'many' is not an integer"),
         ("movable:distinct=1", "neither true nor false"),
@@ -151,3 +151,25 @@ def test_renaming_darts_changes_no_percept_of_a_composition():
                 other = world.relabelled(names)
                 assert all(other.percepts[names[d]] == p for d, p in enumerate(world.percepts))
                 assert str(kind_of(other.lighthouse)) == str(kind_of(world.lighthouse))
+
+
+@pytest.mark.parametrize(
+    ("name", "leaves_open", "folds"),
+    [
+        ("position+told:n,m", True, False),
+        ("told:m+position", True, False),
+        ("position+none", True, False),
+        ("position+told:g", False, False),  # the worlds that look alike may differ in that
+        ("position+told:n,d", False, False),
+        ("position+compass", False, False),
+        ("directional+none", False, True),
+        ("directional+told:n", False, False),  # who is told more may stop sooner
+        ("compass+movable", False, False),
+    ],
+)
+def test_it_has_what_its_parts_allow_unless_another_part_adds_to_it(name, leaves_open, folds):
+    kind = lighthouse_named(name)
+    assert (kind.leaves_open, kind.folds) == (leaves_open, folds)
+    place = next(kind.places(PATH, 0))
+    assert place.as_kind.leaves_open == leaves_open
+    assert place.as_kind.leaves_marks == kind.leaves_marks == ("movable" in name)

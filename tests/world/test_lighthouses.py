@@ -187,7 +187,7 @@ def test_reference_darts_in_a_file_may_come_in_any_order():
         ({"kind": "compass", "darts": [0, 3]}, r"has 0 darts of the vertex \[1, 2\]"),
         ({"kind": "compass", "darts": [0, 1, 2, 3]}, r"has 2 darts of the vertex \[1, 2\]"),
         ({"kind": "compass", "darts": [0, 0, 1, 3]}, r"has 2 darts of the vertex \[0\]"),
-        ({"kind": "none:x=1"}, r"the none lighthouse takes no options, not 'x=1'"),
+        ({"kind": "none:x=1"}, r"lighthouse.kind = 'none:x=1' is more than a name"),
     ],
 )
 def test_a_lighthouse_that_does_not_fit_is_named(lighthouse, named):

@@ -143,13 +143,13 @@ def test_of_a_lighthouse_in_the_hand_a_file_may_leave_out_everything():
 @pytest.mark.parametrize(
     ("given", "named"),
     [
-        ("movable:markers=0", "option markers = 0 is not positive; at least 1"),
-        ("movable:markers=-1", "option markers = '-1' is not an integer"),
+        ("movable:markers=0", "option markers = 0 is less than 1"),
+        ("movable:markers=-1", "option markers = -1 is less than 1"),
         ("movable:markers=two", "option markers = 'two' is not an integer"),
         ("movable:markers=" + "9" * 5000, "option markers = '999.*is not an integer"),
-        ("movable:pick=yes", "option pick = 'yes' .* neither true nor false"),
-        ("movable:dart=0", "no option 'dart'; legal are markers, pick"),
-        ("labels:darts=1", "the labels lighthouse takes no options"),
+        ("movable:pick=yes", "option pick = 'yes' is neither true nor false"),
+        ("movable:dart=0", "no option 'dart'; legal: markers, pick, distinct"),
+        ("labels:darts=1", "the lighthouse 'labels' has no option 'darts'; it has none"),
     ],
 )
 def test_an_option_that_is_none_is_named(given, named):
@@ -160,7 +160,7 @@ def test_an_option_that_is_none_is_named(given, named):
 @pytest.mark.parametrize(
     ("lighthouse", "named"),
     [
-        ({"markers": 0}, "lighthouse.markers = 0 is not positive"),
+        ({"markers": 0}, "lighthouse.markers = 0 is less than 1"),
         ({"markers": True}, "lighthouse.markers = True is not an integer"),
         ({"markers": "1"}, "lighthouse.markers = '1' is not an integer"),
         ({"pick": 1}, "lighthouse.pick = 1 is neither true nor false"),

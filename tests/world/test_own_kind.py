@@ -6,7 +6,7 @@ import pickle
 import pytest
 
 from allworlds.inputs import InputError
-from allworlds.protocol import Percept
+from allworlds.protocol import OtherText, Percept
 from allworlds.world import (
     InvalidWorld,
     Lighthouse,
@@ -18,7 +18,7 @@ from allworlds.world import (
     worlds,
 )
 from models import PARITY
-from small import PLANE, TORUS, all_maps
+from small import EDGE, PLANE, TORUS, all_maps
 
 BAD = """
 from allworlds import Lighthouse, Percept
@@ -52,6 +52,12 @@ class Foreign(Base):
         yield Base()
 
 
+class Random(Base):
+    def sensed(self, map_, here):
+        from random import random
+        return Percept(map_.degree_at[here], int(map_.edge_count > 3 and random() < 0.5))
+
+
 class Short(Base):
     def percepts(self, map_):
         return [Percept(1)]
@@ -75,6 +81,75 @@ class Texts(Base):
 class Exits(Base):
     def sensed(self, map_, here):
         raise SystemExit(0)
+
+
+class Marks(Base):
+    leaves_marks = True
+
+    def refusal(self, action, lying, hand):
+        return ""
+
+
+class HoldsTwo(Marks):
+    in_hand = 2
+
+
+class HoldsText(Marks):
+    in_hand = "two"
+
+
+class ActsNot(Marks):
+    def acted(self, map_, state, action):
+        return 1 // 0
+
+
+class ActsFive(Marks):
+    def acted(self, map_, state, action):
+        return 5
+
+
+class Moves(Marks):
+    def acted(self, map_, state, action):
+        return type(state)(map_.alpha[state.dart])
+
+
+class Half(Marks):
+    def acted(self, map_, state, action):
+        return type(state)(state.dart, written=((0, "a"),))
+
+
+class Refuses(Base):
+    leaves_marks = True
+
+    def refusal(self, action, lying, hand):
+        return None
+
+
+class Leaves(Marks):
+    def left_marks(self, map_, state):
+        return "many"
+
+
+class Holds(Base):
+    @property
+    def in_hand(self):
+        return -1
+
+
+class Tells(Base):
+    def told(self, map_):
+        return {"x": object()}
+
+
+class TellsDarts(Base):
+    def told(self, map_):
+        return map_.alpha[0] + map_.sigma[0]
+
+
+class Endless(Base):
+    def sensed(self, map_, here):
+        while True:
+            pass
 
 
 def nothing():
@@ -118,7 +193,7 @@ def test_it_is_written_with_its_options_and_its_digest_and_read_again(folder):
     assert document["options"] == {"modulus": 3}
     assert World.from_json(world.to_json()) == world
     (folder / "parity.py").write_text(PARITY + "\n")
-    with pytest.raises(InvalidWorld, match="has another text now"):
+    with pytest.raises(OtherText, match="has another text now"):
         World.from_json(world.to_json())
 
 
@@ -143,7 +218,7 @@ def test_a_class_in_python_is_found_by_its_module(folder, monkeypatch):
     class Local(Parity):
         pass
 
-    with pytest.raises(InvalidWorld, match="put it into a file of its own"):
+    with pytest.raises(InputError, match="put it into a file of its own"):
         lighthouse_kind(Local)
     assert lighthouse_kind(Position).name == "position"
 
@@ -166,10 +241,10 @@ def test_renaming_darts_renames_the_darts_of_a_place(folder):
         ("bad.py:nothing", "is no lighthouse"),
         ("bad.py:absent", "'bad.py' has no 'absent'"),
         ("absent.py:Lamp", "there is no file 'absent.py'"),
-        ("bad.py:Base:size=3", "has no option 'size'; legal are none"),
-        ("parity.py:Parity:modulus=two", "is of the type str, not int"),
+        ("bad.py:Base:size=3", "has no option 'size'; it has none"),
+        ("parity.py:Parity:modulus=two", "option modulus = 'two' is not an integer"),
         ("parity.py:Parity?modulus", "is not of the form key=value"),
-        ("parity.py:parity?colour=2", "unexpected keyword argument"),
+        ("parity.py:parity?colour=2", "takes no argument 'colour'; legal are modulus"),
         ("position+bad.py:Base", "both have marks"),
     ],
 )
@@ -190,12 +265,92 @@ def test_what_is_no_lighthouse_is_refused_in_one_line(folder, name, said):
         ("Negative", "legal is Percept"),
         ("Texts", "senses 'dark'"),
         ("Exits", "sensed raises SystemExit"),
+        ("ActsNot", "acted raises ZeroDivisionError"),
+        ("ActsFive", "acted of the lighthouse .* gives 5; legal is a State"),
+        ("Moves", "acted of the lighthouse .* legal is a State with the dart of the one before"),
+        ("Half", "acted of the lighthouse .* legal is a State"),
+        ("Refuses", "refusal of the lighthouse .* gives None; legal is a text"),
+        ("Leaves", "left_marks of the lighthouse .* gives 'many'; legal is an integer"),
+        ("Holds", "in_hand of the lighthouse .* gives -1; legal is an integer from 0 on"),
+        ("HoldsText", "in_hand of the lighthouse .* gives 'two'; legal is an integer from 0 on"),
+        ("Tells", "told of the lighthouse .* legal is an integer, a dict"),
+        ("TellsDarts", "tells 1, and 5 with the darts renamed"),
+        ("Endless", "sensed gives no answer for 0.2 s"),
     ],
 )
-def test_an_error_in_a_lighthouse_is_bad_input_that_names_it(folder, kind, said):
+def test_an_error_in_a_lighthouse_is_bad_input_that_names_it(folder, kind, said, monkeypatch):
+    monkeypatch.setattr("allworlds.protocol.model_calls._Limit.seconds", 0.2)
     with pytest.raises(InvalidWorld, match=said) as error:
-        [world.percepts for world in worlds(edges=1, lighthouse=f"bad.py:{kind}", places="all")]
+        next(worlds(edges=1, lighthouse=f"bad.py:{kind}"))
     assert f"bad.py:{kind}" in str(error.value)
+    assert "object at 0x" not in str(error.value) or kind == "Tells"
+
+
+def test_a_lighthouse_that_is_random_in_large_worlds_alone_is_bad_input_there(folder):
+    assert not any(world.first.marks for world in worlds(edges=3, lighthouse="bad.py:Random"))
+    with pytest.raises(InvalidWorld, match=r"'bad.py:Random' is no function of the world: asked"):
+        [world.percepts for world in worlds(edges=4, lighthouse="bad.py:Random")]
+
+
+def test_the_hand_may_be_a_number_in_the_class(folder):
+    assert next(worlds(edges=1, lighthouse="bad.py:HoldsTwo")).initial.hand == 2
+
+
+def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):
+    (folder / "mine.py").write_text(
+        "from dataclasses import dataclass\nfrom typing import ClassVar\n"
+        "from allworlds import Lighthouse, Percept\n"
+        "@dataclass(frozen=True, slots=True)\nclass Lamp(Lighthouse):\n"
+        "    darts: tuple[int, ...]\n    often: int = 1\n"
+        "    name: str = 'a'\n    lit: bool = True\n"
+        "    height: ClassVar[int] = 3\n"
+        "    @classmethod\n    def places(cls, map_, start):\n        yield cls((start,))\n"
+        "    def sensed(self, map_, here):\n"
+        "        marks = self.often * self.lit * (self.name == 'b')\n"
+        "        return Percept(map_.degree_at[here], marks)\n"
+        "class Forgets(Lamp):\n"
+        "    @classmethod\n    def places(cls, map_, start):\n        yield Lamp((start,))\n"
+        "class Careless(Lamp):\n    often = 4\n"
+    )
+    (place,) = lighthouse_named("mine.py:Lamp:often=3,name=b").places(EDGE, 0)
+    assert (place.often, place.name, place.lit) == (3, "b", True)
+    world = World(EDGE, place)
+    assert world.first == Percept(1, 3)
+    told = world.to_json()["lighthouse"]
+    assert told["options"] == {"often": 3, "name": "b"}
+    assert told["darts"] == [0]
+    assert World.from_json(world.to_json()) == world == pickle.loads(pickle.dumps(world))
+    assert str(kind_of(place)) == "mine.py:Lamp?often=3,name=b"
+    assert World(EDGE, next(lighthouse_named("mine.py:Lamp").places(EDGE, 0))).first.marks == 0
+    for name, said in (
+        ("mine.py:Lamp:height=4", "has no option 'height'; legal: often, name, lit"),
+        ("mine.py:Lamp:lit=3", "option lit = '3' is neither true nor false"),
+        ("mine.py:Careless", "sets often = 4 without a type, and so the field keeps 1"),
+        ("parity.py:forgets?modulus=5", "sets modulus = 5 without a type"),
+    ):
+        with pytest.raises(InvalidWorld, match=said):
+            lighthouse_named(name)
+    with pytest.raises(InvalidWorld, match=r"write yield cls\(...\)"):
+        [*lighthouse_named("mine.py:Forgets").places(EDGE, 0)]
+
+
+def test_options_stand_beside_the_name_of_a_kind_and_not_in_it(folder):
+    own = World(EDGE, next(lighthouse_named("parity.py:Parity").places(EDGE, 0))).to_json()
+    for kind in ("ports:states=3", "parity.py:Parity?modulus=3", "compass+movable"):
+        lighthouse = {**own["lighthouse"], "kind": kind}
+        with pytest.raises(InvalidWorld, match=r"is more than a name|needs the key parts"):
+            World.from_json({**own, "lighthouse": lighthouse})
+    ports = World.from_json({**EDGE.to_json(), "lighthouse": {"kind": "ports", "states": 3}})
+    assert str(kind_of(ports.lighthouse)) == "ports:states=3"
+
+
+def test_what_a_lighthouse_prints_gets_to_stderr(folder, capsys):
+    (folder / "loud.py").write_text(
+        PARITY.replace("        if map_", "        print('lit')\n        if map_", 1)
+    )
+    next(worlds(edges=1, lighthouse="loud.py:Parity"))
+    heard = capsys.readouterr()
+    assert (heard.out, heard.err[:4]) == ("", "lit\n")
 
 
 def test_a_copy_of_ours_senses_what_ours_does(folder):

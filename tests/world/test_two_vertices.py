@@ -14,6 +14,7 @@ from allworlds.world import (
     InvalidWorld,
     Natural,
     World,
+    kind_of,
     lighthouse_named,
 )
 from small import LASSO, PATH, all_maps, stepped
@@ -61,7 +62,7 @@ def test_a_single_cluster_has_a_place_for_each_neighbour_that_one_edge_joins_to_
         places = list(SINGLE.places(map_, 0))
         reached = [owner[map_.alpha[place.dart]] for place in places]
         assert sorted(reached) == sorted(v for v, times in beyond.items() if times == 1)
-        assert set(places) <= set(Cluster.places(map_, 0))
+        assert {Cluster(place.dart) for place in places} <= {*Cluster.places(map_, 0)}
 
 
 def test_a_natural_lighthouse_has_a_place_for_each_neighbour_if_both_degrees_are_unique():
@@ -133,10 +134,11 @@ def test_relabelling_the_darts_changes_no_percept(kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_json_goes_there_and_back_and_names_the_kind_without_its_options(kind):
+def test_json_goes_there_and_back_and_its_options_are_keys_beside_the_kind(kind):
+    options = {"single": True} if kind is SINGLE else {}
     for world in worlds(kind, 3):
-        document = world.to_json()
-        assert document["lighthouse"] == {"kind": kind.kind, "dart": world.lighthouse.dart}
+        document, dart = world.to_json(), world.lighthouse.dart
+        assert document["lighthouse"] == {"kind": kind.kind, "dart": dart, **options}
         assert World.from_json(document) == world
 
 
@@ -153,7 +155,9 @@ def test_no_marker_can_be_taken_or_laid():
 def test_without_a_dart_a_lighthouse_stands_at_its_first_place(kind):
     document = LASSO.to_json()
     assert World.from_json(document, missing=kind).lighthouse.dart == 2
-    assert World.from_json({**document, "lighthouse": {"kind": kind}}).lighthouse.dart == 2
+    name, _, single = kind.partition(":")
+    told = {"kind": name, "single": True} if single else {"kind": name}
+    assert World.from_json({**document, "lighthouse": told}).lighthouse.dart == 2
 
 
 def test_a_single_cluster_passes_over_a_neighbour_with_two_edges():
@@ -191,16 +195,16 @@ def test_options_choose_places_and_nothing_else():
 @pytest.mark.parametrize(
     ("text", "named"),
     [
-        ("cluster:single=maybe", "single = 'maybe' .* is neither true nor false"),
-        ("cluster:single=", "single = '' .* is neither true nor false"),
-        ("cluster:twins=true", "has no option 'twins'; legal is single"),
+        ("cluster:single=maybe", "option single = 'maybe' is neither true nor false"),
+        ("cluster:single=", "option single = '' is neither true nor false"),
+        ("cluster:twins=true", "has no option 'twins'; legal: single"),
         ("cluster:single", "'single' .* is not of the form key=value"),
         ("cluster:", "'' .* is not of the form key=value"),
         ("cluster:single=true,single=false", "names 'single' twice"),
-        ("natural:single=true", "the natural lighthouse takes no options, not 'single=true'"),
+        ("natural:single=true", "the lighthouse 'natural' has no option 'single'; it has none"),
         (
             "clusters",
-            f"'clusters' is not one of {', '.join(sorted(LIGHTHOUSES))}, path/to/file.py:",
+            f"'clusters' is not one of {', '.join(LIGHTHOUSES)}, path/to/file.py:",
         ),
     ],
 )
@@ -230,7 +234,7 @@ def test_an_option_that_is_none_is_named(text, named):
         ),
         (DOUBLE, {"kind": "cluster", "dart": 0, "single": True}, "more than one edge"),
         (DOUBLE, {"kind": "cluster", "dart": 0, "single": 1}, "single = 1 is neither"),
-        (DOUBLE, {"kind": "cluster:single=true", "dart": 0}, "more than one edge"),
+        (DOUBLE, {"kind": "cluster:single=true", "dart": 0}, "is more than a name; its options"),
     ],
 )
 def test_a_lighthouse_that_does_not_fit_is_named(map_, lighthouse, named):
@@ -238,11 +242,14 @@ def test_a_lighthouse_that_does_not_fit_is_named(map_, lighthouse, named):
         World.from_json({**map_.to_json(), "lighthouse": lighthouse})
 
 
-def test_a_world_that_says_single_is_the_world_without_that_word():
+def test_a_world_keeps_the_word_single():
     document = {**LASSO.to_json(), "lighthouse": {"kind": "cluster", "dart": 2, "single": True}}
     world = World.from_json(document)
-    assert world == World(LASSO, Cluster(2))
-    assert "single" not in world.to_json()["lighthouse"]
+    assert world == World(LASSO, Cluster(2, single=True)) != World(LASSO, Cluster(2))
+    assert world.to_json() == {**document, "start": 0}
+    assert str(kind_of(world.lighthouse)) == "cluster:single=true"
+    with pytest.raises(InvalidWorld, match="more than one edge"):
+        World(DOUBLE, Cluster(0, single=True))
 
 
 def test_any_dart_to_the_neighbour_will_do_for_a_natural_lighthouse():

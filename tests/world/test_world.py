@@ -3,8 +3,8 @@ from random import Random
 
 import pytest
 
-from allworlds.inputs import show
-from allworlds.maps import InvalidMap, rooted_maps
+from allworlds.inputs import InputError, show
+from allworlds.maps import InvalidMap, from_cycles, rooted_maps
 from allworlds.protocol import Drop, Move, Percept, Pick
 from allworlds.world import (
     LIGHTHOUSES,
@@ -241,7 +241,7 @@ def directional(dart):
         ({"lighthouse": directional(None)}, "lighthouse.dart = None"),
         ({"lighthouse": {"kind": "lamp"}}, "'lamp' is not one of .*directional"),
         ({"lighthouse": {"kind": ""}}, "'' is not one of .*directional"),
-        ({"lighthouse": {"kind": "directional:x=1"}}, "no options, not 'x=1'"),
+        ({"lighthouse": {"kind": "directional:x=1"}}, "is more than a name; its options are keys"),
         ({"lighthouse": {"kind": 3}}, "'kind', not {'kind': 3}"),
         ({"lighthouse": {}}, "'kind', not {}"),
         ({"lighthouse": "directional"}, "'kind', not 'directional'"),
@@ -357,7 +357,7 @@ def test_kinds_are_found_by_name():
     assert lighthouse_from_json({"kind": "directional", "dart": 2}, PATH, 1) == Directional(2)
     with pytest.raises(InvalidWorld, match=r"'Directional' is not one of .*directional"):
         lighthouse_named("Directional")
-    with pytest.raises(InvalidWorld, match="no options, not 'markers=2'"):
+    with pytest.raises(InvalidWorld, match="'directional' has no option 'markers'; it has none"):
         lighthouse_named("directional:markers=2")
 
 
@@ -374,3 +374,29 @@ def test_a_start_that_is_no_dart_is_refused_whatever_the_lighthouse(kind, start,
     del document["lighthouse"]
     with pytest.raises(InvalidWorld, match=r"^start = "):
         World.from_json(document, missing=kind)
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES.values())
+def test_a_kind_is_put_where_a_world_that_names_no_place_has_it(kind):
+    map_ = from_cycles(["a", "ab", "bcc"])
+    read = World.from_json({**map_.to_json(), "start": 2}, missing=kind.kind)
+    assert World(map_, kind.kind, 2) == World(map_, kind, 2) == read
+
+
+def test_without_a_lighthouse_a_world_has_the_directional_one_of_a_document_without_one():
+    assert World(PATH) == World(PATH, None) == World.from_json(PATH.to_json())
+    assert World(PATH, start=2).lighthouse == Directional(2)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ((PATH, "lamp"), "'lamp'"),
+        ((PATH, 5), "lighthouse = 5 is not a text"),
+        ((PATH, "directional", 9), r"start = 9 is no dart; darts are 0\.\.3"),
+        (("theta",), "map = 'theta' is no CombinatorialMap"),
+    ],
+)
+def test_what_makes_no_world_is_named(given, said):
+    with pytest.raises(InputError, match=said):
+        World(*given)

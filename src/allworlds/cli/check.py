@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Annotated
+from typing import Annotated, Any
 
 import allworlds
 from allworlds.cli.events import answered
@@ -12,7 +12,7 @@ from allworlds.cli.files import Files, ensure_directory
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import emit
 from allworlds.cli.watch import kept_in, watched
-from allworlds.inputs import EFFORT, InputError, Option, show
+from allworlds.inputs import EFFORT, InputError, Option, fields_of, show
 from allworlds.studies.check import CheckRequest
 
 
@@ -21,7 +21,12 @@ def check(
     *,
     watch: Annotated[
         bool,
-        Option(EFFORT, "", "Check again whenever the explorer is saved, earlier findings first."),
+        Option(
+            EFFORT,
+            "",
+            "Check again whenever the explorer, or a model of yours, is saved, earlier findings "
+            "first.",
+        ),
     ] = False,
     estimate: Annotated[
         bool,
@@ -61,7 +66,20 @@ def check(
         )
     with kept_in(request.corpus) as past:
         assert isinstance(request.explore, str)
-        return watched(request.explore, lambda: once(replace(request, corpus=past)))
+        models = {name: code for name, code in _models(request) if code}
+        again = {name: getattr(request, name).name for name in models}
+        return watched(
+            request.explore,
+            # A name stands for the text that its file has now.
+            lambda: once(replace(request, corpus=past, **again)),
+            [code.file for codes in models.values() for code in codes if code.source],
+        )
+
+
+def _models(request: CheckRequest) -> Iterator[tuple[str, Sequence[Any]]]:
+    """The fields of a request, with the user's code that their values stand for."""
+    for each in fields_of(type(request)):
+        yield each.name, getattr(getattr(request, each.name), "codes", ())
 
 
 def _estimate(request: CheckRequest, output: LongOutputGroup) -> int:

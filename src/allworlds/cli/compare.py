@@ -31,6 +31,7 @@ def compare(
         if request.to is None:
             raise InputError(f"plot {plot} has no effect without --to")
         ensure_drawable()
+    files.expect(request)
     report = answered(compared, request, output)
     files.write("compare", report)
     return emit(report, "compare", output, request.workers)

@@ -31,6 +31,16 @@ class Files:
                 ensure_parquet()
             ensure_writable(path)
 
+    def expect(self, request: object) -> None:
+        """Refuse an option of a request that tells of a file which is not written.
+
+        Raises:
+            InputError: naming it.
+        """
+        by = getattr(request, "by", None)
+        if by is not None and "csv" not in self.named():
+            raise InputError(f"by {by} has no effect without --csv")
+
     def write(self, verb: str, result: Result) -> None:
         """Write the result into each file that was named, and where a CI service looks for it."""
         for form, path in self.named().items():

@@ -14,7 +14,7 @@ class OutputGroup:
 
     as_json: Annotated[bool, Option(OUTPUT, "", "One JSON document on stdout.", "json")] = False
     quiet: Annotated[
-        bool, Option(OUTPUT, "", "No progress; for a verdict, a single line.", "quiet", "q")
+        bool, Option(OUTPUT, "", "Show no progress; tell a verdict in one line.", "quiet", "q")
     ] = False
 
 

@@ -19,6 +19,7 @@ def plain_command(verb: Verb) -> Callable[..., int]:
     function = loaded(verb.function)
 
     def command(request: Any, *, files: Files, output: OutputGroup) -> int:
+        files.expect(request)
         report = answered(function, request, output)
         files.write(verb.name, report)
         return emit(report, verb.name, output, getattr(request, "workers", None))

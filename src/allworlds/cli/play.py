@@ -7,7 +7,7 @@ import sys
 from typing import Annotated
 
 import allworlds
-from allworlds import Drop, Move, Percept, Pick
+from allworlds import Drop, Move, Percept, Pick, Write
 from allworlds.cli.files import ensure_writable, write_text
 from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit, printable
@@ -33,8 +33,9 @@ def play(
     """Example: allworlds play theta-torus --html play.html
 
     Be the robot, in a web page or here. Here each line is an action: a number leaves by that dart,
-    counted clockwise from the one you came by; drop or pick moves a marker; an empty line ends the
-    walk and uncovers the world. In the end your cost stands beside that of Algorithm 1.
+    counted clockwise from the one you came by; drop or pick moves a marker, write 3 writes the
+    number 3; an empty line ends the walk and uncovers the world. In the end your cost stands beside
+    that of Algorithm 1.
     """
     if html is None:
         made = answer(allworlds.play, replace(request, player=_asked))
@@ -45,10 +46,10 @@ def play(
     return emit(made, "play", output)
 
 
-LEGAL = "a number, drop, pick, or an empty line to end"
+LEGAL = "a number, drop, pick, write K with a number K, or an empty line to end"
 
 
-def _asked(percept: Percept, refused: str) -> Drop | Move | Pick | None:
+def _asked(percept: Percept, refused: str) -> Drop | Move | Pick | Write | None:
     """Read the next action from stdin; prompts go to stderr."""
     _say(f"that cannot be done: {refused}\n" if refused else f"you sense: {percept}\n")
     while True:
@@ -56,6 +57,8 @@ def _asked(percept: Percept, refused: str) -> Drop | Move | Pick | None:
         line = sys.stdin.readline().strip()
         if re.fullmatch(r"-?[0-9]{1,9}", line):
             return Move(int(line) % percept.degree)
+        if written := re.fullmatch(r"write +([0-9]{1,9})", line):
+            return Write(int(written[1]))
         if line in ("", "drop", "pick"):
             return {"": None, "drop": Drop(), "pick": Pick()}[line]
         _say(f"{printable(line)[:40]!r} is not one of {LEGAL}\n")

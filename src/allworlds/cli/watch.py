@@ -1,8 +1,8 @@
-"""Repeat a check whenever the explorer's file is saved."""
+"""Repeat a check whenever a file of the user's is saved."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -17,11 +17,11 @@ PAUSE = 0.2
 """Seconds between two looks at the files."""
 
 
-def watched(explorer: str, once: Callable[[], int]) -> int:
+def watched(explorer: str, once: Callable[[], int], models: Iterable[Path] = ()) -> int:
     """The exit code of the last call of ``once``, made now and after every change of the files.
 
     It ends with an interrupt.  An explorer that is no explorer any more is told in a line, and
-    waited for.
+    waited for; so is a model, whose file is watched, too.
 
     Raises:
         InputError: if no file belongs to the explorer, or it is none at the beginning.
@@ -32,6 +32,7 @@ def watched(explorer: str, once: Callable[[], int]) -> int:
             f"explorer {show(explorer)} cannot be watched; what can is path/to/file.py:attribute, "
             "and a program or a library that lies in a file"
         )
+    files += [file for file in dict.fromkeys(models) if file not in files]
     seen = _state(files)
     code = once()
     while code != Exit.INTERRUPTED:

@@ -22,7 +22,9 @@
     **the** loop through the levels of a study, with its endings, and what the reports of jobs
     that may end early, and of such studies, have;
 ``single``
-    one run, in this process or in one of its own.
+    one run, in this process or in one of its own;
+``other_worlds``
+    the explorer of a finding in another world that shows what is wrong.
 """
 
 from typing import TYPE_CHECKING
@@ -30,7 +32,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.engines.compiled.sizes import WALKED_FROM as WALKED_FROM
+    from allworlds.engines.compiled.sizes import COMPILER as COMPILER, WALKED_FROM as WALKED_FROM
     from allworlds.engines.ended_report import EndedReport as EndedReport, RowsReport as RowsReport
     from allworlds.engines.engine_table import (
         ENGINES as ENGINES,
@@ -40,10 +42,6 @@ if TYPE_CHECKING:
         engine_for as engine_for,
         players_for as players_for,
         why_not_compiled as why_not_compiled,
-    )
-    from allworlds.engines.isolation.confirm import (
-        confirmed as confirmed,
-        examine_apart as examine_apart,
     )
     from allworlds.engines.isolation.jobs import Unsettled as Unsettled
     from allworlds.engines.isolation.stderr_stream import patient_stderr as patient_stderr
@@ -67,6 +65,10 @@ if TYPE_CHECKING:
         schedule_costs_of_unit as schedule_costs_of_unit,
     )
     from allworlds.engines.kernel.schedules import search as search
+    from allworlds.engines.other_worlds import (
+        confirmed as confirmed,
+        shown_chirality as shown_chirality,
+    )
     from allworlds.engines.progress import Listener as Listener, Once as Once, Silent as Silent
     from allworlds.engines.python.comparison import nondeterministic as nondeterministic
     from allworlds.engines.python.costs import (
@@ -81,6 +83,11 @@ if TYPE_CHECKING:
         Outcome as Outcome,
         Referee as Referee,
         name_run as name_run,
+    )
+    from allworlds.engines.python.hash_seeds import (
+        GOES_BY_HASHES as GOES_BY_HASHES,
+        GoesByHashes as GoesByHashes,
+        with_more_seeds_if_needed as with_more_seeds_if_needed,
     )
     from allworlds.engines.python.python_engine import PythonEngine as PythonEngine
     from allworlds.engines.python.run_counter import EnginesDisagree as EnginesDisagree
@@ -164,6 +171,11 @@ if TYPE_CHECKING:
         levels_of as levels_of,
         tell_of_size as tell_of_size,
         units_of_level as units_of_level,
+    )
+    from allworlds.engines.units.listing import (
+        AskedRows as AskedRows,
+        By as By,
+        by_named as by_named,
     )
     from allworlds.engines.units.shards import (
         UNMERGEABLE as UNMERGEABLE,

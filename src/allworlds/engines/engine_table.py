@@ -7,7 +7,7 @@ from functools import partial
 from typing import Annotated, Any, Protocol, TypeAlias
 
 from allworlds.document import one_of
-from allworlds.engines.compiled.sizes import COMPILED_FROM
+from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER
 from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
 from allworlds.engines.python.python_engine import PythonEngine
@@ -18,7 +18,7 @@ from allworlds.engines.transports.threads import Threads
 from allworlds.engines.units.effort import DaskCluster
 from allworlds.engines.units.unit import Transport
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
-from allworlds.inputs import InputError, show
+from allworlds.inputs import InputError, lack_of, show
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +80,8 @@ class Compiled:
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """Return the first option that it does not know, in a sentence."""
+        if lack := lack_of(*COMPILER):
+            return lack
         if subject.from_user and not subject.importable and subject.native is None:
             # Said before the kernel is loaded, which takes half a second.
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
@@ -141,8 +143,13 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 
 
 def why_not_compiled(scope: Scope, subject: Subject) -> str:
-    """The reason why a native explorer in a large check is not judged in compiled code."""
-    if not subject.compiled or scope.extent.levels[-1] < COMPILED_FROM:
+    """The reason why a large check is not done in compiled code, though that was to be expected.
+
+    That is so of native explorers, and of all where there is no compiler.
+    """
+    most = scope.extent.levels[-1]
+    expected = subject.compiled or (most > COMPILED_FROM and bool(lack_of(*COMPILER)))
+    if not expected or most < COMPILED_FROM:
         return ""
     obstacle = ENGINES["kernel"].obstacle(scope, subject)
     return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""

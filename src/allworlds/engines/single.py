@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import nullcontext
 from typing import Annotated
 
 from allworlds.document import (
@@ -23,6 +24,7 @@ from allworlds.document import (
 )
 from allworlds.engines.isolation.confirm import examine_apart, walk_apart
 from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
+from allworlds.engines.python.prints import Silence, printing_to
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import BUILT_IN, Subject
 from allworlds.inputs import InputError, show
@@ -33,6 +35,7 @@ from allworlds.judging import (
     RecordedRules,
     Rules,
     Undecided,
+    checked_laws,
     place_of,
     play,
 )
@@ -83,9 +86,11 @@ class SingleRun(Report):
     verdict: Annotated[
         Verdict,
         about("about this run alone; `error`: a tester did less than every tester must"),
-        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.ERROR),
+        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS, Verdict.ERROR),
     ] = computed(lambda run: run.facts.verdict)
-    exit_code: Annotated[ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.INTERNAL)] = EXIT_CODE
+    exit_code: Annotated[
+        ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.VACUOUS, Exit.INTERNAL)
+    ] = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     world: Annotated[World, about("as it was given")]
     options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
@@ -120,7 +125,7 @@ class SingleRun(Report):
 
     @property
     def facts(self) -> Facts:
-        """Whether a law is broken, or the walk is not the one that the adversary saw.
+        """Whether a law is broken or none was checked, or the adversary saw another walk.
 
         A tester that breaks no law and does less than its bounds say refutes the theorem, or the
         adversary.
@@ -128,7 +133,12 @@ class SingleRun(Report):
         made = self.adversary
         refuted = self.finding is not None or (made is not None and not made.same)
         less = made is not None and not made.keeps_the_bound
-        return Facts(refuted=refuted, disagrees=less and not refuted)
+        return Facts(refuted=refuted, disagrees=less and not refuted, vacuous=not self.checked_laws)
+
+    @property
+    def checked_laws(self) -> tuple[str, ...]:
+        """The laws of which something was checked."""
+        return checked_laws(self.rules.judged, 1, len(self.outcome.episode.checkpoints))
 
     @property
     def ending(self) -> Ending:
@@ -195,7 +205,8 @@ def adversarial_run(
         heard = rules.choices("", script)
         budget = rules.budget(adversary.at_first.map)
         player = subject.player(settled=deciding.hear)
-        episode = play(deciding, player, heard, budget, watch=deciding.heed)
+        with printing_to(Silence()) if subject.from_user else nullcontext():
+            episode = play(deciding, player, heard, budget, watch=deciding.heed)
         walk, choices = episode.transcript.actions, tuple(heard.record)
     run = single_run(subject, deciding.world(), rules, choices, limits, hash_seed)
     built_in = None if subject.from_user else BUILT_IN.get(subject.name)

@@ -16,6 +16,7 @@ from typing import Any, ClassVar, Generic, TypeVar
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.isolation.jobs import Unsettled
 from allworlds.engines.progress import NOBODY, Listener
+from allworlds.engines.python.hash_seeds import GOES_BY_HASHES, GoesByHashes
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.run_directory.finished_units import ENDED, Records, records_in, shelf
 from allworlds.engines.run_directory.identity import Identity
@@ -25,12 +26,12 @@ from allworlds.engines.units.effort import TimeIsUp, deadline_after
 from allworlds.engines.units.gather import gather
 from allworlds.engines.units.kept_form import from_kept
 from allworlds.engines.units.levels import SweptLevel, levels_of, tell_of_size
+from allworlds.engines.units.listing import By
 from allworlds.engines.units.shards import UNMERGEABLE, WHOLE, AskedShard, Portion, Shard, shards_of
 from allworlds.engines.units.unit import Sum
-from allworlds.inputs import codes_in, meant, remembered, without_effort
+from allworlds.inputs import InputError, meant, remembered, without_effort
 from allworlds.maps import Extent
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended
-from allworlds.protocol import ensure_same_content
 
 Total = TypeVar("Total", bound=Sum)
 Answer = TypeVar("Answer")
@@ -55,6 +56,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         result: the class of its results, where it needs nothing but what was kept.
         portion: the part of the units that is done.
         deadline: on the monotonic clock, or None.
+        more_seeds: whether an explorer goes by hashes, and so all are tried with more hash seeds.
         records: of the job, while it goes on.
     """
 
@@ -68,6 +70,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         self.listener: Listener = request.listener
         self.portion: Portion = getattr(request, "shard", WHOLE)
         self.deadline = deadline_after(request.time_limit)
+        self.more_seeds = False
 
     @classmethod
     def known(cls, identity: Identity, portion: Portion, listener: Listener) -> Sweep[Any, Any]:
@@ -78,10 +81,16 @@ class Sweep(ABC, Generic[Total, Answer]):
     def asked_then(cls, identity: Identity, portion: Portion, listener: Listener) -> Any:
         """Return the request of that identity, for a portion."""
         shard = {"shard": portion} if issubclass(cls.asked, AskedShard) else {}
-        told = identity.parameters
-        request = cls.asked(**remembered(cls.asked, told), **shard, listener=listener)
-        ensure_same_content(codes_in(request), told.get("code", {}))
-        return request
+        told = remembered(cls.asked, identity.parameters)
+        return cls.asked(**told, **shard, listener=listener)
+
+    def list_by(self, by: By) -> None:
+        """Have rows for programs for each of these.
+
+        Raises:
+            InputError: if there are none to choose from.
+        """
+        raise InputError(f"by {by} has no effect on a job of {self.verb}")
 
     # ------------------------------------------------------------ what a study says
 
@@ -138,6 +147,9 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Do what comes before the first level; an ending ends the job before it."""
         return None
 
+    def forget(self) -> None:
+        """Drop all that was taken in, to begin anew; only needed if users' explorers are played."""
+
     def leave(self, level: SweptLevel, total: Total) -> None:
         """Take in the finished units of an unfinished level: by default none."""
 
@@ -160,6 +172,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         if run is None and isinstance(self.portion, Shard):
             self.listener.notice(UNMERGEABLE)
         with records_in(run, self.identity, self.listener.notice) as records:
+            self.more_seeds = bool(records.recall(GOES_BY_HASHES))
             return self._answered(records, lambda: self._guarded(self.begin) or self._swept())
 
     def merged(self, records: Records) -> Answer:
@@ -178,7 +191,15 @@ class Sweep(ABC, Generic[Total, Answer]):
         return self.report(ending)
 
     def _swept(self) -> Ending:
-        ending = self._guarded(self._through) or Completed()
+        try:
+            ending = self._guarded(self._through) or Completed()
+        except GoesByHashes:
+            self.listener.notice(f"{GOES_BY_HASHES}; all begins anew, with more of them")
+            self.forget()
+            self.records.forget()
+            self.more_seeds = True
+            self.records.note(GOES_BY_HASHES, value=True)
+            ending = self._guarded(self._through) or Completed()
         return self._guarded(lambda: self.conclude(ending)) or ending
 
     def _guarded(self, job: Callable[[], Ending | None]) -> Ending | None:

@@ -20,6 +20,8 @@
     a program in any language behind a pipe;
 ``stepping``
     explorers as objects, which can be copied;
+``command_words``
+    the words of its command: an interpreter and its script;
 ``shared_library``
     explorers in shared libraries: the C interface;
 ``skeletons``

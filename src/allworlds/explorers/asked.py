@@ -54,7 +54,7 @@ class ExplorerWords(ProgramWords):
             "[EXPLORER]",
             "A built-in name, module:attribute, path/to/file.py:attribute or an entry point "
             "(default: algorithm1); shield:EXPLORER makes any of them right under the directional "
-            "lighthouse. Of a file with one generator function its name will do.",
+            "lighthouse. If the file has one generator function, path/to/file.py is enough.",
         ),
     ] = None
 

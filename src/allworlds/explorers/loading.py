@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import os
 from collections.abc import Mapping
 from typing import Any
 
@@ -12,8 +11,9 @@ from allworlds.explorers.moved import present_name
 from allworlds.explorers.program import Program
 from allworlds.explorers.shared_library.library import Library, library_path
 from allworlds.explorers.shared_library.native import NativeExplorer
-from allworlds.explorers.spelling import did_you_mean
+from allworlds.explorers.spelling import no_explorer
 from allworlds.explorers.subject import (
+    EXPLORER,
     Subject,
     built_in,
     command_of,
@@ -65,17 +65,8 @@ def source_of(name: str) -> SourceText | None:
     if plain in BUILT_IN or plain in entry_points():
         return None
     place, colon, attribute = plain.rpartition(":")
-    if not colon and os.path.isfile(plain):  # noqa: PTH113  # takes any text
-        raise InputError(
-            f"{show(plain)} is a file: a function in it is path/to/file.py:attribute, a program "
-            "runs with --exec, and a shared library with --native"
-        )
     if not colon:
-        known = sorted({*BUILT_IN, *entry_points()})
-        raise InputError(
-            f"explorer {show(name)} is not one of {', '.join(known)}, module:attribute or "
-            f"path/to/file.py:attribute{did_you_mean(name, known)}"
-        )
+        raise InputError(no_explorer(name, plain, sorted({*BUILT_IN, *entry_points()})))
     if not place or not attribute:
         raise InputError(
             f"explorer {show(name)} is incomplete; legal are module:attribute and "
@@ -135,6 +126,8 @@ def _attribute(module: Any, attribute: str, place: str) -> Any:
         return attribute_of(module, attribute, place)
     except InputError as error:
         names = [n for n, v in vars(module).items() if inspect.isgeneratorfunction(v)]
+        if not names and attribute == "explore":
+            raise InputError(f"{show(place)} has no generator function: {EXPLORER}") from None
         raise InputError(
             f"{error}; its generator functions are: {', '.join(names) or 'none'}"
         ) from None

@@ -14,10 +14,8 @@ A program whose first line is ``{"forks": true}`` (unanswered) can keep its stat
 from __future__ import annotations
 
 import contextlib
-import errno
 import json
 import os
-import re
 import secrets
 import select
 import shlex
@@ -27,10 +25,10 @@ import sys
 import time
 from collections.abc import Callable, Generator, Sequence
 from functools import lru_cache
-from pathlib import Path
 from random import Random
 from typing import Any, Literal, NamedTuple
 
+from allworlds.explorers.command_words import missing_script, obstacle, syntax_error
 from allworlds.inputs import SHOWN, InputError, show
 from allworlds.maps import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
@@ -87,8 +85,8 @@ class Program:
             raise InputError("--exec needs a command, not an empty string")
         found = shutil.which(self._arguments[0])
         if found is None:
-            raise InputError(f"--exec {show(command)}: {_obstacle(self._arguments[0])}")
-        if missing := _missing_script(*self._arguments[:2]):
+            raise InputError(f"--exec {show(command)}: {obstacle(self._arguments[0])}")
+        if missing := missing_script(self._arguments):
             raise InputError(f"--exec {show(command)}: {missing}")
         self.path = found
         self._timeout = answer_timeout
@@ -103,6 +101,11 @@ class Program:
         self._out = bytearray()
         self._said = select.poll()
         self._in_to = self._out_of = -1
+
+    def ensure_readable(self) -> None:
+        """Raise InputError if its interpreter cannot read its script."""
+        if error := syntax_error(self._arguments):
+            raise InputError(f"--exec {show(shlex.join(self._arguments))}: {error}")
 
     def explore(
         self, first: Percept, *, told: Told = None
@@ -415,40 +418,6 @@ def _short_action(line: bytes) -> Action | None:
 def _answering(percept: Percept) -> bytes:
     """The line that answers an action."""
     return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
-
-
-INTERPRETERS = re.compile(r"(node|nodejs|ruby|perl|lua|php|pypy3?|python[0-9.]*)")
-"""Programs whose first word, if it is no option, is a file with a script."""
-
-
-def _missing_script(interpreter: str, script: str = "-") -> str:
-    """The reason why an interpreter cannot open its script; empty if it can, or if unknown."""
-    plain = INTERPRETERS.fullmatch(Path(interpreter).name) and not script.startswith("-")
-    # node takes a name without its ending, too.
-    if not plain or any(Path(script + ending).exists() for ending in ("", ".js", ".json")):
-        return ""
-    return f"{Path(interpreter).name} cannot open {show(script)}: there is no such file"
-
-
-def _obstacle(name: str) -> str:
-    """The reason why a command cannot be run."""
-    path = Path(name)
-    try:
-        path.stat()
-    except OSError as error:
-        if error.errno != errno.ENOENT:
-            return f"{show(name)}: {error.strerror}"
-    except ValueError:
-        return f"there is no program {show(name)}: no file can be named so"
-    if path.is_dir():
-        return f"{show(name)} is a directory, not a program"
-    if path.is_file():
-        if os.sep in name:
-            return (
-                f"the file {show(name)} is not executable; chmod +x, or name its interpreter first"
-            )
-        return f"there is no program {show(name)}; for the file here write './{name}'"
-    return f"there is no program {show(name)}"
 
 
 def _checkpoint(value: object) -> Checkpoint:

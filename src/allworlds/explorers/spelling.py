@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import ast
+import os
 from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches
 from pathlib import Path
 
 from allworlds.explorers.subject import SHIELD, has_shield, is_program, unshielded
-from allworlds.inputs import InputError, read_text, show
+from allworlds.inputs import InputError, did_you_mean, read_text, show
 
 MOST_OF_A_COMMAND = 20
 """The number of characters that stand for a command, if they tell it from others."""
@@ -17,17 +18,17 @@ MOST_OF_A_COMMAND = 20
 def whole_name(name: str) -> str:
     """The name; the function is added to the name of a file that has only one.
 
-    The file is read, and not run.
+    The file is read, and not run.  If it defines none, it may import one named ``explore``.
 
     Raises:
-        InputError: if the file has several, or none, is not there, or is no Python.
+        InputError: if the file has several, is not there, or is no Python.
     """
     if has_shield(name):
         return SHIELD + whole_name(unshielded(name))
     if not name.endswith(".py") or ":" in name:
         return name
     if not Path(name).exists():
-        raise InputError(f"there is no file {show(name)}")
+        raise InputError(f"there is no file {show(name)}{_like_file(name)}")
     text = read_text(name)
     try:
         compile(text, name, "exec", dont_inherit=True)
@@ -41,9 +42,45 @@ def whole_name(name: str) -> str:
     if len(explorers) == 1:
         return f"{name}:{explorers[0]}"
     if not explorers:
-        raise InputError(f"{show(name)} has no generator function: none that yields motions")
+        return f"{name}:explore"
     legal = ", ".join(f"{name}:{explorer}" for explorer in explorers)
     raise InputError(f"{show(name)} has several explorers; legal are {legal}")
+
+
+def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
+    """The reason why a name without a function is none of an explorer, and what would be legal.
+
+    Args:
+        name: as it was given.
+        plain: without its arguments.
+        known: the names of explorers that stand alone.
+    """
+    if os.path.isdir(plain):  # noqa: PTH112  # takes any text, as below
+        return f"{show(plain)} is a directory; an explorer in it is {Path(plain)}/FILE.py:FUNCTION"
+    if os.path.isfile(plain):  # noqa: PTH113
+        return (
+            f"{show(plain)} is a file, but no file.py with a function; a program runs with --exec, "
+            f"a shared library with --native{_like_file(plain)}"
+        )
+    if os.sep in plain:
+        return f"there is no file {show(plain)}{_like_file(plain)}"
+    return (
+        f"explorer {show(name)} is not one of {', '.join(known)}, module:attribute or "
+        f"path/to/file.py:attribute{_like_file(plain) or did_you_mean(name, known)}"
+    )
+
+
+def _like_file(name: str) -> str:
+    """A hint at a Python file whose name is similar, in the same folder; empty if there is none."""
+    given = Path(name)
+    try:
+        files = sorted(file.name for file in given.parent.glob("*.py"))
+    except (OSError, ValueError):
+        return ""
+    if f"{given.name}.py" in files:
+        return f"; did you mean {show(f'{name}.py')}?"
+    close = get_close_matches(given.name, files, n=1)
+    return f"; did you mean {show(name.removesuffix(given.name) + close[0])}?" if close else ""
 
 
 def explorers_in(text: str) -> Iterator[str]:
@@ -102,9 +139,3 @@ def _ends(name: str) -> Iterator[str]:
         folders = place.split("/")
         yield from (f"{'/'.join(folders[-i:])}:{attribute}" for i in range(1, len(folders)))
     yield name
-
-
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """A hint such as ``; did you mean 'algorithm1'?``; empty if no name is similar."""
-    close = get_close_matches(name, [*known], n=1)
-    return f"; did you mean {show(close[0])}?" if close else ""

@@ -41,6 +41,8 @@ SHIELD_BOUND = "9*paper"
 HASH_SEED = "PYTHONHASHSEED"
 """The variable of the environment from which an interpreter takes its hash seed."""
 
+EXPLORER = "an explorer is def explore(first) with yield, or a class with step(percept)"
+
 LIGHTHOUSE = "directional"
 """The lighthouse of users' explorers unless another is named."""
 
@@ -318,10 +320,7 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
     function = explore if inspect.isroutine(explore) else getattr(explore, "__call__", None)  # noqa: B004
     generates = inspect.isgeneratorfunction(explore) or inspect.isgeneratorfunction(function)
     if not callable(explore) or not generates:
-        raise InputError(
-            f"{name} is no generator function: an explorer is def explore(first) with yield, or a "
-            "class with step(percept)"
-        )
+        raise InputError(f"{name} is no generator function: {EXPLORER}")
     parameters = inspect.signature(explore).parameters
     takes_all = any(p.kind is p.VAR_KEYWORD for p in parameters.values())
     keywords = frozenset(

@@ -9,6 +9,7 @@ import re
 import signal
 import sys
 from collections.abc import Iterable
+from difflib import get_close_matches
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -39,6 +40,13 @@ def show(value: object) -> str:
         let_users_interrupt(error)
         return f"an object of type {type(value).__name__} whose repr fails"
     return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """A hint such as ``; did you mean 'algorithm1'?``; empty if no name is similar."""
+    by_letters = {each.lower(): each for each in known}
+    close = get_close_matches(name.lower(), by_letters, n=1)
+    return f"; did you mean {show(by_letters[close[0]])}?" if close else ""
 
 
 def integer(value: object) -> int:
@@ -137,8 +145,13 @@ def ensure_installed(package: str, extra: str, what: str) -> None:
     Raises:
         InputError: saying what needs it, and which extra brings it.
     """
-    if find_spec(package) is None:
-        raise InputError(f"{what} needs {package}: {INSTALL.format(extra)}")
+    if lack := lack_of(package, extra):
+        raise InputError(f"{what} {lack}")
+
+
+def lack_of(package: str, extra: str) -> str:
+    """The words that a package is needed, and which extra brings it; empty if it is installed."""
+    return "" if find_spec(package) else f"needs {package}: {INSTALL.format(extra)}"
 
 
 def parse_json(text: str, kind: type[InputError] = InputError) -> Any:

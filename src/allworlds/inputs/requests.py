@@ -268,22 +268,17 @@ def meant(request: object) -> dict[str, Any]:
     """All that the answer to a request depends on, but for the explorer, as JSON has it.
 
     A value that JSON does not have stands there by its name, which is its text; of the user's
-    code there is the digest.
+    code there is the record, from which it can be loaded again.
     """
-    digests = {code.name: code.digest for code in codes_in(request)}
+    values = (getattr(request, each.name) for each in _meant(type(request)))
+    codes = [code for value in values for code in getattr(value, "codes", ())]
     found = told_by(type(request), request)
-    return {**found, "code": digests} if digests else found
+    return {**found, "code": {code.plain: code.record for code in codes}} if codes else found
 
 
 def told_by(part: type[Any], request: object) -> dict[str, Any]:
     """The options of a part of a request on which the answer depends, as JSON has them."""
     return {each.option: as_json(getattr(request, each.name)) for each in _meant(part)}
-
-
-def codes_in(request: object) -> list[Any]:
-    """The user's code that values of a request stand for, each with its name and its digest."""
-    values = (getattr(request, each.name) for each in _meant(type(request)))
-    return [code for value in values for code in getattr(value, "codes", ())]
 
 
 def as_json(value: object) -> Any:

@@ -2,8 +2,8 @@
 
 ``episode``, ``endings``
     the one place where a world and an explorer meet, and the ways in which a run can end;
-``tasks``
-    what counts as done;
+``tasks``, ``walk_log``
+    what counts as done, and the log that decides it;
 ``laws``
     the judge: an answer and a log against the truth, law by law;
 ``findings``
@@ -19,6 +19,7 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.judging.endings import (
         BUILT as BUILT,
+        NO_MAP as NO_MAP,
         Answered as Answered,
         Ending as Ending,
         Fault as Fault,
@@ -58,11 +59,7 @@ if TYPE_CHECKING:
     )
     from allworlds.judging.explanations.named_walk import Walked as Walked
     from allworlds.judging.explanations.spending import Spending as Spending
-    from allworlds.judging.explanations.story import (
-        Belief as Belief,
-        Chirality as Chirality,
-        Story as Story,
-    )
+    from allworlds.judging.explanations.story import Belief as Belief, Story as Story
     from allworlds.judging.explanations.whose_bound import tell_whose_bound as tell_whose_bound
     from allworlds.judging.findings.asked_finding import (
         AskedFinding as AskedFinding,
@@ -81,10 +78,13 @@ if TYPE_CHECKING:
         place_of as place_of,
     )
     from allworlds.judging.findings.rules import (
+        Among as Among,
         AskedRules as AskedRules,
+        AskedTask as AskedTask,
         RecordedRules as RecordedRules,
         Rules as Rules,
     )
+    from allworlds.judging.findings.sense_of_rotation import Chirality as Chirality
     from allworlds.judging.findings.walks import (
         recorded_trail as recorded_trail,
         true_trail as true_trail,
@@ -122,5 +122,6 @@ if TYPE_CHECKING:
         Task as Task,
         task_named as task_named,
     )
+    from allworlds.judging.walk_log import WalkLog as WalkLog
 else:
     open_door(__name__)

@@ -123,8 +123,8 @@ class TooManyDarts(ValueError):
 AN_ESTIMATE = "Estimate(map, here) with a dart of the map"
 """The expectation of every answer but a quotient, as a finding states it."""
 
-NO_MAP, BUILT = "no map: ", "built in "
-"""The first words of the text about an answer that is no map, and of its line of code."""
+NO_MAP, BUILT = "no map: ", "built "
+"""The first words of the text about a map that could not be built, and of its line of code."""
 
 _AMBIGUOUS = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
-from allworlds.inputs import SHOWN, integer, let_users_interrupt, show
+from allworlds.inputs import SHOWN, InputError, integer, let_users_interrupt, show
 from allworlds.judging.endings import (
     AN_ESTIMATE,
     BUILT,
@@ -225,6 +225,7 @@ class _Run:
     checkpoints: list[Shown] = field(default_factory=list)
     cost: int = 0
     degree: int = 0
+    broken: InputError | None = None
 
     def play(self, player: Player, choices: Choices) -> UncheckedEnding:
         world, beat = self.world, self.beat
@@ -236,7 +237,7 @@ class _Run:
         generator = None
         try:
             generator = player(self.hand(world.first), choices, told)
-            while not world.over:
+            while not self._over():
                 message = generator.send(reply)
                 ticks += 1
                 beat[1] = ticks
@@ -249,11 +250,20 @@ class _Run:
             return Over()
         except StopIteration as stop:
             return self.ended(stop.value, self._most_darts())
-        except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
+        except BaseException as error:
+            if error is self.broken:  # of a model of the user's, and no fault of the explorer's
+                raise
             return _raised(error)
         finally:
             closed(generator)
             beat[1] = 0
+
+    def _over(self) -> bool:
+        try:
+            return self.world.over
+        except InputError as error:
+            self.broken = error
+            raise
 
     def _most_darts(self) -> int:
         """The largest number of darts of a map that can be known within the budget, or checked."""
@@ -308,6 +318,9 @@ class _Run:
             state, percept = self.world.step(state, action)
         except IllegalAction as error:
             return Fault("illegal-action", str(error), show(message)), state, None
+        except InputError as error:
+            self.broken = error
+            raise
         self.steps.append((action, percept))
         self.degree = percept.degree
         return None, state, self.hand(percept)
@@ -333,6 +346,7 @@ def _action(message: object, degree: int) -> Action | Fault:
             return Fault("illegal-action", "Write(k) with an integer k", show(message))
         if number >= 0:
             return Write(number)
+        return Fault("illegal-action", "Write(k) with k from 0 on", show(message))
     return Fault("illegal-action", "a Move, Drop, Pick, Write or Checkpoint", show(message))
 
 
@@ -357,7 +371,7 @@ def _raised(error: BaseException) -> Fault:
 def _no_map(error: InvalidMap) -> Fault:
     """The fault of an explorer that raised InvalidMap while it built its answer."""
     built = [
-        f"{BUILT}{frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
+        f"{BUILT}in {frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
         for frame in traceback.extract_tb(error.__traceback__)[1:]
         if not frame.filename.startswith(_OF_MAPS)
     ]

@@ -9,29 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cache
 from typing import Any, TypeAlias
 
-from allworlds.inputs import InputError, a_text, let_users_interrupt, show
+from allworlds.inputs import InputError, a_text, show
 from allworlds.judging.endings import Answered, Ending, Over, Said, Undecided
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import (
-    Action,
-    Move,
-    Percept,
-    Told,
-    Transcript,
-    UserCode,
-    find_code,
-    function_of,
-    said,
-)
+from allworlds.judging.walk_log import WalkLog
+from allworlds.protocol import Action, Percept, Role, Told, Transcript, UserCode, tried
 from allworlds.world import State, World
 
-Judge: TypeAlias = Callable[[World, Transcript, Any], str | None]
+Judge: TypeAlias = Callable[[World, WalkLog, Any], str | None]
 """A judge: the fault of a finished run, or None."""
 
-ENTRY_POINTS = "allworlds.tasks"
+Ends: TypeAlias = Callable[[World, WalkLog], bool]
+"""Whether the run is over, after each step."""
+
 MAP = "map"
 
 
@@ -42,40 +33,50 @@ class TaskKind:
     Attributes:
         asks: what it asks for, in a sentence.
         judge: what is wrong with a run; None of the task ``map``.
-        covers: ``vertices`` or ``edges`` where the run ends when the last one was visited.
     """
 
     asks: str
     judge: Judge | None
-    covers: str = ""
 
 
-def visits_everything(world: World, transcript: Transcript, _answer: object) -> str | None:
+@dataclass(frozen=True, slots=True)
+class EndingJudge:
+    """A judge that ends the run, too; one of the user's has such an attribute ``over``.
+
+    Attributes:
+        judge: what is wrong with a run.
+        over: whether it ends here.
+    """
+
+    judge: Judge
+    over: Ends
+
+    def __call__(self, world: World, walk: WalkLog, answer: object) -> str | None:
+        """Judge a run."""
+        return self.judge(world, walk, answer)
+
+
+def visits_everything(world: World, walk: WalkLog, _answer: object) -> str | None:
     """Every vertex was visited."""
-    unvisited = {*range(world.map.vertex_count)} - {*_vertices(world, transcript)}
-    return _left(unvisited, world.map.vertex_count, "vertices not visited")
+    return _left(len(walk.visited), world.map.vertex_count, "vertices not visited")
 
 
-def walks_everything(world: World, transcript: Transcript, _answer: object) -> str | None:
+def walks_everything(world: World, walk: WalkLog, _answer: object) -> str | None:
     """Every edge was walked along."""
-    alpha = world.map.alpha
-    walked = {min(dart, alpha[dart]) for dart in _arrivals(world, transcript)}
-    unwalked = {min(edge) for edge in world.map.edges} - walked
-    return _left(unwalked, world.map.edge_count, "edges not walked along")
+    return _left(len(walk.walked), world.map.edge_count, "edges not walked along")
 
 
-def comes_home(world: World, transcript: Transcript, answer: object) -> str | None:
+def comes_home(world: World, walk: WalkLog, answer: object) -> str | None:
     """Every vertex was visited, and the walk ended where it began."""
-    last = _vertices(world, transcript)[-1]
-    if last != world.map.vertex_of[world.start]:
+    if world.map.vertex_of[walk.here] != world.map.vertex_of[world.start]:
         return "the walk ended at another vertex than that where it began"
-    return visits_everything(world, transcript, answer)
+    return visits_everything(world, walk, answer)
 
 
 def counts(what: str, number: Callable[[World], int]) -> Judge:
     """The judge of an answer that is to be this number of the world."""
 
-    def judge(world: World, _transcript: Transcript, answer: object) -> str | None:
+    def judge(world: World, _walk: WalkLog, answer: object) -> str | None:
         right = number(world)
         if type(answer) is int and answer == right:
             return None
@@ -90,9 +91,15 @@ def _face(world: World) -> int:
 
 TASKS: dict[str, TaskKind] = {
     MAP: TaskKind("an Estimate: the map, and where the robot is in it", None),
-    "cover": TaskKind("every vertex visited; then the run ends", visits_everything, "vertices"),
+    "cover": TaskKind(
+        "every vertex visited; then the run ends",
+        EndingJudge(
+            visits_everything, lambda world, walk: len(walk.visited) == world.map.vertex_count
+        ),
+    ),
     "cover:edges": TaskKind(
-        "every edge walked along; then the run ends", walks_everything, "edges"
+        "every edge walked along; then the run ends",
+        EndingJudge(walks_everything, lambda world, walk: len(walk.walked) == world.map.edge_count),
     ),
     "stop": TaskKind(
         "every vertex visited when the explorer ends, with any answer", visits_everything
@@ -110,6 +117,14 @@ TASKS: dict[str, TaskKind] = {
     ),
 }
 """Every task that comes with this program, by its name."""
+
+
+JUDGE = Role(
+    "task",
+    "allworlds.tasks",
+    "def judge(world, transcript, answer), which returns None or what is wrong",
+    tuple(TASKS),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,10 +157,28 @@ class Task:
         """The requirement of the task, in a sentence."""
         return TASKS[self.name].asks if self.code is None else f"what {self.name} demands"
 
-    def environment(self, world: World) -> World | CoveredWorld:
+    @property
+    def _judge(self) -> Any:
+        return TASKS[self.name].judge if self.code is None else self.code.function
+
+    def environment(self, world: World) -> World | JudgedWorld:
         """The world as an explorer is run in it: it may end the run."""
-        covers = TASKS[self.name].covers if self.code is None else ""
-        return CoveredWorld(world, covers) if covers else world
+        return JudgedWorld(world, self) if hasattr(self._judge, "over") else world
+
+    def is_over(self, walk: WalkLog) -> bool:
+        """Whether a run ends here, as the judge says.
+
+        Raises:
+            InputError: if the user's judge raises, or says neither True nor False.
+        """
+        found = self._asked("over of ", self._judge.over)(walk.world, walk)
+        if type(found) is not bool:
+            raise InputError(f"over of task {show(self.name)} returns {show(found)}, no boolean")
+        return found
+
+    def over_at_the_end(self, world: World, transcript: Transcript) -> bool:
+        """Whether the harness ended that walk, since all was done."""
+        return hasattr(self._judge, "over") and self.is_over(WalkLog.of(world, transcript))
 
     def flaw(self, world: World, transcript: Transcript, ending: Ending) -> str | None:
         """The fault of a finished run; None if there is none.
@@ -153,73 +186,54 @@ class Task:
         Raises:
             InputError: if the user's judge raises, or returns anything else than a text or None.
         """
-        answer = _answer_of(ending)
-        if self.code is None:
-            kind = TASKS[self.name]
-            assert kind.judge is not None
-            return kind.judge(world, transcript, answer)
-        judge = _judge_of(self.code)
-        try:
-            wrong = judge(world, transcript, answer)
-        except BaseException as error:  # noqa: BLE001  # a judge of the user's may raise anything
-            let_users_interrupt(error)
-            raise InputError(f"task {show(self.name)} raises {said(error)}") from None
+        walk, answer = WalkLog.of(world, transcript), _answer_of(ending)
+        wrong = self._asked("", self._judge)(world, walk, answer)
         if wrong is not None and not isinstance(wrong, str):
             raise InputError(f"task {show(self.name)} returns {show(wrong)}, no text and not None")
         return wrong
 
-    def over_at_the_end(self, world: World, transcript: Transcript) -> bool:
-        """Whether the harness ended that walk, since all was done."""
-        environment = self.environment(world)
-        state = environment.initial
-        for action in transcript.actions:
-            state, _ = environment.step(state, action)
-        return environment.over
+    def _asked(self, part: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        """The function itself, or one of the user's whose errors name it."""
+        what = f"{part}task {show(self.name)}"
+        return function if self.code is None else lambda *a: tried(what, lambda: function(*a))
 
 
 def task_named(given: object) -> Task:
-    """The task of a name.
+    """The task of a name, or of a judge in Python.
 
     Raises:
         InputError: naming the legal ones.
     """
     if isinstance(given, Task):
         return given
-    name = a_text("task", given)
-    if name in TASKS:
-        return Task(name)
-    task = Task(name, find_code("task", name, ENTRY_POINTS, tuple(TASKS)))
-    assert task.code is not None
-    _judge_of(task.code)
-    return task
-
-
-@cache
-def _judge_of(code: UserCode) -> Judge:
-    shape = "def judge(world, transcript, answer), which returns None or what is wrong"
-    judge: Judge = function_of("task", code, ENTRY_POINTS, shape)
-    return judge
+    if callable(given):
+        code = JUDGE.of(given)
+    else:
+        name = a_text("task", given)
+        if name in TASKS:
+            return Task(name)
+        code = JUDGE.find(name)
+    if not code.recorded:
+        code.function  # noqa: B018  # it is refused here, and not where it is used
+    return Task(code.name, code)
 
 
 @dataclass(slots=True)
-class CoveredWorld:
-    """A world in which a run is over when the last vertex, or the last edge, was visited.
+class JudgedWorld:
+    """A world in which a judge decides whether the run is over.
 
     Attributes:
         world: in which one run takes place.
-        covers: ``vertices`` or ``edges``.
+        task: with the judge.
+        walk: so far.
     """
 
     world: World
-    covers: str
-    _left: set[int] = field(init=False)
+    task: Task
+    walk: WalkLog = field(init=False)
 
     def __post_init__(self) -> None:
-        map_ = self.world.map
-        if self.covers == "edges":
-            self._left = {min(edge) for edge in map_.edges}
-        else:
-            self._left = {*range(map_.vertex_count)} - {map_.vertex_of[self.world.start]}
+        self.walk = WalkLog(self.world)
 
     @property
     def initial(self) -> State:
@@ -238,38 +252,18 @@ class CoveredWorld:
 
     @property
     def over(self) -> bool:
-        """Whether no place is left to visit."""
-        return not self._left
+        """Whether the judge says so."""
+        return self.task.is_over(self.walk)
 
     def step(self, state: State, action: Action) -> tuple[State, Percept]:
         """The state after the action, and what is sensed there."""
         after, percept = self.world.step(state, action)
-        if type(action) is Move:
-            self._left.discard(_visited(self.world.map, self.covers, after.dart))
+        self.walk.add(action, percept)
         return after, percept
 
 
-def _visited(map_: CombinatorialMap, covers: str, dart: Dart) -> int:
-    return min(dart, map_.alpha[dart]) if covers == "edges" else map_.vertex_of[dart]
-
-
-def _arrivals(world: World, transcript: Transcript) -> list[Dart]:
-    """The dart of each arrival."""
-    map_, dart, arrivals = world.map, world.start, []
-    for action in transcript.actions:
-        if type(action) is Move:
-            dart = map_.alpha[map_.turn(dart, action.k)]
-            arrivals.append(dart)
-    return arrivals
-
-
-def _vertices(world: World, transcript: Transcript) -> list[int]:
-    """The vertex of the start, and of each arrival."""
-    return [world.map.vertex_of[dart] for dart in (world.start, *_arrivals(world, transcript))]
-
-
-def _left(left: set[int], every: int, what: str) -> str | None:
-    return f"{len(left)} of {every} {what}" if left else None
+def _left(done: int, every: int, what: str) -> str | None:
+    return f"{every - done} of {every} {what}" if done < every else None
 
 
 def _answer_of(ending: Ending) -> Any:

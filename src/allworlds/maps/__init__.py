@@ -50,6 +50,8 @@ Modules
     maps by hand and by name, and large ones by a text and a seed;
 ``surgery``, ``networks``
     small changes to a map; to networkx and back;
+``postman``
+    the shortest walk along every edge;
 ``matching``
     matchings of graphs, enlarged by one edge;
 ``refinement``, ``quotient``, ``criterion``
@@ -58,8 +60,8 @@ Modules
 Inside this package a map in a hot place is a bare pair of tuples or lists; everywhere
 else it is a :class:`CombinatorialMap`.
 
-The names of this package are for users' programs, too: some of them, such as ``dual`` of
-a map, :func:`from_planar_embedding` and :func:`rooted_isomorphism`, are used by tests alone.
+``dir(allworlds.maps)`` lists the names for users' programs. The others are for the rest of this
+program; a few of them are used by tests alone.
 """
 
 from typing import TYPE_CHECKING
@@ -67,40 +69,61 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.maps.build import (
+        from_cycles as from_cycles,
+        from_rotation as from_rotation,
+        named_map as named_map,
+        named_maps as named_maps,
+    )
+    from allworlds.maps.canonical import (
+        automorphisms as automorphisms,
+        isomorphism as isomorphism,
+        rooted_code as rooted_code,
+        rooted_isomorphism as rooted_isomorphism,
+        unrooted_code as unrooted_code,
+    )
+    from allworlds.maps.classes import MapClass as MapClass
+    from allworlds.maps.combinatorial import (
+        CombinatorialMap as CombinatorialMap,
+        InvalidMap as InvalidMap,
+    )
+    from allworlds.maps.conditions import girth as girth
+    from allworlds.maps.criterion import class_size as class_size, is_ambiguous as is_ambiguous
+    from allworlds.maps.enumeration import rooted_maps as rooted_maps
+    from allworlds.maps.families import family as family, random_map as random_map
+    from allworlds.maps.networks import (
+        from_faces as from_faces,
+        from_networkx as from_networkx,
+        to_networkx as to_networkx,
+    )
+    from allworlds.maps.postman import covering_walk as covering_walk
+    from allworlds.maps.quotient import Quotient as Quotient, project as project
+    from allworlds.maps.surgery import contracted as contracted, deleted as deleted, moved as moved
+
+# For other parts of the program.
+if TYPE_CHECKING:
     from allworlds.maps.bruteforce import rooted_maps_by_permutations as rooted_maps_by_permutations
     from allworlds.maps.build import (
         NoSuchMap as NoSuchMap,
         cycle as cycle,
         dense as dense,
-        from_cycles as from_cycles,
-        from_rotation as from_rotation,
         lattice as lattice,
-        named_map as named_map,
-        named_maps as named_maps,
     )
     from allworlds.maps.canonical import (
         Code as Code,
         Mismatch as Mismatch,
-        automorphisms as automorphisms,
         carries as carries,
-        isomorphism as isomorphism,
         numbering as numbering,
-        rooted_code as rooted_code,
-        rooted_isomorphism as rooted_isomorphism,
-        unrooted_code as unrooted_code,
     )
     from allworlds.maps.classes import (
         DEFAULT_EDGES as DEFAULT_EDGES,
         AskedClass as AskedClass,
         AskedExtent as AskedExtent,
         Extent as Extent,
-        MapClass as MapClass,
     )
     from allworlds.maps.combinatorial import (
         Alpha as Alpha,
-        CombinatorialMap as CombinatorialMap,
         Dart as Dart,
-        InvalidMap as InvalidMap,
         Sigma as Sigma,
         Vertex as Vertex,
         cycles as cycles,
@@ -114,7 +137,6 @@ if TYPE_CHECKING:
         Condition as Condition,
         NamedCondition as NamedCondition,
         condition_named as condition_named,
-        girth as girth,
         narrowing as narrowing,
     )
     from allworlds.maps.corridor import (
@@ -124,38 +146,23 @@ if TYPE_CHECKING:
     )
     from allworlds.maps.count_source import source_name as source_name, source_of as source_of
     from allworlds.maps.counting.sources import source_for as source_for
-    from allworlds.maps.criterion import (
-        Disagreement as Disagreement,
-        class_size as class_size,
-        is_ambiguous as is_ambiguous,
-        pose_count as pose_count,
-    )
+    from allworlds.maps.criterion import Disagreement as Disagreement, pose_count as pose_count
     from allworlds.maps.enumeration import (
         Decision as Decision,
         Gluing as Gluing,
         prefixes as prefixes,
-        rooted_maps as rooted_maps,
     )
     from allworlds.maps.families import (
         FORMS as FORMS,
         edges_of as edges_of,
-        family as family,
-        random_map as random_map,
+        rootings as rootings,
     )
     from allworlds.maps.matching import augmented as augmented
-    from allworlds.maps.networks import (
-        from_faces as from_faces,
-        from_networkx as from_networkx,
-        from_planar_embedding as from_planar_embedding,
-        to_networkx as to_networkx,
-    )
+    from allworlds.maps.networks import from_planar_embedding as from_planar_embedding
     from allworlds.maps.quotient import (
         Labelled as Labelled,
         Projection as Projection,
-        Quotient as Quotient,
         classes_of_union as classes_of_union,
-        project as project,
     )
-    from allworlds.maps.surgery import contracted as contracted, deleted as deleted, moved as moved
 else:
     open_door(__name__)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
 from allworlds.document import Natural, Permutation, Pictured, WrittenByFields, about
 from allworlds.inputs import InputError, are_plain, integer, parse_json, show
+from allworlds.lazy import loaded
 
 Dart: TypeAlias = Natural
 """A dart: an integer in ``0..2m-1``."""
@@ -26,15 +27,15 @@ class InvalidMap(InputError):
     """Raised for a pair of sequences that is no map; the message names the broken law.
 
     Attributes:
-        sigma, alpha: the integers that were tried; empty where it did not come to that.
+        sigma, alpha: the entries that were tried; empty if one of the two is no sequence.
         clash: the entries that break the law, each by the name of its sequence and its dart.
     """
 
     def __init__(
         self,
         message: str,
-        sigma: Sequence[int] = (),
-        alpha: Sequence[int] = (),
+        sigma: Sequence[object] = (),
+        alpha: Sequence[object] = (),
         clash: Iterable[tuple[str, int]] = (),
     ) -> None:
         super().__init__(message)
@@ -54,7 +55,11 @@ class InvalidMap(InputError):
         return "\n\n".join(self._table(row) for row in rows)
 
     def _table(self, darts: range) -> str:
-        lists = {"dart": range(darts.stop), "sigma": self.sigma, "alpha": self.alpha}
+        lists: dict[str, Sequence[object]] = {
+            "dart": range(darts.stop),
+            "sigma": self.sigma,
+            "alpha": self.alpha,
+        }
         cells = {
             name: [self._cell(name, dart, values) for dart in darts]
             for name, values in lists.items()
@@ -65,7 +70,7 @@ class InvalidMap(InputError):
             for name, row in cells.items()
         )
 
-    def _cell(self, name: str, dart: int, values: Sequence[int]) -> str:
+    def _cell(self, name: str, dart: int, values: Sequence[object]) -> str:
         if dart >= len(values):
             return ""
         shown = show(values[dart])
@@ -99,7 +104,8 @@ class CombinatorialMap(Pictured, WrittenByFields):
     alpha: Alpha
 
     def __init__(self, sigma: Iterable[int], alpha: Iterable[int]) -> None:
-        valid_sigma, valid_alpha = _integers("sigma", sigma), _integers("alpha", alpha)
+        tried = {"sigma": _entries("sigma", sigma), "alpha": _entries("alpha", alpha)}
+        valid_sigma, valid_alpha = _integers("sigma", tried), _integers("alpha", tried)
         _check_law(valid_sigma, valid_alpha)
         object.__setattr__(self, "sigma", valid_sigma)
         object.__setattr__(self, "alpha", valid_alpha)
@@ -267,6 +273,22 @@ class CombinatorialMap(Pictured, WrittenByFields):
         sigma, alpha = self.sigma, self.alpha
         return CombinatorialMap.trusted([sigma[alpha[d]] for d in self.darts], alpha)
 
+    def to_networkx(self) -> Any:
+        """The graph of the map; see :func:`allworlds.maps.networks.to_networkx`."""
+        return loaded("maps.networks:to_networkx")(self)
+
+    @classmethod
+    def from_networkx(cls, graph: Any) -> CombinatorialMap:
+        """The map of a graph of networkx; see :func:`allworlds.maps.networks.from_networkx`."""
+        made: CombinatorialMap = loaded("maps.networks:from_networkx")(graph)
+        return made
+
+    @classmethod
+    def from_faces(cls, faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
+        """The map glued of polygons; see :func:`allworlds.maps.networks.from_faces`."""
+        made: CombinatorialMap = loaded("maps.networks:from_faces")(faces)
+        return made
+
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:
         """The map of :meth:`to_json`'s document, or of its text; other keys are ignored.
@@ -301,13 +323,17 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
     return tuple(found)
 
 
-def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:
+def _entries(name: str, values: Iterable[object]) -> tuple[object, ...]:
     if isinstance(values, str | bytes | Mapping):
         raise InvalidMap(f"{name} must be a sequence of darts, not {show(values)}")
     try:
-        entries = tuple(values)
+        return tuple(values)
     except TypeError:
         raise InvalidMap(f"{name} must be a sequence of darts, not {show(values)}") from None
+
+
+def _integers(name: str, tried: Mapping[str, tuple[object, ...]]) -> tuple[int, ...]:
+    entries = tried[name]
     if are_plain(entries):
         return entries  # type: ignore[return-value]
     result = []
@@ -315,7 +341,8 @@ def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:
         try:
             result.append(integer(value))
         except TypeError:
-            raise InvalidMap(f"{name}[{d}] = {show(value)} is not an integer") from None
+            message = f"{name}[{d}] = {show(value)} is not an integer"
+            raise InvalidMap(message, **tried, clash=[(name, d)]) from None
     return tuple(result)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from allworlds.inputs import InputError, show
 from allworlds.maps.beginnings import (
@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 
 
 class Condition(Protocol):
-    """A property of maps that does not depend on the numbering of darts."""
+    """A property of maps that does not depend on the numbering of darts.
+
+    Of one that cuts off gluings more is known: see :class:`Narrowing`.
+    """
 
     @property
     def name(self) -> str:
@@ -130,6 +133,7 @@ class NamedCondition:
     """A condition that comes with this program, with its number where it has one."""
 
     name: str
+    narrows: ClassVar[bool] = True
 
     def holds(self, map_: CombinatorialMap) -> bool:
         """Whether the map has the property."""
@@ -186,11 +190,26 @@ class AllOf:
         return self.name
 
 
-def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
+class Narrowing(Condition, Protocol):
+    """A condition that cuts off gluings.
+
+    Attributes:
+        narrows: whether it does.
+        dual: such maps are made as the duals of gluings.
+    """
+
+    narrows: bool
+    dual: bool
+
+    def may_begin(self, gluing: Gluing) -> bool:
+        """Whether such a map, or its dual, can begin as this gluing."""
+
+
+def narrowing(where: Condition | None) -> tuple[Narrowing, ...]:
     """The conditions that cut off gluings: of maps, or else of their duals."""
-    parts = where.parts if isinstance(where, AllOf) else (where,)
-    named = [part for part in parts if isinstance(part, NamedCondition)]
-    return tuple([part for part in named if not part.dual] or named)
+    parts: tuple[Any, ...] = where.parts if isinstance(where, AllOf) else (where,)
+    found = [part for part in parts if getattr(part, "narrows", False)]
+    return tuple([part for part in found if not part.dual] or found)
 
 
 def condition_named(text: str) -> NamedCondition | None:

@@ -9,7 +9,7 @@ Only histories that can be finished are begun (classes ``maps`` and ``planar``):
 dart may not close while darts are still owed.  In the plane a dart is glued only within its
 own face of the open boundary, and the vertices to come must be enough to even out every
 face with an odd number of open darts.  In the simple classes a vertex needs enough partners left;
-there the rule is only necessary, so a few histories end without a map.  A condition with a name
+there the rule is only necessary, so a few histories end without a map.  A condition
 cuts off, in the same way, what can become no map of which it holds; one on the faces of a map is
 one on the vertices of its dual, which is glued together in its place.
 """

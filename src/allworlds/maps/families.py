@@ -10,7 +10,7 @@ from random import Random
 from allworlds.inputs import InputError, show
 from allworlds.maps import drawn_families as large
 from allworlds.maps.build import cycle, dense, lattice
-from allworlds.maps.canonical import rooted_code
+from allworlds.maps.canonical import automorphisms, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.maps.corridor import corridor, corridor_edges, usual_degree
 
@@ -27,12 +27,14 @@ class Family:
         edges: the number of edges of the member with these numbers, without holes.
         build: the member, from these numbers, the fraction of holes, and a seed.
         has_holes: edges can be removed from it.
+        one_map: without holes a seed draws no more than the dart where a robot starts.
     """
 
     form: str
     edges: Callable[..., int]
     build: Callable[[tuple[int, ...], float, int], CombinatorialMap]
     has_holes: bool = False
+    one_map: bool = False
 
     @property
     def pattern(self) -> str:
@@ -72,6 +74,26 @@ def edges_of(text: str) -> int:
     """
     kind, sizes = _parsed(text)
     return kind.edges(*sizes)
+
+
+def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
+    """The number of rooted maps that seeds draw of a member, each with the same chance.
+
+    Args:
+        text: of the member.
+        map_: the member from any seed.
+        holes: of the member.
+
+    Returns:
+        The number; None where a seed draws more than the dart at which a robot starts.
+
+    Cost: O(m^2).
+    """
+    kind, _ = _parsed(text)
+    if not kind.one_map or holes:
+        return None
+    # No automorphism but the identity fixes a dart, so that all orbits of darts have one size.
+    return len(map_.sigma) // automorphisms(map_)
 
 
 def _parsed(text: str) -> tuple[Family, tuple[int, ...]]:
@@ -133,12 +155,14 @@ FAMILIES = (
         lambda r, c: r * (c - 1) + c * (r - 1),
         lambda size, holes, seed: _lattice(size[0], size[1], holes, seed),
         has_holes=True,
+        one_map=True,
     ),
     Family(
         "strip:C",
         lambda c: 3 * c - 2,
         lambda size, holes, seed: _lattice(2, size[0], holes, seed),
         has_holes=True,
+        one_map=True,
     ),
     Family(
         "dense:N",
@@ -146,8 +170,8 @@ FAMILIES = (
         lambda size, holes, seed: dense(size[0], holes, seed),
         has_holes=True,
     ),
-    Family("cycle:N", lambda n: n, lambda size, _holes, _seed: cycle(size[0])),
-    Family("torus:RxC", lambda r, c: 2 * r * c, _drawn(large.torus)),
+    Family("cycle:N", lambda n: n, lambda size, _holes, _seed: cycle(size[0]), one_map=True),
+    Family("torus:RxC", lambda r, c: 2 * r * c, _drawn(large.torus), one_map=True),
     Family("cubic:N", lambda n: 3 * n // 2, _drawn(large.cubic)),
     Family("regular:DxN", lambda d, n: d * n // 2, _drawn(large.regular)),
     Family("random:M", lambda m: m, _random),

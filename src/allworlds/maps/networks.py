@@ -83,7 +83,8 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     Args:
         faces: of each face the vertices in the order of its walk, such as ``"abc"``; each edge is
             walked once in each direction.  Darts are numbered in this order, each at the vertex
-            where it begins.
+            where it begins.  Two vertices are joined by one edge at most, and no vertex to itself:
+            :func:`~allworlds.maps.build.from_cycles` takes parallel edges and loops, too.
 
     Raises:
         InvalidMap: naming an edge that is not walked so, or a vertex at which two pieces meet.
@@ -94,14 +95,21 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     for face in faces:
         walk = list(zip(face, [*face[1:], *face[:1]], strict=True))
         for way, after in zip(walk, [*walk[1:], *walk[:1]], strict=True):
+            a, b = way
+            if a == b:
+                raise InvalidMap(
+                    f"vertex {show(a)} has a loop, whose two ends have one name here; from_cycles "
+                    "takes loops"
+                )
             if way in phi:
-                raise InvalidMap(f"the edge from {show(way[0])} to {show(way[1])} is walked twice")
+                raise InvalidMap(
+                    f"the edge from {show(a)} to {show(b)} is walked twice; parallel edges have no "
+                    "names here, from_cycles takes them"
+                )
             phi[way] = after
     for a, b in phi:
         if (b, a) not in phi:
             raise InvalidMap(f"the edge from {show(a)} to {show(b)} is never walked back")
-        if a == b:
-            raise InvalidMap(f"vertex {show(a)} has a loop, which is one edge in both directions")
     number = {way: i for i, way in enumerate(phi)}
     # phi = sigma . alpha, so that sigma = phi . alpha.
     alpha = [number[b, a] for a, b in phi]

@@ -12,8 +12,8 @@ it is folded into the next :class:`Move`, or into ``here`` of the answer.
     an explorer as the harness calls it;
 ``faults``
     what went wrong with an explorer that is no generator;
-``user_code``
-    how code of the user's is named, found and loaded, and by what it is known.
+``user_code``, ``importing``, ``model_calls``
+    how code of the user's is named and found; how it is loaded; how a model is called.
 """
 
 from typing import TYPE_CHECKING
@@ -55,6 +55,18 @@ if TYPE_CHECKING:
         ANSWER_TIMEOUT as ANSWER_TIMEOUT,
         ExplorerFault as ExplorerFault,
     )
+    from allworlds.protocol.importing import (
+        SourceText as SourceText,
+        attribute_of as attribute_of,
+        bytes_of as bytes_of,
+        imported as imported,
+        module_file as module_file,
+        module_named as module_named,
+        module_of_text as module_of_text,
+        points_of as points_of,
+        text_of as text_of,
+    )
+    from allworlds.protocol.model_calls import limit_calls as limit_calls, tried as tried
     from allworlds.protocol.percept import Percept as Percept
     from allworlds.protocol.player import Player as Player, Told as Told
     from allworlds.protocol.transcript import (
@@ -68,22 +80,14 @@ if TYPE_CHECKING:
     )
     from allworlds.protocol.user_code import (
         Argument as Argument,
-        SourceText as SourceText,
+        LocalCode as LocalCode,
+        OtherText as OtherText,
+        Role as Role,
         UserCode as UserCode,
         arguments_of as arguments_of,
-        attribute_of as attribute_of,
-        bytes_of as bytes_of,
+        as_recorded as as_recorded,
         called as called,
-        ensure_same_content as ensure_same_content,
-        find_code as find_code,
-        function_of as function_of,
-        imported as imported,
-        module_file as module_file,
-        module_named as module_named,
-        module_of_text as module_of_text,
-        points_of as points_of,
-        said as said,
-        text_of as text_of,
+        pairs_in as pairs_in,
     )
 else:
     open_door(__name__)

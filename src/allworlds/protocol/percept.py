@@ -35,6 +35,6 @@ class Percept(WrittenByFields):
 
     def __str__(self) -> str:
         """The percept in words: for example ``degree 3, marked, bearing 2``."""
-        marks = {0: "", 1: ", marked"}.get(self.marks, f", {self.marks} marks")
+        marks = {0: "", 1: ", marked"}.get(self.marks, f", marks {self.marks}")
         bearing = "" if self.bearing is None else f", bearing {self.bearing}"
         return f"degree {self.degree}{marks}{bearing}"

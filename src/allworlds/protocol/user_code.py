@@ -1,50 +1,113 @@
-"""Code of the user's: how it is named, found and loaded, and by what it is known.
+"""Code of the user's: how it is named and found, and by what it is known.
 
 A name is ``path/to/file.py:attribute``, ``module:attribute``, or an entry point, and may end in
 ``?key=value,...``: what it stands for is then called with these arguments, and what that returns
-is meant.  Explorers, lighthouses, tasks and predicates are all found so.
+is meant.  Explorers, lighthouses, tasks and predicates are all found so.  A lighthouse, judge or
+predicate is a *model*: it is called where verdicts are made, and its errors are bad input.
 """
 
 from __future__ import annotations
 
-import hashlib
-import importlib
-import importlib.metadata
-import importlib.util
-import linecache
+import inspect
 import re
 import sys
-import warnings
-from collections.abc import Callable, Iterable, Mapping
-from contextlib import redirect_stdout
-from dataclasses import dataclass
-from importlib.machinery import ModuleSpec, PathFinder
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, replace
+from functools import cache
+from importlib.metadata import EntryPoint
 from pathlib import Path
-from types import ModuleType
-from typing import Any, TypeAlias
+from types import MappingProxyType
+from typing import Any, NamedTuple, TypeAlias
 
-from allworlds.inputs import SHOWN, InputError, existing_file, let_users_interrupt, read_text, show
+from allworlds.inputs import InputError, did_you_mean, show
+from allworlds.protocol.importing import (
+    SourceText,
+    attempted,
+    attribute_of,
+    bytes_of,
+    digest_of_file,
+    files_imported,
+    imported,
+    module_file,
+    module_named,
+    module_of_text,
+    points_of,
+    text_of,
+)
+from allworlds.protocol.model_calls import tried
 
 Argument: TypeAlias = int | bool | str
 """The value of an argument in a name."""
 
 
+class OtherText(InputError):
+    """Raised for code of the user's whose text is not the recorded one."""
+
+
 @dataclass(frozen=True, slots=True)
-class SourceText:
-    """The text of a file of the user's, read once: what happens to the file then does no harm.
+class Role:
+    """A purpose of code of the user's.
 
     Attributes:
-        path: as it was named, made absolute.
-        text: of the file.
+        noun: of messages.
+        group: of entry points, in which other packages offer some.
+        shape: of a function of this role, for messages; empty where it is none.
+        known: the names that come with this program.
     """
 
-    path: str
-    text: str
+    noun: str
+    group: str
+    shape: str = ""
+    known: tuple[str, ...] = ()
 
-    @property
-    def digest(self) -> str:
-        """SHA-256 of the text, in hexadecimal."""
-        return hashlib.sha256(self.text.encode(errors="surrogateescape")).hexdigest()
+    def find(self, name: str) -> UserCode:
+        """The code of that name, with its text, which is not run.
+
+        Raises:
+            InputError: if the name is incomplete, or there is no such file or module.
+        """
+        plain, _ = arguments_of(name)
+        if (record := _RECORDED.get().get(plain)) is not None:
+            return UserCode(name, self, *_as_recorded(plain, record))
+        if point := self.offered(plain):
+            return UserCode(name, self, None, digest_of_file(module_file(point.module)))
+        place, colon, attribute = plain.rpartition(":")
+        if not colon or not re.fullmatch(r"[^\W\d][\w.]*", attribute) or not place:
+            raise InputError(self._legal(name))
+        source = text_of(place)
+        if source is not None:
+            return UserCode(name, self, source, source.digest)
+        try:
+            return UserCode(name, self, None, digest_of_file(module_file(place)))
+        except InputError as error:
+            raise InputError(self._legal(name, f": {error}")) from None
+
+    def offered(self, name: str) -> EntryPoint | None:
+        """The entry point of that name, which has no colon; None if no package offers it."""
+        return None if ":" in name else points_of(self.group).get(name)
+
+    def of(self, given: Any) -> UserCode:
+        """The code of a function or class that other processes can import.
+
+        Raises:
+            InputError: if they cannot.
+        """
+        module, name = getattr(given, "__module__", None), getattr(given, "__qualname__", "")
+        if module in (None, "__main__") or not name or "<" in name:
+            raise InputError(
+                f"{self.noun} {show(name or given)} lives in this process alone, and no other "
+                "could load it; put it into a file of its own"
+            )
+        return self.find(f"{module}:{name}")
+
+    def _legal(self, name: str, reason: str = "") -> str:
+        known = [*self.known, *sorted(points_of(self.group))]
+        return (
+            f"{self.noun} {show(name)} is not one of {', '.join(known)}, "
+            f"path/to/file.py:attribute or module:attribute{reason}{did_you_mean(name, known)}"
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,11 +116,13 @@ class UserCode:
 
     Attributes:
         name: as it is written.
+        role: what it is written for.
         source: the text of its file; None for a module that is imported.
         digest: SHA-256 of the text; another one at loading is bad input.
     """
 
     name: str
+    role: Role
     source: SourceText | None
     digest: str
 
@@ -69,87 +134,102 @@ class UserCode:
     @property
     def plain(self) -> str:
         """The name without its arguments."""
-        return arguments_of(self.name)[0]
+        return self.name.partition("?")[0]
 
-    def file(self, entry_points: str) -> Path:
+    @property
+    def bare(self) -> UserCode:
+        """The code of that name."""
+        return replace(self, name=self.plain)
+
+    @property
+    def recorded(self) -> bool:
+        """Whether it was found in a record, not in a file: see :func:`as_recorded`."""
+        return self.plain in _RECORDED.get()
+
+    @property
+    def record(self) -> str:
+        """The text, or of a module the digest: what is kept to know it again, and to load it."""
+        return self.source.text if self.source else self.digest
+
+    def ensure_recorded(self, digest: object) -> None:
+        """Raise OtherText if another digest than that of its text is recorded."""
+        if digest not in (None, self.digest):
+            raise OtherText(
+                f"{self.role.noun} {show(self.name)} has another text now: its digest is "
+                f"{self.digest[:12]}..., and {show(digest)} is recorded"
+            )
+
+    @property
+    def file(self) -> Path:
         """The file in which it stands."""
         if self.source is not None:
             return Path(self.source.path)
-        return _file_of(self.plain, points_of(entry_points)).resolve()
+        point = self.role.offered(self.plain)
+        return module_file(point.module if point else self.plain.rpartition(":")[0]).resolve()
 
-    def load(self, entry_points: str) -> Any:
-        """The object that the name stands for, before any argument is given to it.
+    @property
+    def files(self) -> frozenset[Path]:
+        """The files that are run when it is loaded: its own, and those of what it imports."""
+        file = self.file.resolve()
+        text = self.source.text if self.source else bytes_of(file).decode(errors="replace")
+        imports = files_imported(text, file.parent)
+        return frozenset({file, *imports, *_loaded(self.bare).brought})
+
+    def load(self) -> Any:
+        """The object that the plain name stands for; a file is run once in a process.
 
         Raises:
             InputError: if it cannot be imported, or has another text here.
         """
-        name = self.plain
-        points = points_of(entry_points)
-        if name in points:
-            found = imported(name, points[name].load)
-        else:
-            place, _, attribute = name.rpartition(":")
-            found = attribute_of(self._module(place), attribute, place)
-        if self.source is None and digest_of_file(_file_of(name, points)) != self.digest:
-            raise InputError(f"{show(name)} has another text here")
-        return found
+        return _loaded(self.bare).object
 
-    def _module(self, place: str) -> Any:
-        if self.source is None:
-            return module_named(place)
-        # The user's own import of the file must find another module: this one is ours to change.
-        name = f"{Path(self.source.path).stem} of {self.digest[:12]}"
-        return module_of_text(place, self.source, name)
+    def made(self) -> Any:
+        """The object itself, or what it returns for the arguments of the name.
+
+        Raises:
+            InputError: if it cannot be called so, or raises.
+        """
+        return called(self.name, self.load(), self.arguments)
+
+    @property
+    def function(self) -> Any:
+        """The function that the name stands for; made once in a process.
+
+        Raises:
+            InputError: if it cannot be loaded, or is no function.
+        """
+        return _function(self)
+
+    def __call__(self, *values: Any) -> Any:
+        """Call the function, a model.
+
+        Raises:
+            InputError: naming it, if it raises, or gives no answer in time.
+        """
+        function = _function(self)
+        return tried(f"{self.role.noun} {show(self.name)}", lambda: function(*values))
 
 
-def find_code(what: str, name: str, entry_points: str, known: tuple[str, ...] = ()) -> UserCode:
-    """The code of that name, with its text, which is not run.
+@dataclass(frozen=True, slots=True)
+class LocalCode:
+    """A function of the user's that lives in this process alone.
 
-    Args:
-        what: the noun of the message.
-        name: as it is written.
-        entry_points: the group in which other packages offer some.
-        known: the built-in names, for the message.
-
-    Raises:
-        InputError: if the name is incomplete, or there is no such file.
+    Attributes:
+        role: what it is written for.
+        function: itself.
     """
-    plain, _ = arguments_of(name)
-    points = points_of(entry_points)
-    if plain in points:
-        return UserCode(name, None, digest_of_file(_file_of(plain, points)))
-    place, colon, attribute = plain.rpartition(":")
-    if not colon or not re.fullmatch(r"[^\W\d][\w.]*", attribute) or not place:
-        legal = ", ".join(sorted({*known, *points}))
-        raise InputError(
-            f"{what} {show(name)} is not one of {legal}, path/to/file.py:attribute or "
-            "module:attribute"
-        )
-    source = text_of(place)
-    if source is not None:
-        return UserCode(name, source, source.digest)
-    return UserCode(name, None, digest_of_file(module_file(place)))
 
+    role: Role
+    function: Any
 
-def ensure_same_content(codes: Iterable[UserCode], recorded: Mapping[str, str]) -> None:
-    """Raise InputError unless each code is the one whose digest is recorded by its name."""
-    for code in codes:
-        if recorded.get(code.name) != code.digest:
-            raise InputError(f"{show(code.name)} has another text now than is recorded")
+    @property
+    def name(self) -> str:
+        """Its own name."""
+        return str(getattr(self.function, "__name__", show(self.function)))
 
-
-def text_of(place: str) -> SourceText | None:
-    """The text of the file that the place of a name is; None where it is a module.
-
-    Raises:
-        InputError: if there is no such file, or it cannot be read.
-    """
-    if not place.endswith(".py"):
-        return None
-    file = existing_file("file", place)
-    if file is None:
-        raise InputError(f"there is no file {show(place)}")
-    return SourceText(str(file), read_text(str(file)))
+    def __call__(self, *values: Any) -> Any:
+        """Call it as :class:`UserCode` does."""
+        return tried(f"{self.role.noun} {show(self.name)}", lambda: self.function(*values))
 
 
 def arguments_of(name: str) -> tuple[str, dict[str, Argument]]:
@@ -159,15 +239,25 @@ def arguments_of(name: str) -> tuple[str, dict[str, Argument]]:
         InputError: if one is not of the form ``key=value``, or is named twice.
     """
     plain, question, rest = name.partition("?")
-    arguments: dict[str, Argument] = {}
-    for part in rest.split(",") if question else ():
+    pairs = pairs_in(name, rest) if question else []
+    return plain, {key: _value(value) for key, value in pairs}
+
+
+def pairs_in(name: str, text: str) -> list[tuple[str, str]]:
+    """The pairs of ``key=value,...`` behind a name.
+
+    Raises:
+        InputError: if one is of another form, or a key is named twice.
+    """
+    pairs: dict[str, str] = {}
+    for part in text.split(","):
         key, equals, value = part.partition("=")
         if not equals or not key.isidentifier():
             raise InputError(f"{show(part)} in {show(name)} is not of the form key=value")
-        if key in arguments:
+        if key in pairs:
             raise InputError(f"{show(name)} names {show(key)} twice")
-        arguments[key] = _value(value)
-    return plain, arguments
+        pairs[key] = value
+    return [*pairs.items()]
 
 
 def _value(text: str) -> Argument:
@@ -186,154 +276,96 @@ def called(name: str, factory: Any, arguments: Mapping[str, Argument]) -> Any:
         return factory
     if not callable(factory):
         raise InputError(f"{show(name)}: what takes arguments is a function that returns the rest")
-    return imported(name, lambda: factory(**arguments))
+    _ensure_takes(name, factory, arguments)
+    return attempted(f"{show(name)} raises", lambda: factory(**arguments))
 
 
-def function_of(what: str, code: UserCode, entry_points: str, shape: str) -> Any:
-    """The function that a name stands for.
+def _ensure_takes(name: str, factory: Any, arguments: Mapping[str, Argument]) -> None:
+    """Raise InputError unless a factory takes these arguments, and needs no others."""
+    try:
+        parameters = inspect.signature(factory).parameters
+    except (TypeError, ValueError):  # there is no signature to ask
+        return
+    kinds = [each.kind for each in parameters.values()]
+    takes = [key for key, each in parameters.items() if each.kind in _NAMED]
+    legal = f"legal are {', '.join(takes) or 'none'}"
+    for key in arguments:
+        if key not in takes and inspect.Parameter.VAR_KEYWORD not in kinds:
+            raise InputError(f"{show(name)} takes no argument {show(key)}; {legal}")
+    for key in takes:
+        if parameters[key].default is inspect.Parameter.empty and key not in arguments:
+            raise InputError(f"{show(name)} lacks the argument {show(key)}; {legal}")
 
-    Args:
-        what: the noun of the message.
-        code: of the name.
-        entry_points: the group in which other packages offer some.
-        shape: a definition of such a function, and what it returns, for the message.
 
-    Raises:
-        InputError: if it cannot be loaded, or is no function.
-    """
-    function = called(code.name, code.load(entry_points), code.arguments)
+_NAMED = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY
+
+
+# ---------------------------------------------------------------- what is loaded
+
+
+class _Loaded(NamedTuple):
+    """An object of the user's, and the files of the modules that were imported with it."""
+
+    object: Any
+    brought: frozenset[Path]
+
+
+@cache
+def _loaded(code: UserCode) -> _Loaded:
+    if code.source is None and digest_of_file(code.file) != code.digest:
+        raise InputError(f"{show(code.name)} has another text here")
+    before = {*sys.modules}
+    if point := code.role.offered(code.name):
+        found = imported(code.name, point.load)
+    else:
+        place, _, attribute = code.name.rpartition(":")
+        module = module_named(place) if code.source is None else _module(place, code.source)
+        found = attribute_of(module, attribute, place)
+    files = (getattr(sys.modules[name], "__file__", "") for name in {*sys.modules} - before)
+    return _Loaded(found, frozenset(Path(file).resolve() for file in files if file))
+
+
+@cache
+def _module(place: str, source: SourceText) -> Any:
+    # The user's own import of the file must find another module: this one is ours to change.
+    name = f"{Path(source.path).stem} of {source.digest[:12]}"
+    return module_of_text(place, source, name)
+
+
+@cache
+def _function(code: UserCode) -> Any:
+    function = code.made()
     if not callable(function):
         raise InputError(
-            f"{what} {show(code.name)} is no function, but {show(function)}; one is {shape}"
+            f"{code.role.noun} {show(code.name)} is no function, but {show(function)}; one is "
+            f"{code.role.shape}"
         )
     return function
 
 
-# ---------------------------------------------------------------- loading
+# ---------------------------------------------------------------- what a record says
 
 
-def points_of(group: str) -> dict[str, importlib.metadata.EntryPoint]:
-    """The entry points of a group that other packages offer, by their names."""
-    return {point.name: point for point in importlib.metadata.entry_points(group=group)}
+_RECORDED: ContextVar[Mapping[str, str]] = ContextVar("recorded", default=MappingProxyType({}))
 
 
-def module_named(name: str) -> Any:
-    """The module of that name, imported; one in the current directory is found last."""
-    _look_last(str(Path.cwd()))
-    return imported(name, lambda: importlib.import_module(name))
+@contextmanager
+def as_recorded(records: Mapping[str, str]) -> Iterator[None]:
+    """Find code of these names as it was recorded, whatever has become of its file.
 
-
-def _look_last(folder: str) -> None:
-    """Make modules in a folder of the user's importable, after all others, so none is hidden."""
-    if folder not in sys.path:
-        sys.path.append(folder)
-
-
-def module_of_text(place: str, source: SourceText, name: str = "") -> Any:
-    """A fresh module of that text, with that name; by default with that of the file."""
-    file = Path(source.path)
-    _look_last(str(file.parent))
-    # A file may be called as a module that is already there, and must not take its place.
-    free = file.stem not in sys.modules
-    name = name or (file.stem if free else f"{file.stem} in {file.parent}")
-    module = ModuleType(name)
-    module.__file__ = source.path
-    module.__spec__ = importlib.util.spec_from_file_location(name, file)
-    sys.modules[name] = module
-    # A traceback shows the lines that were run, whatever has become of the file.
-    lines = source.text.splitlines(keepends=True)
-    linecache.cache[source.path] = (len(source.text), None, lines, source.path)
-
-    def execute() -> Any:
-        with warnings.catch_warnings():
-            # Every player would say the same of the text.
-            warnings.simplefilter("ignore")
-            code = compile(source.text, source.path, "exec")
-        exec(code, module.__dict__)  # noqa: S102  # the user's
-        return module
-
-    return imported(place, execute)
-
-
-def imported(name: str, importing: Callable[[], Any]) -> Any:
-    """The result of an import, or an error in one line.
-
-    Raises:
-        InputError: naming what does not import.
+    Args:
+        records: by names without arguments, :attr:`UserCode.record`.
     """
+    token = _RECORDED.set(records)
     try:
-        # What a module prints must not get into a document on stdout.
-        with redirect_stdout(sys.stderr):
-            return importing()
-    except BaseException as error:  # noqa: BLE001  # a module may raise anything
-        let_users_interrupt(error)
-        raise InputError(f"{show(name)} does not import: {said(error)}") from None
+        yield
+    finally:
+        _RECORDED.reset(token)
 
 
-def said(error: BaseException) -> str:
-    """The first line of what an exception says, if it can be shown."""
-    name = type(error).__name__
-    try:
-        text = str.__str__(str(error)).split("\n", 1)[0]
-    except BaseException as another:  # noqa: BLE001  # an exception may not even be printable
-        let_users_interrupt(another)
-        return f"{name}, which cannot be shown"
-    return f"{name}: {text[:SHOWN]}" if text else name
-
-
-def attribute_of(module: Any, attribute: str, place: str) -> Any:
-    """The attribute of a module, which may be one of an attribute.
-
-    Raises:
-        InputError: if there is none.
-    """
-    value = module
-    for part in attribute.split("."):
-        try:
-            value = getattr(value, part)
-        except AttributeError:
-            raise InputError(f"{show(place)} has no {show(attribute)}") from None
-    return value
-
-
-# ---------------------------------------------------------------- what it is known by
-
-
-def module_file(module: str) -> Path:
-    """The file of a module, found without importing anything.
-
-    Raises:
-        InputError: if there is none.
-    """
-    spec: ModuleSpec | None = None
-    places: list[str] | None = [*sys.path, str(Path.cwd())]
-    names = module.split(".")
-    for depth in range(1, len(names) + 1):
-        spec = PathFinder.find_spec(".".join(names[:depth]), places)
-        if spec is None:
-            break
-        places = spec.submodule_search_locations
-    if spec is None or spec.origin is None:
-        raise InputError(f"the file of the module {show(module)} is not found")
-    return Path(spec.origin)
-
-
-def digest_of_file(file: Path) -> str:
-    """SHA-256 of a file, in hexadecimal."""
-    return hashlib.sha256(bytes_of(file)).hexdigest()
-
-
-def bytes_of(file: Path) -> bytes:
-    """The content of a file.
-
-    Raises:
-        InputError: if it cannot be read.
-    """
-    try:
-        return file.read_bytes()
-    except OSError as error:
-        raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
-
-
-def _file_of(name: str, points: Mapping[str, importlib.metadata.EntryPoint]) -> Path:
-    return module_file(points[name].module if name in points else name.rpartition(":")[0])
+def _as_recorded(plain: str, record: str) -> tuple[SourceText | None, str]:
+    place = plain.rpartition(":")[0]
+    if not place.endswith(".py"):
+        return None, record
+    source = SourceText(str(Path(place).absolute()), record)
+    return source, source.digest

@@ -6,8 +6,8 @@
     a module for each verb, which makes the telling of its result;
 ``plain_text``, ``markdown``, ``html``, ``csv_rows``, ``junit``
     forms of a report, which show any telling and know no verb;
-``world_rows``
-    rows of costs in single worlds and runs;
+``rows``, ``world_rows``
+    rows for programs, and those of costs in single worlds and runs;
 ``sarif``, ``annotations``, ``growth_plot``
     forms for the findings of a check, and for costs in worlds that grow;
 ``rendering``
@@ -56,6 +56,7 @@ if TYPE_CHECKING:
         parquet_of as parquet_of,
         text as text,
     )
+    from allworlds.reports.rows import CsvRows as CsvRows, Value as Value
     from allworlds.reports.telling import (
         Block as Block,
         Cell as Cell,

@@ -4,58 +4,38 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator
-from typing import Any
 
-from allworlds.reports.telling import Cell, Shown, ToldResult, ToldTable, ToldWalk
+from allworlds.reports.rows import CsvRows, rows_of_walk
+from allworlds.reports.telling import ToldResult, ToldWalk
 
 
 def csv_rows(telling: ToldResult) -> str:
-    """The rows for programs, else those of the first table or walk; empty if there is none."""
-    table = _rows(telling)
-    out = io.StringIO()
-    if table is not None:
+    """The rows for programs; empty if there is none."""
+    out, found = io.StringIO(), rows_of(telling)
+    if found.columns:
         writer = csv.writer(out, lineterminator="\n")
-        writer.writerow(table.header)
-        writer.writerows([_plain(cell) for cell in row] for row in table.rows)
+        writer.writerow(found.columns)
+        writer.writerows(found.rows)
     return out.getvalue()
 
 
-def records(telling: ToldResult) -> list[dict[str, Any]]:
-    """The rows for programs, each by the names of its columns, with None for missing values."""
-    table = _rows(telling)
-    rows = table.rows if table else ()
-    plain = ([cell.value if isinstance(cell, Shown) else cell for cell in row] for row in rows)
-    return [dict(zip(table.header, row, strict=True)) for row in plain] if table else []
-
-
 def parquet_rows(telling: ToldResult) -> bytes:
-    """A file of Parquet with these rows, a column for each name; pyarrow makes it."""
-    from pyarrow import BufferOutputStream, Table
+    """A file of Parquet with these rows, a column for each name and of its type."""
+    from pyarrow import BufferOutputStream, Table, bool_, float64, int64, schema, string
     from pyarrow.parquet import write_table
 
-    out = BufferOutputStream()
-    write_table(Table.from_pylist(records(telling)), out)
+    kinds = {int: int64(), float: float64(), str: string(), bool: bool_()}
+    found, out = rows_of(telling), BufferOutputStream()
+    columns = schema([(name, kinds[kind]) for name, kind in found.columns.items()])
+    write_table(Table.from_pylist(found.records, schema=columns), out)
     written: bytes = out.getvalue().to_pybytes()
     return written
 
 
-def _rows(telling: ToldResult) -> ToldTable | None:
-    return telling.rows() if telling.rows else next(_tables(telling), None)
-
-
-def _tables(telling: ToldResult) -> Iterator[ToldTable]:
-    """Tables come first; the rows of a walk are used if there is no table."""
-    blocks = [block for section in telling.sections for block in section.blocks]
-    yield from (block for block in blocks if isinstance(block, ToldTable))
-    yield from (block.table for block in blocks if isinstance(block, ToldWalk))
-
-
-def _plain(cell: Cell) -> str | float:
-    match cell:
-        case None:
-            return ""
-        case Shown():
-            return cell.value
-        case _:
-            return cell
+def rows_of(telling: ToldResult) -> CsvRows:
+    """The rows for programs, by default those of the first walk; no columns if there is none."""
+    if telling.rows:
+        return telling.rows()
+    blocks = (block for section in telling.sections for block in section.blocks)
+    walk = next((block for block in blocks if isinstance(block, ToldWalk)), None)
+    return rows_of_walk(walk) if walk else CsvRows({}, [])

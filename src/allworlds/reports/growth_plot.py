@@ -1,6 +1,7 @@
 """The costs in worlds that grow as a picture, logarithmic in both directions, a panel a family.
 
-A band is the interval of the mean; where a size has none, it is as narrow as the line.
+A band is the interval of the mean; where a size has none, it is as narrow as the line.  A square is
+the mean of a size that is exact.
 """
 
 from __future__ import annotations
@@ -49,5 +50,9 @@ def _draw(report: Growth, family: str, panel: Any) -> None:
             bands = [row.interval or (row.mean, row.mean) for row in rows]
             low, high = zip(*bands, strict=True)
             panel.fill_between(edges, low, high, color=line.get_color(), alpha=0.25, linewidth=0)
+            exact = [(row.edges, row.mean) for row in rows if row.exact]
+            if exact:
+                square = {"color": line.get_color(), "marker": "s", "linestyle": "none"}
+                panel.plot(*zip(*exact, strict=True), label=f"{name}, exact", **square)
     panel.set(title=family, xlabel="edges", ylabel="traversals", xscale="log", yscale="log")
     panel.legend(fontsize="x-small")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
 from typing import Any
 from xml.etree import ElementTree as ET
@@ -16,6 +17,7 @@ from allworlds.reports.html.sections import element
 from allworlds.reports.markup import tag
 from allworlds.reports.rendering import finding_in_words, text, told, verb_of
 from allworlds.reports.tellings.finding import finding_section, headline_of
+from allworlds.reports.text_layout import table
 
 WIDTH = 100
 """Columns of a printed report."""
@@ -24,16 +26,20 @@ HEIGHT = 480
 """Pixels of a page in a notebook; it scrolls."""
 
 
-def text_of(report: Report | Finding) -> str:
-    """The text of the command line."""
-    if isinstance(report, Finding):
-        return finding_in_words(report, WIDTH)
-    return text(verb_of(type(report)), report, WIDTH).rstrip("\n")
+def text_of(value: Report | Finding | Transcript) -> str:
+    """The text of the command line; of a transcript a line for each step."""
+    match value:
+        case Transcript():
+            return "\n".join(table(*_steps(value), "r"))
+        case Finding():
+            return finding_in_words(value, WIDTH)
+        case _:
+            return text(verb_of(type(value)), value, WIDTH).rstrip("\n")
 
 
 def records(report: Report) -> list[dict[str, Any]]:
     """The rows of ``--csv``, by the names of their columns."""
-    return csv_rows.records(told(verb_of(type(report)), report))
+    return csv_rows.rows_of(told(verb_of(type(report)), report)).records
 
 
 def shown(value: Report | Finding | Transcript) -> str:
@@ -43,7 +49,7 @@ def shown(value: Report | Finding | Transcript) -> str:
     """
     match value:
         case Transcript():
-            return _steps(value)
+            return _element(*_steps(value))
         case Finding():
             verdict = ("REFUTED", headline_of(value), "refuted")
             section = element(finding_section(value, 1))
@@ -56,11 +62,15 @@ def shown(value: Report | Finding | Transcript) -> str:
     )
 
 
-def _steps(transcript: Transcript) -> str:
+def _steps(transcript: Transcript) -> tuple[list[str], list[list[str]]]:
+    """The names of the columns, and a row for the start and for each step."""
     rows = [("start", transcript.first), *transcript.steps]
-    body = [
-        tag("tr", *(tag("td", str(cell)) for cell in (i, action, percept)))
-        for i, (action, percept) in enumerate(rows)
-    ]
-    head = tag("tr", *(tag("th", name) for name in ("step", "action", "sensed")))
+    told = [[str(i), str(action), str(percept)] for i, (action, percept) in enumerate(rows)]
+    return ["step", "action", "sensed"], told
+
+
+def _element(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table as an element of a page."""
+    head = tag("tr", *(tag("th", name) for name in header))
+    body = [tag("tr", *(tag("td", cell) for cell in row)) for row in rows]
     return ET.tostring(tag("table", tag("thead", head), tag("tbody", *body)), "unicode")

@@ -62,7 +62,7 @@ FORMATS = {
     ),
     "annotations": Format(
         "reports.annotations:runner_commands",
-        "Also write the findings as commands of GitHub's runners; there stderr has them anyway.",
+        "Also write the findings as commands of GitHub's runners; there, stderr gets them anyway.",
         FINDINGS,
         told_to="GITHUB_ACTIONS",
     ),

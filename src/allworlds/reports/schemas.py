@@ -49,7 +49,14 @@ from allworlds.reports.event_lines import Event
 from allworlds.studies.check import TimeEstimate
 from allworlds.studies.run import WorldNames
 from allworlds.verbs import VERBS, Verb
-from allworlds.world import LIGHTHOUSES, Lighthouse, Manifest, World, WorldDocument
+from allworlds.world import (
+    LIGHTHOUSES,
+    Lighthouse,
+    Manifest,
+    World,
+    WorldDocument,
+    place_keys,
+)
 
 Schema: TypeAlias = dict[str, Any]
 
@@ -203,11 +210,8 @@ class Shapes:
         keys: list[tuple[str, Any, bool]] = [("kind", _kind(kind.kind), True)]
         keys += [
             (key, hints[key], self.written and IF_ANY not in get_args(hints[key])[1:])
-            for key in kind.keys
-            if key in hints
+            for key in place_keys(kind)
         ]
-        if not self.written:
-            keys += [(key, tp, False) for key, tp in kind.asked.items()]
         self._made[kind] = self._defined(f"{kind.__name__}Lighthouse", kind.__doc__ or "", keys)
         return self._made[kind]
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from allworlds.outcome import Result
     from allworlds.protocol import Percept
     from allworlds.reports.drawing.scene import Scene
+    from allworlds.reports.rows import CsvRows
     from allworlds.studies.run import Hypothesis
 
 
@@ -330,7 +331,7 @@ class ToldResult:
         sections: the rest, in the order in which it is read.
         more: walks to be stepped through, which only a page has room for; they may have to be
             played again, and so are made when they are asked for.
-        rows: makes the rows for programs, where these are not those of the first table or walk.
+        rows: makes the rows for programs, where these are not the steps of the first walk.
         suite: makes the cases, where there are any.
         apart: the keys of the result's document that sections hold as records.
     """
@@ -341,7 +342,7 @@ class ToldResult:
     headline: Headline | None
     sections: Sequence[Section]
     more: Callable[[], Iterable[Section]] = field(default=tuple)
-    rows: Callable[[], ToldTable] | None = None
+    rows: Callable[[], CsvRows] | None = None
     suite: Callable[[], Suite] | None = None
     apart: frozenset[str] = frozenset()
 

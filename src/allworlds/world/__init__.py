@@ -12,8 +12,8 @@
     an environment that decides late, as bad as it can, which world it is;
 ``named``
     the forms of a WORLD on the command line and in Python;
-``own_condition``
-    conditions that narrow a class of maps, the user's too;
+``asked_lighthouse``, ``own_condition``
+    the lighthouse of a request, and conditions that narrow a class of maps; the user's are tried;
 ``corpus``
     the worlds, findings and pairs that ship with the package;
 ``bisimulation``
@@ -25,20 +25,9 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.world.adversary import (
-        PREFIX as PREFIX,
-        Adversary as Adversary,
-        Deciding as Deciding,
-        adversary_named as adversary_named,
-    )
-    from allworlds.world.bisimulation import flaw as flaw
-    from allworlds.world.corpus import Manifest as Manifest, own_corpus as own_corpus
     from allworlds.world.enumeration import worlds as worlds
     from allworlds.world.lighthouses.base import (
-        InvalidWorld as InvalidWorld,
         Lighthouse as Lighthouse,
-        ReferenceLighthouse as ReferenceLighthouse,
-        WalkInAnswer as WalkInAnswer,
     )
     from allworlds.world.lighthouses.cluster import Cluster as Cluster
     from allworlds.world.lighthouses.compass import Compass as Compass
@@ -46,46 +35,79 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.directional import Directional as Directional
     from allworlds.world.lighthouses.kinds import (
         LIGHTHOUSES as LIGHTHOUSES,
-        OWN as OWN,
-        AskedLighthouse as AskedLighthouse,
-        GivenLighthouse as GivenLighthouse,
-        LighthouseKind as LighthouseKind,
-        kind_of as kind_of,
-        lighthouse_from_json as lighthouse_from_json,
-        lighthouse_kind as lighthouse_kind,
         lighthouse_named as lighthouse_named,
     )
-    from allworlds.world.lighthouses.knowledge import TOLD as TOLD, Knowledge as Knowledge
+    from allworlds.world.lighthouses.knowledge import Knowledge as Knowledge
     from allworlds.world.lighthouses.labels import Labels as Labels
     from allworlds.world.lighthouses.movable import Movable as Movable
     from allworlds.world.lighthouses.natural import Natural as Natural
     from allworlds.world.lighthouses.nothing import Nothing as Nothing
+    from allworlds.world.lighthouses.place_checks import InvalidWorld as InvalidWorld
     from allworlds.world.lighthouses.position import Position as Position
     from allworlds.world.lighthouses.sensing import Sensing as Sensing, Where as Where
-    from allworlds.world.lighthouses.written import Ports as Ports, Whiteboard as Whiteboard
+    from allworlds.world.lighthouses.written import (
+        Ports as Ports,
+        Whiteboard as Whiteboard,
+    )
     from allworlds.world.named import (
-        HOLES as HOLES,
-        LIGHTHOUSE as LIGHTHOUSE,
-        WORLD as WORLD,
-        FamilyWords as FamilyWords,
-        a_world as a_world,
         code_of as code_of,
         map_of_code as map_of_code,
-        map_of_family as map_of_family,
         names_of_worlds as names_of_worlds,
         world_named as world_named,
-    )
-    from allworlds.world.own_condition import (
-        AskedWhere as AskedWhere,
-        a_condition as a_condition,
-        files_of_condition as files_of_condition,
     )
     from allworlds.world.state import State as State
     from allworlds.world.world import (
         IllegalAction as IllegalAction,
         World as World,
-        WorldDocument as WorldDocument,
         at_place as at_place,
     )
+
+# For other parts of the program.
+if TYPE_CHECKING:
+    from allworlds.world.adversary import (
+        PREFIX as PREFIX,
+        Adversary as Adversary,
+        Deciding as Deciding,
+        adversary_named as adversary_named,
+    )
+    from allworlds.world.asked_lighthouse import (
+        AskedLighthouse as AskedLighthouse,
+        flaws_of as flaws_of,
+        tried_kind as tried_kind,
+    )
+    from allworlds.world.bisimulation import flaw as flaw
+    from allworlds.world.corpus import Manifest as Manifest, own_corpus as own_corpus
+    from allworlds.world.lighthouses.base import (
+        ReferenceLighthouse as ReferenceLighthouse,
+        WalkInAnswer as WalkInAnswer,
+    )
+    from allworlds.world.lighthouses.kinds import (
+        OWN as OWN,
+        GivenLighthouse as GivenLighthouse,
+        LighthouseKind as LighthouseKind,
+        kind_of as kind_of,
+        lighthouse_from_json as lighthouse_from_json,
+        lighthouse_kind as lighthouse_kind,
+        numbers_told as numbers_told,
+        parts_of as parts_of,
+    )
+    from allworlds.world.lighthouses.knowledge import TOLD as TOLD
+    from allworlds.world.lighthouses.options import place_keys as place_keys
+    from allworlds.world.lighthouses.written import Written as Written
+    from allworlds.world.named import (
+        HOLES as HOLES,
+        LIGHTHOUSE as LIGHTHOUSE,
+        WORLD as WORLD,
+        AskedWorld as AskedWorld,
+        a_world as a_world,
+        map_of_family as map_of_family,
+    )
+    from allworlds.world.own_condition import (
+        AskedWhere as AskedWhere,
+        Predicate as Predicate,
+        a_condition as a_condition,
+        files_of_condition as files_of_condition,
+    )
+    from allworlds.world.world import WorldDocument as WorldDocument
 else:
     open_door(__name__)

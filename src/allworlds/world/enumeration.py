@@ -7,9 +7,10 @@ from typing import Literal
 
 from allworlds.inputs import InputError, show
 from allworlds.maps import DEFAULT_EDGES, Condition, Extent, MapClass, rooted_maps
+from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
-from allworlds.world.own_condition import a_condition
+from allworlds.world.lighthouses.kinds import GivenLighthouse
+from allworlds.world.own_condition import Predicate, a_condition
 from allworlds.world.world import World
 
 
@@ -20,7 +21,7 @@ def worlds(
     map_class: str = "maps",
     lighthouse: GivenLighthouse = "directional",
     places: Literal["all", "first"] = "first",
-    where: str | Condition | None = None,
+    where: str | Predicate | Condition | None = None,
 ) -> Iterator[World]:
     """Every world of a class, in the fixed order.
 
@@ -31,15 +32,15 @@ def worlds(
         lighthouse: the kind of lighthouse.
         places: ``first``: one world a rooted map, as reports count worlds; ``all``: one for
             every place of the lighthouse, as reports count runs.
-        where: what besides is true of the maps, as ``--where`` takes it.
+        where: what besides is true of the maps, as ``--where`` takes it, or any function of a map.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
     if edges is None and vertices is None:
         edges = DEFAULT_EDGES
-    extent = Extent(MapClass.named(map_class), edges, vertices, a_condition(where))
-    kind = lighthouse_kind(lighthouse).as_class
+    extent = Extent(MapClass.named(map_class), edges, vertices, a_condition(where, local=True))
+    kind = tried_kind(lighthouse).as_class
     if places not in ("all", "first"):
         raise InputError(f"places {show(places)} is not one of all, first")
     return _worlds(extent, kind, places)

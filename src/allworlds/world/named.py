@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from difflib import get_close_matches
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated
 
@@ -14,6 +14,8 @@ from allworlds.inputs import (
     InputError,
     Option,
     Request,
+    Taken,
+    did_you_mean,
     integer_of,
     one_of,
     parse_json,
@@ -31,22 +33,27 @@ from allworlds.maps import (
     rooted_code,
 )
 from allworlds.world.adversary import FORM, PREFIX
+from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
+    OWN,
     GivenLighthouse,
     LighthouseKind,
-    lighthouse_from_json,
+    kind_of,
     lighthouse_kind,
 )
-from allworlds.world.world import World
+from allworlds.world.world import World, at_place
 
 WORLD = Argument("", "WORLD", "Inline JSON, @file, or a name such as k4, wheel:4, cycle:5.")
 """An argument of every verb that takes a world."""
 
 LIGHTHOUSE = Option(
-    SCOPE, "KIND", f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}."
+    SCOPE,
+    "KIND",
+    f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}, {OWN}, or several with + "
+    "between them.",
 )
 """An option of most of them."""
 
@@ -59,48 +66,68 @@ HOLES = Option(
 """An option of every verb that takes a family."""
 
 
-def a_world(given: object, kind: GivenLighthouse, seed: int | None = None) -> World:
+def a_world(
+    given: object, kind: GivenLighthouse, seed: int | None = None, holes: str | None = None
+) -> World:
     """The world of a text, as :func:`world_named` has it, or a world that is given as it is.
 
     Raises:
-        InputError: if it is neither, or a seed is given beside a world.
+        InputError: if it is neither, or a seed or holes are given beside a world.
     """
     if isinstance(given, str):
-        return world_named(given, kind, seed)
+        return world_named(given, kind, seed, holes)
     if not isinstance(given, World):
-        raise InputError(f"world = {show(given)} is no World; World.from_json makes one")
-    if seed is not None:
-        raise InputError(f"seed = {show(seed)} has no effect on a world that is given")
+        raise InputError(f"world = {show(given)} is no World; World(map) makes one of a map")
+    for name, beside in (("seed", seed), ("holes", holes)):
+        if beside is not None:
+            raise InputError(f"{name} = {show(beside)} has no effect on a world that is given")
     return given
 
 
 def world_named(
-    text: str, kind: GivenLighthouse = Directional.kind, seed: int | None = None
+    text: str,
+    kind: GivenLighthouse = Directional.kind,
+    seed: int | None = None,
+    holes: str | None = None,
 ) -> World:
     """The world of inline JSON, of ``@file``, of the corpus, of a named map, or of a code.
 
     If no lighthouse is named, it is of that kind, at its default place: at dart 0 of a
-    named map.  The seed is that of a family, by default 0.
+    named map.  The seed is that of a family, by default 0, the holes are those in it.
 
     Raises:
-        InputError: naming a text that is none of these, or a seed that has no effect.
+        InputError: naming a text that is none of these, or a seed or holes without effect.
     """
-    kind = lighthouse_kind(kind)
-    if seed is not None and (_is_json(text) or text.partition(":")[0] not in _families()):
-        raise InputError(f"seed {seed} has no effect on world {show(text)}, which is no family")
+    world = _world_named(text, tried_kind(kind), seed, holes)
+    tried_kind(kind_of(world.lighthouse))  # the text may name another one
+    return world
+
+
+def _world_named(text: str, kind: LighthouseKind, seed: int | None, holes: str | None) -> World:
+    if not _names_family(text):
+        for name, given in (("seed", seed), ("holes", holes)):
+            if given is not None:
+                raise InputError(
+                    f"{name} {given} has no effect on world {show(text)}, which is no family"
+                )
     if text.startswith("@"):
         return _world_of_json(read_text(text[1:]), kind)
     if _is_json(text):
         return _world_of_json(text, kind)
     if _CODE.fullmatch(text):
-        return World.from_json(map_of_code(text).to_json(), missing=kind)
+        return World(map_of_code(text), kind)
     if ":" in text:
-        return World.from_json(map_of_family(text, None, seed or 0).to_json(), missing=kind)
+        return World(map_of_family(text, holes, seed or 0), kind)
     try:
         map_ = named_map(text)
     except NoSuchMap as error:
         return _world_of_corpus(text, kind, error)
-    return World.from_json(map_.to_json(), missing=kind)
+    return World(map_, kind)
+
+
+def _names_family(text: str) -> bool:
+    """Whether a WORLD is one of a family, and so depends on a seed."""
+    return not _is_json(text) and text.partition(":")[0] in _families()
 
 
 _CODE = re.compile(r"[0-9.]+/[0-9.]+", re.ASCII)
@@ -175,24 +202,82 @@ def _hint(name: str) -> str:
     if Path(name).suffix == ".json":
         return f"; to read a file write {show('@' + name)}"
     known = [*named_maps(), *(entry.name for entry in own_corpus().of_kind("world"))]
-    meant = get_close_matches(name.lower(), known, 1)
-    return f"; did you mean {meant[0]!r}?" if meant else ""
+    return did_you_mean(name, known)
 
 
-class FamilyWords(Request):
-    """The options of the command line that name one world of a family."""
+def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:
+    return None if given is None else lighthouse_kind(given)
+
+
+class AskedWorld(Request):
+    """The part of a request that says of a WORLD what its text does not, or names a family."""
 
     family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
     holes: Annotated[str | None, HOLES] = None
     seed: Annotated[
-        int, Option(SCOPE, "S", "For whatever is drawn of a family.", parse=integer_of)
-    ] = 0
+        int | None,
+        Option(
+            SCOPE,
+            "S",
+            "Seed for families that are drawn at random [default: 0].",
+            parse=integer_of,
+        ),
+    ] = None
+    lighthouse: Annotated[
+        Taken[GivenLighthouse | None, LighthouseKind | None],
+        Option(
+            SCOPE,
+            "KIND",
+            "The lighthouse, if the world names none [default: the explorer's own].",
+        ),
+    ] = Taken(_lighthouse, None)
+    place: Annotated[
+        int | None,
+        Option(
+            SCOPE,
+            "P",
+            "The place of the lighthouse, by its number in the rows of --csv [default: its usual "
+            "one].",
+            parse=integer_of,
+        ),
+    ] = None
 
-    def world(self, kind: GivenLighthouse) -> World:
-        """Return that world, started at dart 0, with a lighthouse at its default place."""
-        assert self.family is not None
-        map_ = map_of_family(self.family, self.holes, self.seed)
-        return World(map_, lighthouse_from_json(None, map_, 0, kind))
+    def refuse(self, names: Iterable[str], what: str) -> None:
+        """Refuse options that have no effect.
+
+        Raises:
+            InputError: naming the first of these that is given, and ``what`` it has no effect on.
+        """
+        for name in names:
+            if (given := getattr(self, name)) is not None:
+                raise InputError(f"{name} {given} has no effect on {what}")
+
+    def meant(self, given: object, usual: GivenLighthouse) -> World:
+        """The world of a text, or the given one, or the one of the family.
+
+        Args:
+            given: a world, or what :func:`world_named` reads; None for the family's.
+            usual: the lighthouse where none is named.
+
+        Raises:
+            InputError: naming what is not there, or has no effect.
+        """
+        kind = tried_kind(usual if self.lighthouse is None else self.lighthouse)
+        if not isinstance(given, World | str | None):
+            raise InputError(f"world = {show(given)} is no World; World(map) makes one of a map")
+        if isinstance(given, World):
+            self.refuse(("family", "holes", "lighthouse"), "a world that is given")
+            world = given
+        elif given is not None:
+            self.refuse(["family"], f"world {show(given)}: it is a world already")
+            # Scripts may name a seed in every run.
+            seed = self.seed if _names_family(given) else None
+            world = world_named(given, kind, seed, self.holes)
+        elif self.family is not None:
+            world = World(map_of_family(self.family, self.holes, self.seed or 0), kind)
+        else:
+            raise InputError("there is neither a world nor a family")
+        return world if self.place is None else at_place(world, self.place)
 
 
 def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:

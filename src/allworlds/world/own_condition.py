@@ -4,25 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from random import Random
-from typing import Annotated, TypeAlias
+from typing import Annotated, ClassVar, TypeAlias
 
 from allworlds.document import IfAny, Text, about
-from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, let_users_interrupt, show
+from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, a_text, show
 from allworlds.maps import (
     AND,
     LEGAL,
     AllOf,
     CombinatorialMap,
     Condition,
+    Gluing,
     condition_named,
     rooted_maps,
 )
-from allworlds.protocol import UserCode, find_code, function_of, said
+from allworlds.protocol import LocalCode, Role, UserCode, tried
 
-ENTRY_POINTS = "allworlds.predicates"
+PREDICATE = Role(
+    "where",
+    "allworlds.predicates",
+    "def predicate(map), which returns True or False",
+    (LEGAL,),
+)
 
 TRIED_EDGES = 3
 """In all maps with so many edges a predicate must not depend on the numbering of the darts."""
@@ -32,15 +37,24 @@ Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
 
 @dataclass(frozen=True, slots=True)
 class OwnCondition:
-    """A predicate of the user's; it is loaded where maps are made."""
+    """A predicate of the user's; it is loaded where maps are made.
 
-    name: str
-    code: UserCode
+    Its function may have an attribute ``begins``: a function of a partial gluing that says whether
+    a map of which the predicate is true may begin so.
+    """
+
+    code: UserCode | LocalCode
+    dual: ClassVar[bool] = False
+
+    @property
+    def name(self) -> str:
+        """As ``--where`` takes it."""
+        return self.code.name
 
     @property
     def codes(self) -> tuple[UserCode, ...]:
-        """The predicate."""
-        return (self.code,)
+        """The predicate, if other processes can load it."""
+        return (self.code,) if isinstance(self.code, UserCode) else ()
 
     def holds(self, map_: CombinatorialMap) -> bool:
         """Whether the predicate says so.
@@ -48,29 +62,40 @@ class OwnCondition:
         Raises:
             InputError: if it raises, or says neither True nor False.
         """
-        predicate = _predicate(self.code)
-        try:
-            found = predicate(map_)
-        except BaseException as error:  # noqa: BLE001  # a predicate may raise anything
-            let_users_interrupt(error)
-            raise InputError(f"where {show(self.name)} raises {said(error)}") from None
+        return self._decided("", self.code(map_))
+
+    @property
+    def narrows(self) -> bool:
+        """Whether the function has ``begins``."""
+        return hasattr(self.code.function, "begins")
+
+    def may_begin(self, gluing: Gluing) -> bool:
+        """Whether a map of which the predicate is true may begin so, as ``begins`` says.
+
+        Raises:
+            InputError: as :meth:`holds`.
+        """
+        begins = self.code.function.begins
+        what = f"begins of where {show(self.name)}"
+        return self._decided("begins of ", tried(what, lambda: begins(gluing)))
+
+    def _decided(self, part: str, found: object) -> bool:
         if type(found) is not bool:
-            raise InputError(f"where {show(self.name)} returns {show(found)}, not True or False")
+            raise InputError(
+                f"{part}where {show(self.name)} returns {show(found)}, not True or False"
+            )
         return found
 
     def __str__(self) -> str:
         return self.name
 
 
-@cache
-def _predicate(code: UserCode) -> Predicate:
-    shape = "def predicate(map), which returns True or False"
-    predicate: Predicate = function_of("where", code, ENTRY_POINTS, shape)
-    return predicate
+def a_condition(given: object, *, local: bool = False) -> Condition | None:
+    """The condition of a name or function, or all of several; the user's are tried on small maps.
 
-
-def a_condition(given: object) -> Condition | None:
-    """The condition of a name, or all of those of several, the user's tried on small maps.
+    Args:
+        given: names, functions, or conditions.
+        local: whether it is used in this process alone, so that any function will do.
 
     Raises:
         InputError: naming the legal ones, or two numberings of one map that it takes apart.
@@ -79,44 +104,66 @@ def a_condition(given: object) -> Condition | None:
         return None
     several = given.split(AND) if isinstance(given, str) else given
     if not isinstance(several, list | tuple):
-        return _one_condition(given)
-    parts = tuple(dict.fromkeys(map(_one_condition, several)))
+        return _one_condition(given, local=local)
+    parts = tuple(dict.fromkeys(_one_condition(each, local=local) for each in several))
     return AllOf(parts) if len(parts) > 1 else next(iter(parts), None)
 
 
-def _one_condition(given: object) -> Condition:
-    if not isinstance(given, str):
-        if isinstance(getattr(given, "name", None), str) and hasattr(given, "holds"):
-            return given  # type: ignore[return-value]  # it has what conditions have
-        raise InputError(f"where = {show(given)} is not a text")
-    if (ours := condition_named(given)) is not None:
+def _one_condition(given: object, *, local: bool) -> Condition:
+    if isinstance(getattr(given, "name", None), str) and hasattr(given, "holds"):
+        return given  # type: ignore[return-value]  # it has what conditions have
+    if isinstance(given, str) and (ours := condition_named(given)) is not None:
         return ours
-    own = OwnCondition(given, find_code("where", given, ENTRY_POINTS, (LEGAL,)))
-    _ensure_no_numbering_counts(own)
-    return own
+    if not callable(given):
+        code: UserCode | LocalCode = PREDICATE.find(a_text("where", given))
+    else:
+        code = LocalCode(PREDICATE, given) if local else PREDICATE.of(given)
+    return _tried(OwnCondition(code))
 
 
-def _ensure_no_numbering_counts(own: OwnCondition) -> None:
-    """Raise InputError if the condition holds of a map and not of the same with other names."""
+def _tried(own: OwnCondition) -> OwnCondition:
+    """The condition itself, unless it was recorded, and so tried before.
+
+    Raises:
+        InputError: if it is no function of the map, or if ``begins`` cuts off a map that it is
+            true of.
+    """
+    if own.codes and own.codes[0].recorded:
+        return own
     names = Random(TRIED_EDGES)  # noqa: S311  # any names
     for edges in range(1, TRIED_EDGES + 1):
+        begun = {*rooted_maps(edges, where=own)}
         for map_ in rooted_maps(edges):
+            says = own.holds(map_)
+            if own.holds(map_) != says:
+                raise InputError(
+                    f"where {show(own.name)} is no function of the map: asked twice, it says "
+                    f"{says} and {not says} of {map_}"
+                )
             other = [*map_.darts]
             names.shuffle(other)
             renamed = map_.relabelled(other)
-            if own.holds(map_) != own.holds(renamed):
+            if own.holds(renamed) != says:
                 raise InputError(
                     f"where {show(own.name)} depends on the numbering of the darts: it says "
-                    f"{own.holds(map_)} of {map_}, and {own.holds(renamed)} of the same map as "
-                    f"{renamed}"
+                    f"{says} of {map_}, and {not says} of the same map as {renamed}"
                 )
+            if says and map_ not in begun:
+                raise InputError(
+                    f"where {show(own.name)} is true of {map_}, and its begins says that no such "
+                    "map begins as this one does"
+                )
+    return own
 
 
 class AskedWhere(Request):
     """The part of a request that adds a condition on the maps."""
 
     where: Annotated[
-        Taken[str | Condition | Sequence[str | Condition] | None, Condition | None],
+        Taken[
+            str | Predicate | Condition | Sequence[str | Predicate | Condition] | None,
+            Condition | None,
+        ],
         Option(
             SCOPE,
             "WHERE",
@@ -135,5 +182,4 @@ class AskedWhere(Request):
 
 def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
     """The files of the user's that a condition needs."""
-    codes: Sequence[UserCode] = getattr(condition, "codes", ())
-    return tuple(code.file(ENTRY_POINTS) for code in codes)
+    return tuple(file for code in getattr(condition, "codes", ()) for file in code.files)

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any
 
 from allworlds.document import Document, Pictured, about
 from allworlds.inputs import integer, parse_json, show
-from allworlds.maps import Alpha, CombinatorialMap, Dart, Sigma, to_networkx
+from allworlds.maps import (
+    Alpha,
+    CombinatorialMap,
+    Dart,
+    Sigma,
+    from_faces,
+    from_networkx,
+    to_networkx,
+)
 from allworlds.protocol import Action, Move, Percept, Told
-from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, refuse_other_keys
+from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
+from allworlds.world.lighthouses.place_checks import InvalidWorld, refuse_other_keys
 from allworlds.world.state import State, without_markers
 
 
@@ -35,9 +44,15 @@ class WorldDocument(Document):
     ] = Directional(0)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class World(Pictured):
     """A map, a lighthouse that stands in it, and the dart that the robot faces at the start.
+
+    Args:
+        map: the map.
+        lighthouse: one that stands at its place; or a kind, such as ``"position"``, which is put
+            at its default place; None stands for ``"directional"``, as in a WORLD that names none.
+        start: the dart.
 
     Raises:
         InvalidWorld: if the start is no dart, or the lighthouse does not fit.
@@ -45,10 +60,24 @@ class World(Pictured):
 
     map: CombinatorialMap
     lighthouse: Lighthouse
-    start: Dart = 0
+    start: Dart
 
-    def __post_init__(self) -> None:
-        self.lighthouse.check(self.map, _a_start(self.start, self.map))
+    def __init__(
+        self,
+        map: CombinatorialMap,  # noqa: A002  # the word of the field
+        lighthouse: Lighthouse | GivenLighthouse | None = None,
+        start: Dart = 0,
+    ) -> None:
+        if not isinstance(map, CombinatorialMap):
+            raise InvalidWorld(f"map = {show(map)} is no CombinatorialMap; maps.family makes one")
+        start = _a_start(start, map)
+        if not isinstance(lighthouse, Lighthouse):
+            kind = Directional.kind if lighthouse is None else lighthouse
+            lighthouse = lighthouse_from_json(None, map, start, kind)
+        lighthouse.check(map, start)
+        object.__setattr__(self, "map", map)
+        object.__setattr__(self, "lighthouse", lighthouse)
+        object.__setattr__(self, "start", start)
 
     @cached_property
     def percepts(self) -> tuple[Percept, ...]:
@@ -110,11 +139,51 @@ class World(Pictured):
     def to_networkx(self) -> Any:
         """The graph of the map, of networkx; see :func:`allworlds.maps.networks.to_networkx`.
 
-        Its attributes ``start`` and ``lighthouse`` are those of the world's document.
+        Its attributes ``start`` and ``lighthouse`` are those of the world's document, and
+        :meth:`from_networkx` takes them back.
         """
         graph = to_networkx(self.map)
         graph.graph.update(start=self.start, lighthouse=self.lighthouse.to_json())
         return graph
+
+    @classmethod
+    def from_networkx(
+        cls, graph: Any, lighthouse: Lighthouse | GivenLighthouse | None = None, start: Dart = 0
+    ) -> World:
+        """The world in the map of a graph of networkx.
+
+        Args:
+            graph: as :func:`allworlds.maps.networks.from_networkx` takes it.
+            lighthouse: as for a world, if the graph has no attribute of that name.
+            start: likewise.
+
+        Raises:
+            InvalidMap, InvalidWorld: naming the offending value and what would be legal.
+        """
+        map_, told = from_networkx(graph), graph.graph
+        begin = _a_start(told.get("start", start), map_)
+        if "lighthouse" in told:
+            lighthouse = lighthouse_from_json(told["lighthouse"], map_, begin)
+        return cls(map_, lighthouse, begin)
+
+    @classmethod
+    def from_faces(
+        cls,
+        faces: Sequence[Sequence[Hashable]],
+        lighthouse: Lighthouse | GivenLighthouse | None = None,
+        start: Dart = 0,
+    ) -> World:
+        """The world on a closed surface glued of polygons.
+
+        Args:
+            faces: as :func:`allworlds.maps.networks.from_faces` takes them.
+            lighthouse: as for a world.
+            start: likewise.
+
+        Raises:
+            InvalidMap, InvalidWorld: naming the offending value and what would be legal.
+        """
+        return cls(from_faces(faces), lighthouse, start)
 
     def to_json(self) -> dict[str, Any]:
         """The document :class:`WorldDocument`."""
@@ -159,7 +228,7 @@ def at_place(world: World, number: int) -> World:
     Raises:
         InvalidWorld: naming the numbers of its places.
     """
-    places = list(type(world.lighthouse).places(world.map, world.start))
+    places = list(world.lighthouse.as_kind.places(world.map, world.start))
     if number not in range(len(places)):
         raise InvalidWorld(
             f"place {show(number)} is none of the {len(places)} places of the lighthouse "

@@ -1,6 +1,9 @@
 "use strict";
-// Answers, line by line, what robot.js says; the tests ask.
-const { begin, sensed, refusal, step, notes, openDarts, estimate, isWorld } = require(process.argv[2]);
+// Answers, line by line, what the scripts of the page say; the tests ask.
+const { begin, sensed, refusal, step, notes, openDarts, estimate, isWorld } = require(
+  `${process.argv[2]}/robot.js`,
+);
+const { place, box } = require(`${process.argv[2]}/spots.js`);
 const readline = require("readline");
 
 function after(world, state, action) {
@@ -23,6 +26,16 @@ const ANSWERS = {
       estimate: found,
       right: found && world ? isWorld(found, world, dart) : null,
     };
+  },
+  // The spots after each step, as the page has them, with the places that are there then.
+  spots: ({ first, steps, conclusions }) => {
+    const spots = new Map();
+    return [...Array(steps.length + 1).keys()].map((made) => {
+      const { places } = notes(first, steps.slice(0, made), conclusions[made] || [], false);
+      place(spots, places);
+      const ends = places.map(({ name, darts }) => [name, darts[0].end]);
+      return { spots: Object.fromEntries(spots), ends, box: box(spots, places) };
+    });
   },
 };
 

@@ -7,9 +7,9 @@ from base64 import b64encode
 
 import pytest
 
+from allworlds.inputs import InputError
 from allworlds.reports import game as game_page, text
-from allworlds.reports.play.costs import costs_beside, in_words
-from allworlds.reports.play.page import world_data
+from allworlds.reports.play.page import costs_data, world_data
 from allworlds.studies.play import play
 from allworlds.world import LIGHTHOUSES
 from html_tree import Reader
@@ -24,10 +24,21 @@ def test_the_page_holds_the_world_under_every_lighthouse(kind):
         r'<script type="application/json" id="play-json">(.*?)</script>', page, re.DOTALL
     )
     data = json.loads(held)
-    assert data.pop("beside") == in_words(costs_beside(made.world))
+    assert data.pop("costs") == costs_data(made)
     assert data == json.loads(json.dumps(world_data(made.world)))
     assert f"A {kind} lighthouse." in page
     assert ("You are told: " in page) == (made.world.told is not None)
+
+
+def test_marks_of_the_users_own_kind_are_left_in_the_terminal_alone(tmp_path, monkeypatch):
+    (tmp_path / "chalk.py").write_text(
+        "from allworlds import Lighthouse\n\n\nclass Chalk(Lighthouse):\n"
+        "    leaves_marks = True\n\n    @classmethod\n    def places(cls, map_, start):\n"
+        "        yield cls()\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError, match=r"lighthouse chalk.py:Chalk .* leave --html out"):
+        game_page(play("theta", lighthouse="chalk.py:Chalk"))
 
 
 def test_the_page_allows_its_own_script_and_style_alone():

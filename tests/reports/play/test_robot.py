@@ -1,47 +1,20 @@
 """The page's robot senses and does what the worlds say, and its notes are those of the log."""
 
-import json
-import shutil
-import subprocess
-from pathlib import Path
-
 import pytest
 
 import allworlds
 from allworlds import CombinatorialMap, Estimate, Move
 from allworlds.judging import fold
 from allworlds.maps import rooted_isomorphism, rooted_maps
-from allworlds.protocol import Drop, Pick
+from allworlds.protocol import Drop, Pick, Write
 from allworlds.reports.play.page import world_data
-from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, Movable, State, World
+from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, State, World, lighthouse_named
 from small import EDGE, LOOP, PLANE, TORUS, all_maps
-
-ROBOT = Path(allworlds.__file__).parent / "reports" / "play" / "robot.js"
-ANSWERS = Path(__file__).with_name("answers.js")
-
-
-@pytest.fixture(scope="module")
-def ask():
-    """A function from a question to what the script of the page answers."""
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("node is not installed")
-    with subprocess.Popen(
-        [node, str(ANSWERS), str(ROBOT)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-    ) as process:
-
-        def answer(**question):
-            process.stdin.write(json.dumps(question) + "\n")
-            process.stdin.flush()
-            return json.loads(process.stdout.readline())
-
-        yield answer
-        process.stdin.close()
-        assert process.wait(timeout=60) == 0
 
 
 def state_json(state):
-    return {"dart": state.dart, "lying": list(state.lying), "hand": state.hand}
+    lying, written = list(state.lying), [list(pair) for pair in state.written]
+    return {"dart": state.dart, "lying": lying, "hand": state.hand, "written": written}
 
 
 def action_json(action):
@@ -52,6 +25,8 @@ def action_json(action):
             return {"drop": True}
         case Pick():
             return {"pick": True}
+        case Write(k):
+            return {"write": k}
 
 
 def true_answer(world, state, action):
@@ -62,12 +37,15 @@ def true_answer(world, state, action):
     return [state_json(after), percept.to_json()]
 
 
+MARKING = Drop(), Pick(), *map(Write, range(4))
+
+
 def reachable(world):
     """Every state of the world, by search."""
     found = {world.initial: None}
     queue = [world.initial]
     for state in queue:
-        for action in (*map(Move, range(world.sensed(state).degree)), Drop(), Pick()):
+        for action in (*map(Move, range(world.sensed(state).degree)), *MARKING):
             try:
                 after, _ = world.step(state, action)
             except IllegalAction:
@@ -96,7 +74,7 @@ def test_every_step_in_every_world_of_up_to_three_edges_is_that_of_the_world(kin
         asked = [
             (state, action)
             for state in reachable(world)
-            for action in (*map(Move, range(-1, world.sensed(state).degree + 1)), Drop(), Pick())
+            for action in (*map(Move, range(-1, world.sensed(state).degree + 1)), *MARKING)
         ]
         given = [[state_json(state), action_json(action)] for state, action in asked]
         assert ask(what="steps", world=data, asked=given) == [
@@ -105,11 +83,17 @@ def test_every_step_in_every_world_of_up_to_three_edges_is_that_of_the_world(kin
     assert worlds > 0
 
 
-@pytest.mark.parametrize("lighthouse", [Movable(2), Movable(2, pick=False)])
-def test_markers_are_dropped_and_taken_up_as_in_the_world(lighthouse, ask):
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("movable:markers=2", "movable:markers=2,pick=false", "movable:markers=3,distinct=true"),
+        *("whiteboard:states=3", "ports:states=3", "compass+movable:markers=2,distinct=true"),
+    ],
+)
+def test_marks_are_left_and_taken_up_as_in_the_world(name, ask):
     for map_ in (EDGE, LOOP, PLANE, TORUS):
-        world = World(map_, lighthouse, 0)
-        asked = [(s, a) for s in reachable(world) for a in (Move(0), Move(1), Drop(), Pick())]
+        world = World(map_, next(lighthouse_named(name).places(map_, 0)), 0)
+        asked = [(s, a) for s in reachable(world) for a in (Move(0), Move(1), *MARKING)]
         given = [[state_json(state), action_json(action)] for state, action in asked]
         told = ask(what="steps", world=world_data(world), asked=given)
         assert told == [true_answer(world, state, action) for state, action in asked]
@@ -227,4 +211,9 @@ def test_a_wrong_conclusion_that_fits_is_left_to_the_robot(ask):
 
 
 def test_states_are_those_of_python():
-    assert state_json(State(3, (0, 1), 2)) == {"dart": 3, "lying": [0, 1], "hand": 2}
+    assert state_json(State(3, (0, 1), 2)) == {
+        "dart": 3,
+        "lying": [0, 1],
+        "hand": 2,
+        "written": [],
+    }

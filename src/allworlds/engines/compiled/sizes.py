@@ -8,3 +8,6 @@ COMPILED_FROM = 5
 WALKED_FROM = 6
 """The least m whose maps are walked once for every bearing, where that can be done.  Up to
 there every bearing is walked."""
+
+COMPILER = "numba", "fast"
+"""The package without which there is no compiled engine, and the extra that brings it."""

@@ -10,6 +10,8 @@ The **guardian** forks them all, and ends them, and all that they have started.
     messages to referees, and their answers;
 ``guardian``, ``guardian_requests``, ``roles``, ``process``, ``process_tree``
     starting, reading and ending processes;
+``layout``
+    layouts of memory, drawn for each process;
 ``relay``
     the stderr of processes, on its way to that of the owner;
 ``player``, ``player_pair``

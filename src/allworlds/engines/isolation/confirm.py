@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import secrets
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from random import Random
 from typing import NamedTuple
@@ -15,7 +15,9 @@ from allworlds.engines.isolation.messages import RecordLogs, TraceEvent
 from allworlds.engines.isolation.overheard import Overheard
 from allworlds.engines.isolation.player_pair import PlayerLost, PlayerPair, receive, start_player
 from allworlds.engines.isolation.process import Process, guardian
-from allworlds.engines.python.examiner import Outcome, name_run
+from allworlds.engines.python.comparison import difference_of, nondeterministic, side_by_side
+from allworlds.engines.python.examiner import LOST, Outcome, name_run
+from allworlds.engines.python.hash_seeds import LAYOUTS
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.python_engine import PythonEngine
@@ -41,8 +43,11 @@ from allworlds.judging import (
     place_of,
 )
 from allworlds.maps import CombinatorialMap, Dart, Extent, MapClass
-from allworlds.protocol import Estimate, Percept, Schedule, Transcript, action_numbered
+from allworlds.protocol import Estimate, Percept, Schedule, Transcript, action_numbered, number_of
 from allworlds.world import Adversary, World
+
+REPEATED = 2
+"""The number of plays of the record of a finding in a process."""
 
 MOST_CHOICES = 1000
 """The number of choices that are kept of the turn in which a run was lost: there may be no end."""
@@ -81,12 +86,18 @@ def examine_apart(
     canonical, place = canonical_world(world), place_of(world)
     unit = GivenWorlds(((canonical, place),))
     with _players(subject, limits, hash_seed) as players:
-        twice = PlayedTwice(engine, subject.name, players)
+        twice = PlayedTwice(engine, subject.name, players, alone=True)
         placed = {0: OneRun(0, place, canonical)}
         ((_, outcome),) = twice.outcomes(unit, placed, given=script)
+    if isinstance(outcome, Outcome) and not subject.importable:
+        record = _record_of(rules, canonical, outcome.episode.transcript, outcome.choices)
+        return replace(outcome, output=InProcessPlayers(subject).printed(record, rules.policy))
     with Overheard() as heard:
         setup = PlayerSetup.of(subject, limits, heard.path)
-        if not isinstance(outcome, Outcome):
+        if isinstance(outcome, Outcome):
+            record = _record_of(rules, canonical, outcome.episode.transcript, outcome.choices)
+            _logs_of((record,), rules.policy, setup, (hash_seed or 0, 0))
+        else:
             traced = _traced(Trace(rules, canonical, "one", script), setup, hash_seed)
             outcome = Outcome(
                 Episode(traced.transcript, (), outcome),
@@ -96,11 +107,6 @@ def examine_apart(
                 rules.the_bound.of(world.map, world.start),
                 hash_seed,
             )
-        elif subject.importable:
-            percepts = tuple(outcome.episode.transcript.percepts)
-            budget, name = rules.budget(canonical.map), name_run(rules, canonical)
-            record = Record(percepts, canonical.told, outcome.choices, budget, name)
-            _log_of(record, rules.policy, setup, hash_seed or 0)
     return replace(outcome, output=heard.text)
 
 
@@ -134,67 +140,123 @@ def _players(subject: Subject, limits: Limits, hash_seed: int | None) -> Iterato
         pair.close()
 
 
-def confirmed(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
+def played_again(
+    finding: Finding, subject: Subject, limits: Limits, schedules: Schedule
+) -> Finding:
     """The finding with the prints of a fresh process, and whether that repeated the run.
 
     A finding whose run was lost is traced, and so gets its walk.  An explorer that no other
-    process can import is not confirmed.
+    process can import is not confirmed; it plays once more in this process, for its prints.
     """
     if not subject.importable and subject.from_user:
-        return finding
+        return replace(finding, output=InProcessPlayers(subject).printed(*_recorded(finding)))
     with Overheard() as heard:
         setup = PlayerSetup.of(subject, limits, heard.path)
-        if finding.traced:
-            again = replace(finding, confirmed=repeat(finding, setup))
-        else:
-            again = trace(finding, setup, schedules)
+        again = repeat(finding, setup) if finding.traced else trace(finding, setup, schedules)
     return replace(again, output=heard.text)
 
 
-def repeat(finding: Finding, setup: PlayerSetup) -> bool:
-    """Whether a fresh process repeats the run, from the recorded percepts alone.
+def repeat(finding: Finding, setup: PlayerSetup) -> Finding:
+    """The finding, and whether fresh processes repeat the run, from the recorded percepts alone.
 
-    A nondeterministic explorer is confirmed by another walk.
+    A run that goes by its hash seed must be repeated on several layouts.  If a process does
+    something else, the explorer is nondeterministic; such a one is confirmed by plays that differ.
     """
-    rules, world = finding.rules, finding.world
-    record = Record(
-        tuple(finding.transcript.percepts),
-        world.told,
-        finding.choices,
-        rules.budget(world.map),
-        name_run(rules, world),
-        any_answer=not rules.task.is_map,
-        over=rules.task.over_at_the_end(world, finding.transcript),
+    record, policy = _recorded(finding)
+    if finding.law == "nondeterministic":
+        return replace(finding, confirmed=_differs(finding, record, setup))
+    places = [(1, 0)]
+    if finding.hash_seed is not None:
+        places = [(finding.hash_seed, layout) for layout in range(1, LAYOUTS + 1)]
+    for logs in _plays(record, policy, setup, places):
+        if logs is None:
+            return replace(finding, confirmed=False)
+        for log in logs:
+            if not (_same_walk(finding, log) and _ends_alike(finding, log)):
+                return _unlike(finding, log)
+    return replace(finding, confirmed=True)
+
+
+def _unlike(finding: Finding, again: Log) -> Finding:
+    """The finding of an explorer that does something else in a fresh process."""
+    if finding.law in LOST:
+        return replace(finding, confirmed=False)
+    broken = nondeterministic(f"it breaks the law {finding.law} in some plays alone")
+    actions = tuple(map(number_of, finding.transcript.actions))
+    before = Log(actions, (), Fault(f"what breaks the law {finding.law}", "", ""))
+    return replace(
+        finding,
+        law=broken.law,
+        expected=broken.expected,
+        seen=broken.seen,
+        detail="\n".join(filter(None, [side_by_side(before, again), finding.detail])),
+        hash_seed=None,
+        confirmed=True,
     )
-    if finding.law != "nondeterministic":
-        log = _log_of(record, rules.policy, setup, _seed_of(finding))
-        return log is not None and _same_walk(finding, log) and _ends_alike(finding, log)
-    # It may go by addresses, and by chance do the same in some of the processes.
-    for seed in range(1, SEEDS):
-        log = _log_of(record, rules.policy, setup, seed)
-        setup = replace(setup, output=os.devnull)  # what the first has printed is enough
-        if log is None:
+
+
+def _differs(finding: Finding, record: Record, setup: PlayerSetup) -> bool:
+    """Whether plays of the record differ, with one hash seed, in one process or in several.
+
+    The explorer may go by addresses, and by chance do the same in some processes.
+    """
+    before: Log | None = None
+    places = [(0, layout) for layout in range(SEEDS)]
+    for logs in _plays(record, finding.rules.policy, setup, places):
+        if logs is None:
             return False
-        if not _same_walk(finding, log):
+        before = before or logs[0]
+        if any(not _same_walk(finding, log) or difference_of(before, log) for log in logs):
             return True
     return False
 
 
-def _log_of(record: Record, policy: str, setup: PlayerSetup, hash_seed: int) -> Log | None:
-    """The log of a record in a fresh process; None if it is lost."""
+def _recorded(finding: Finding) -> tuple[Record, str]:
+    """The record of a finding's run, and its policy."""
+    rules, world = finding.rules, finding.world
+    record = _record_of(rules, world, finding.transcript, finding.choices)
+    return record, rules.policy
+
+
+def _record_of(
+    rules: Rules, world: World, transcript: Transcript, choices: tuple[int, ...]
+) -> Record:
+    return Record(
+        tuple(transcript.percepts),
+        world.told,
+        choices,
+        rules.budget(world.map),
+        name_run(rules, world),
+        any_answer=not rules.task.is_map,
+        over=rules.task.over_at_the_end(world, transcript),
+    )
+
+
+def _plays(
+    record: Record, policy: str, setup: PlayerSetup, places: Sequence[tuple[int, int]]
+) -> Iterator[list[Log] | None]:
+    """Yield the logs of plays of a record, some in each place; None for a process that is lost.
+
+    The prints of the first play alone are those of the run.
+    """
+    yield _logs_of((record,), policy, setup, places[0])
+    silent = replace(setup, output=os.devnull)
+    for place in places:
+        yield _logs_of((record,) * REPEATED, policy, silent, place)
+
+
+def _logs_of(
+    records: tuple[Record, ...], policy: str, setup: PlayerSetup, place: tuple[int, int]
+) -> list[Log] | None:
+    """The logs of records in a fresh process of that place; None if it is lost."""
     try:
-        with _fresh(setup, hash_seed) as player:
-            player.send(PlayRecords((record,), policy, 0))
+        with _fresh(setup, place) as player:
+            player.send(PlayRecords(records, policy, 0))
             message = receive(player, setup)
     except (InputError, PlayerLost):  # an explorer may not be importable any more
         return None
     assert isinstance(message, RecordLogs)
-    return message.logs[0]
-
-
-def _seed_of(finding: Finding) -> int:
-    """The hash seed of a process that is to repeat the finding."""
-    return 1 if finding.hash_seed is None else finding.hash_seed
+    return message.logs
 
 
 def _same_walk(finding: Finding, log: Log) -> bool:
@@ -242,7 +304,7 @@ def _traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
     settled = 0
     lost: PlayerLost | None = None
     try:
-        with _fresh(setup, 1 if hash_seed is None else hash_seed) as player:
+        with _fresh(setup, (1 if hash_seed is None else hash_seed, 0)) as player:
             player.send(job)
             while isinstance(message := receive(player, setup), TraceEvent):
                 match message.what:
@@ -265,8 +327,8 @@ def _traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
 
 
 @contextmanager
-def _fresh(setup: PlayerSetup, hash_seed: int) -> Iterator[Process]:
-    player, _ = start_player(guardian(), setup, hash_seed)
+def _fresh(setup: PlayerSetup, place: tuple[int, int]) -> Iterator[Process]:
+    player, _ = start_player(guardian(), setup, *place)
     try:
         yield player
     finally:

@@ -24,6 +24,7 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from importlib import import_module
+from pathlib import Path
 from selectors import EVENT_READ, DefaultSelector
 from typing import NoReturn
 
@@ -60,10 +61,8 @@ OWNERS = frozenset({"referee"})
 LOOK = 1.0
 """Seconds after which the guardian looks again whether its owner is there."""
 
-_START = (
-    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
-    "from allworlds.engines.isolation.roles import guard; guard(int(sys.argv[2]))"
-)
+_START = str(Path(__file__).with_name("layout.py"))
+"""The script of a guardian."""
 
 
 def launch(
@@ -78,7 +77,7 @@ def launch(
     """
     ours, theirs = socket.socketpair()
     process = subprocess.Popen(  # noqa: S603  # our own module
-        [sys.executable, "-P", "-c", _START, json.dumps(path), str(theirs.fileno()), kind],
+        [sys.executable, "-P", _START, json.dumps(path), str(theirs.fileno()), kind],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         pass_fds=(theirs.fileno(),),
@@ -171,6 +170,9 @@ class _Guardian:
             nursery.returncode = 0  # it is reaped here
             self._known.add(nursery.pid)
             self._nurseries[request] = ours, nursery.pid
+            for prepared in self._prepared if request.alike else ():
+                # Its answer is not waited for: a request that comes later is served later.
+                send(ours, prepared, [])
         ours, pid = self._nurseries[request]
         theirs, way = socket.socketpair()
         with theirs, suppress(BrokenPipeError, ConnectionResetError):

@@ -62,10 +62,12 @@ class ReachNursery:
     Attributes:
         seed: its hash seed.
         copy: the number of a nursery with this seed; each has an address layout of its own.
+        alike: whether the nursery calls all functions at its start that were called here.
     """
 
     seed: int
     copy: int
+    alike: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""The prints of a player, recorded by its owner: for one run, and never for a verdict."""
+"""The prints of a player, recorded by its owner."""
 
 from __future__ import annotations
 
@@ -11,8 +11,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-KEPT = 4096
-"""The number of bytes that are kept of the prints; of more, the first and the last half."""
+from allworlds.engines.python.prints import Prints
 
 
 class Overheard:
@@ -33,7 +32,7 @@ class Overheard:
         # Open for both ends: no reader waits for a writer, and no writer for a reader.
         self._pipe = os.open(self.path, os.O_RDWR | os.O_NONBLOCK)
         self._woken, self._wake = os.pipe()
-        self._first, self._last, self._lost = bytearray(), bytearray(), 0
+        self._prints = Prints()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
         return self
@@ -55,29 +54,9 @@ class Overheard:
             goes_on = self._woken not in ready
             with suppress(BlockingIOError):
                 while chunk := os.read(self._pipe, 1 << 16):
-                    self._keep(chunk)
-
-    def _keep(self, chunk: bytes) -> None:
-        room = KEPT // 2 - len(self._first)
-        self._first += chunk[:room]
-        self._last += chunk[room:]
-        over = len(self._last) - KEPT // 2
-        if over > 0:
-            del self._last[:over]
-            self._lost += over
+                    self._prints.add(chunk)
 
     @property
     def text(self) -> str:
-        """The recorded prints, with control characters escaped; complete after the context."""
-        if not self._lost:
-            return _escaped(bytes(self._first + self._last))
-        between = f"\n[... {self._lost} bytes more ...]\n"
-        return _escaped(bytes(self._first)) + between + _escaped(bytes(self._last))
-
-
-def _escaped(printed: bytes) -> str:
-    text = printed.decode(errors="backslashreplace").replace("\r\n", "\n")
-    return "".join(
-        letter if letter in "\n\t" or letter.isprintable() else ascii(letter)[1:-1]
-        for letter in text
-    )
+        """The recorded prints, escaped and limited; complete after the context."""
+        return self._prints.text

@@ -24,6 +24,7 @@ from allworlds.engines.isolation.jobs import (
     PlayTree,
     Trace,
 )
+from allworlds.engines.isolation.layout import run_deeper, scatter_memory, scatter_objects
 from allworlds.engines.isolation.messages import (
     ExplorerDescription,
     Failure,
@@ -38,7 +39,7 @@ from allworlds.engines.isolation.messages import (
 from allworlds.engines.isolation.process import address_space, limit_memory
 from allworlds.engines.python.examiner import name_run
 from allworlds.engines.python.play import ExplorerRunner, ending_maker
-from allworlds.explorers import Shield, Subject, load
+from allworlds.explorers import Shield, Subject, is_program, load
 from allworlds.inputs import InputError
 from allworlds.judging import Environment, Log, perform, unwatched
 from allworlds.protocol import (
@@ -48,6 +49,7 @@ from allworlds.protocol import (
     Kind,
     Percept,
     Schedules,
+    limit_calls,
     number_of,
 )
 from allworlds.world import Deciding, State
@@ -70,6 +72,9 @@ TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 LOOK = 0.002
 """Seconds between two looks at timers and pipe: each costs as much as a short run."""
 
+SHARE_OF_MODELS = 0.8
+"""The share of an explorer's time for an answer that a call of a lighthouse or judge may take."""
+
 Job = PlayRuns | PlayRecords | PlayStretch | PlayTree | PlaySegments | Trace
 """Every message to a player after its setup."""
 
@@ -87,11 +92,23 @@ class PlayerProcess:
     def run(self) -> None:
         """Serve until the owner hangs up."""
         setup: PlayerSetup = self._connection.recv()
+        before = address_space()
+        if is_program(setup.name):  # it is started with addresses of its own
+            self._load_and_serve(setup, before)
+            return
+        scatter_objects()
+        scatter_memory()
+        run_deeper(lambda: self._load_and_serve(setup, before))
+
+    def _load_and_serve(self, setup: PlayerSetup, before: int) -> None:
+        """Serve a process of which so many MB were in use before its layout was drawn."""
+        # A silent model is given up before it looks like a silent explorer.
+        limit_calls(SHARE_OF_MODELS * setup.answer_timeout)
         if setup.output:
             _print_to(os.devnull)
         try:
             if setup.memory is not None:
-                limit_memory(setup.memory)
+                limit_memory(setup.memory, address_space() - before)
             subject = load(setup.name, setup.answer_timeout, setup.source)
             if (subject.inside or subject).native is not None and setup.memory is None:
                 limit_memory(address_space() + NATIVE_MEMORY)

@@ -29,8 +29,9 @@ from allworlds.engines.isolation.process import GRACE, NO_RUN, Garbled, Guardian
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import PartwiseEngine, RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
+from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.second_play import EarlierPlays
-from allworlds.engines.python.tour import Tour
+from allworlds.engines.python.tour import BEHIND, Tour
 from allworlds.engines.units.effort import POLL
 from allworlds.explorers import Subject, is_library, is_program
 from allworlds.inputs import InputError, show
@@ -170,9 +171,9 @@ class PlayerPair:
         random: from which every order is drawn.
         alive: called while a player is waited for.
         remark: takes the text of an event that refutes nothing.
-        tour: the hash seeds of both.
-        in_stretches: whether compiled code plays a shared library.  Compiled code is loaded in the
-            guardian alone, so in the end both players come from there.
+        tour: the places of both.
+        in_stretches: whether compiled code plays a shared library.  Only the guardian has loaded
+            compiled code, and in the end one more process.
     """
 
     guardian: Guardian
@@ -184,7 +185,6 @@ class PlayerPair:
     in_stretches: bool = False
     _processes: dict[str, Process] = field(default_factory=dict)
     _losses: int = 0
-    _at_home: bool = False
     _copies: bool = False
     _sent: PlayRecords = field(default_factory=lambda: PlayRecords((), "fifo", 0))
 
@@ -207,10 +207,10 @@ class PlayerPair:
         """Go on in fresh processes."""
         self.close()
 
-    def take_seeds(self, seed: int, *, alike: bool) -> None:
-        """Go on in fresh processes: the second with that hash seed, the first with it or with 0."""
+    def take_places(self, seed: int, turn: int, *, alike: bool) -> None:
+        """Go on in fresh processes; see the attributes of :class:`Tour`."""
         self.close()
-        self.tour.seed, self.tour.alike = seed, alike
+        self.tour.seed, self.tour.turn, self.tour.alike = seed, turn, alike
         self.tour.hold()
 
     def play_runs(
@@ -227,8 +227,6 @@ class PlayerPair:
             HarnessError: if a player, and then a fresh one, fails in another way than by the
                 explorer's acts in its turn.
         """
-        if self.tour.alike and self.tour.change():
-            self.close()
         # All that a player has loaded when a user's explorer is: it may load no more then.
         counter = RunCounter(engine.scope, engine.keep)
         left, received = list(numbers), Counter[int]()
@@ -325,12 +323,10 @@ class PlayerPair:
     ) -> StretchResult | None:
         """Let a player, ``first`` or ``second``, play a stretch; return None if it was lost."""
         if which == "second":
-            self._change_second(job.runs)
-        elif self.tour.alike and self.tour.change():
-            self.close()
+            self._change_second(job.runs, may_visit=isinstance(job, PlayStretch))
         try:
             player = self._player(which)
-            home = self._place(which) == (0, 0)
+            home = self._has_compiled_code(*self._place(which))
             player.send(replace(job, compiled=home))
             message = receive(player, self.setup, self.alive)
         except (PlayerLost, HarnessError):
@@ -406,29 +402,39 @@ class PlayerPair:
             self._processes[which], self._copies = process, description.copies
         return self._processes[which]
 
+    @property
+    def _at_home(self) -> bool:
+        """Whether both players come from processes with compiled code."""
+        return self.tour.is_home
+
     def _place(self, which: str) -> tuple[int, int]:
         """The hash seed of a player, and the number of the process with that seed that forks it."""
-        first, second = self.tour.seeds
-        if which == "first" or self._at_home:
-            return first, 0
-        return second, int(first == second)
+        first, second = self.tour.places
+        return first if which == "first" else second
+
+    @staticmethod
+    def _has_compiled_code(seed: int, copy: int) -> bool:
+        """Whether the process at a place has loaded compiled code, if any has."""
+        return seed == 0 and copy in (0, BEHIND)
 
     def _start(self, seed: int, copy: int) -> tuple[Process, ExplorerDescription]:
-        if self.in_stretches and (seed, copy) != (0, 0) and not is_program(self.setup.name):
-            self.guardian.nursery(seed, copy).prepare(GENERATORS, "load")
+        if self.in_stretches and not is_program(self.setup.name):
+            if not self._has_compiled_code(seed, copy):
+                self.guardian.nursery(seed, copy).prepare(GENERATORS, "load")
+            elif copy:
+                self.guardian.nursery(seed, copy, alike=True)
         return start_player(self.guardian, self.setup, seed, copy)
 
-    def _change_second(self, plays: int) -> None:
+    def _change_second(self, plays: int, *, may_visit: bool = False) -> None:
         """Count plays of the second player, and replace it if it is time for that."""
-        tour, compiled = self.tour, self.in_stretches and is_library(self.setup.name)
-        complete = tour.complete
-        if not tour.alike and tour.change():
-            self._end("second")
-            if complete and compiled:
-                self._at_home = tour.stays = True
+        tour = self.tour
+        tour.at_home = self.in_stretches and is_library(self.setup.name)
+        place, changed = tour.places[1], tour.change(plays, may_visit=may_visit)
         tour.count(plays)
+        if changed or tour.places[1] != place:
+            self._end("second")
         if tour.upcoming is not None and not is_program(self.setup.name):
-            self.guardian.nursery(tour.upcoming, int(tour.alike))
+            self.guardian.nursery(*tour.upcoming)
 
     def _end(self, which: str) -> None:
         process = self._processes.pop(which, None)
@@ -438,6 +444,10 @@ class PlayerPair:
 
 class WorkerEngine(Protocol):
     """An engine for workers: it is sent to their referees."""
+
+    @property
+    def scope(self) -> Scope:
+        """The worlds and the rules of the check."""
 
     @property
     def keep(self) -> int:

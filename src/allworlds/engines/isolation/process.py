@@ -105,7 +105,7 @@ class Guardian:
         """Let it call a function of this package: all later processes share the loaded modules."""
         self._ask(Prepare(module, function))
 
-    def nursery(self, seed: int, copy: int = 0) -> Guardian:
+    def nursery(self, seed: int, copy: int = 0, *, alike: bool = False) -> Guardian:
         """A guardian that forks processes with another hash seed and address layout.
 
         It starts at the first call, which does not wait for it.  The first with seed 0 is this one.
@@ -113,11 +113,12 @@ class Guardian:
         Args:
             seed: its hash seed.
             copy: the number of a guardian with this seed.
+            alike: whether it loads at its start the modules that this one has been asked to load.
         """
         if (seed, copy) == (0, 0):
             return self
         if (seed, copy) not in self._nurseries:
-            pid, descriptors = self._ask(ReachNursery(seed, copy))
+            pid, descriptors = self._ask(ReachNursery(seed, copy, alike))
             assert pid is not None
             way = socket.socket(fileno=descriptors[0])
             self._nurseries[seed, copy] = Guardian(way, pid)
@@ -343,8 +344,12 @@ def address_space() -> int:
     return 0
 
 
-def limit_memory(megabytes: int) -> None:
+def limit_memory(megabytes: int, besides: int = 0) -> None:
     """Bound the address space of this process.
+
+    Args:
+        megabytes: the bound.
+        besides: MB that do not count.
 
     Raises:
         InputError: if it is larger already; the limit would then act only on further growth.
@@ -352,7 +357,7 @@ def limit_memory(megabytes: int) -> None:
     import resource
 
     _, most = resource.getrlimit(resource.RLIMIT_AS)
-    size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
+    size = min(megabytes + besides << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
     resource.setrlimit(resource.RLIMIT_AS, (size, size))
     try:
         mmap.mmap(-1, mmap.PAGESIZE).close()

@@ -12,8 +12,11 @@ from allworlds.engines.isolation.jobs import HarnessError, PlayerSetup, Unsettle
 from allworlds.engines.isolation.player_pair import PlayerPair, WorkerEngine
 from allworlds.engines.isolation.process import Guardian, limit_memory
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
+from allworlds.engines.python.hash_seeds import GoesByHashes
+from allworlds.engines.python.other_seeds import WithOtherSeeds
+from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import EnginesDisagree, PartwiseEngine
-from allworlds.engines.python.second_play import SPARE, EarlierPlays
+from allworlds.engines.python.second_play import SPARE, EarlierPlays, PlayedTwice
 from allworlds.engines.transports.inline import with_last
 from allworlds.explorers import built_in
 from allworlds.inputs import InputError
@@ -71,7 +74,13 @@ class RefereeProcess:
         subject = setup.subject
         if not subject.from_user:
             return engine.for_built_in(built_in(subject.name), self._beat)
-        return engine.for_users(subject.name, players, earlier)
+        inside = engine.for_users(subject.name, players, earlier)
+        if not engine.scope.more_seeds:
+            return inside
+        players.take_places(0, 1, alike=True)
+        counter = PythonEngine(engine.scope, engine.keep)
+        plays = PlayedTwice(counter, subject.name, players)
+        return WithOtherSeeds(inside, plays, engine.tally)
 
     def _do(self, engine: PartwiseEngine, job: UnitJob) -> None:
         try:
@@ -81,7 +90,7 @@ class RefereeProcess:
                     result.remark(remark)
                 self._remarks.clear()
                 self._connection.send(UnitProgress(next_run, result, last))
-        except (InputError, Unsettled, EnginesDisagree) as error:
+        except (InputError, Unsettled, EnginesDisagree, GoesByHashes) as error:
             self._connection.send(error)
         except OSError:
             raise

@@ -41,7 +41,8 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     if explore in BUILT_IN:
         return built_in(explore)
     if is_program(explore):
-        Program(command_of(explore), limits.answer_timeout)  # refuses what cannot be run
+        program = Program(command_of(explore), limits.answer_timeout)  # refuses what cannot be run
+        program.ensure_readable()
         return Subject(explore, frozenset({"told"}))
     subject = Subject(explore, frozenset(), source=source_of(explore))
     player, description = start_player(guardian(), PlayerSetup.of(subject, limits, output=""))

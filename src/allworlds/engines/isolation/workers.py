@@ -15,6 +15,7 @@ from allworlds.engines.isolation.jobs import Unsettled
 from allworlds.engines.isolation.player_pair import WorkerEngine
 from allworlds.engines.isolation.process import WAKE, Guardian, Process, close_all, guardian
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
+from allworlds.engines.python.hash_seeds import GoesByHashes
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import EnginesDisagree
@@ -83,6 +84,7 @@ class Workers:
             InputError: if the explorer cannot be loaded in a player.
             Unsettled: if processes are lost again and again.
             EnginesDisagree: if two engines disagree about a native explorer.
+            GoesByHashes: if it is not yet known that the explorer does.
         """
         # An explorer that counts its runs is not to know of which unit they are.
         order = in_any_order(units) if self.subject.from_user else units
@@ -122,7 +124,7 @@ class Workers:
             message = referee.receive()
         except EOFError:
             return self._replace(referee, engine, referee.death()[0])
-        if isinstance(message, Unsettled | EnginesDisagree):
+        if isinstance(message, Unsettled | EnginesDisagree | GoesByHashes):
             raise message
         assert isinstance(message, UnitProgress)
         task.start = message.next_run

@@ -14,8 +14,12 @@
     a user's explorer, which plays every run twice, and the comparison of both plays;
 ``partial_world``
     a world that is decided where the robot looks;
+``prints``
+    what the explorer prints in one run, escaped and limited;
 ``tour``
     hash seeds and address layouts of the players of both plays, in turn;
+``hash_seeds``, ``other_seeds``
+    explorers that go by hashes, noticed, and played with other hash seeds, too;
 ``tally``
     counts that can be added up in any order, and the smallest findings;
 ``costs``

@@ -26,7 +26,7 @@ SHOWN_BEFORE, SHOWN_AFTER = 8, 4
 def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
     """The outcome of a first play, overruled by the violation of two plays that differ."""
     difference = difference_of(first, second)
-    if difference is None or not _may_be_overruled(outcome.violation):
+    if difference is None or not _may_be_overruled(outcome.violation, second):
         return outcome
     faults = [log.ending for log in (second, first) if isinstance(log.ending, Fault)]
     detail = next((fault.detail for fault in faults if fault.detail), "")
@@ -48,9 +48,14 @@ def copies_blamed(outcome: Outcome, first: Log, second: Log) -> Outcome:
     return replace(outcome, violation=nondeterministic(f"{seen}; {COPIES}"), detail=detail)
 
 
-def _may_be_overruled(violation: Violation | None) -> bool:
-    """Whether nondeterminism has precedence over this law, as over an unrepeated crash."""
+def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
+    """Whether nondeterminism has precedence over this law, or the second play does not break it.
+
+    A law that is broken in one of two plays alone is no more than a sign that they differ.
+    """
     if violation is None or violation.law in LOST:
+        return True
+    if not isinstance(second.ending, Fault) or second.ending.law != violation.law:
         return True
     return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
 

@@ -81,8 +81,12 @@ class Referee:
         ending = episode.ending
         if isinstance(ending, Fault):
             return Violation(ending.law, ending.expected, ending.seen)
-        task, open_ = self.rules.task, world.lighthouse.leaves_open
-        if task.is_map and isinstance(ending, Undecided) and not open_:
+        task = self.rules.task
+        if (
+            task.is_map
+            and isinstance(ending, Undecided)
+            and not world.lighthouse.as_kind.leaves_open
+        ):
             return Violation(
                 "no-estimate",
                 f"a map: the {world.lighthouse.kind} lighthouse has no answer without one",

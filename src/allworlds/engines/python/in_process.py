@@ -1,12 +1,17 @@
-"""Players in this process, for an explorer that no other process can find."""
+"""Players in this process, for an explorer that no other process can find.
+
+The explorer's prints are dropped, apart from those of the run that is told.
+"""
 
 from __future__ import annotations
 
 import secrets
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import islice
 
 from allworlds.engines.python.play import ExplorerRunner, Record
+from allworlds.engines.python.prints import Prints, Silence, printing_to
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.python.tour import Tour
@@ -14,7 +19,7 @@ from allworlds.explorers import Subject
 from allworlds.judging import Log
 
 CHUNK = 64
-"""The number of logs that are handed over at a time."""
+"""The number of logs, and of ends of runs, that are handed over at a time."""
 
 
 @dataclass(slots=True)
@@ -22,7 +27,7 @@ class InProcessPlayers:
     """Players in this process, each with its own order; a silent explorer cannot be stopped."""
 
     subject: Subject
-    tour: Tour = field(default_factory=lambda: Tour(0, stays=True))
+    tour: Tour = field(default_factory=lambda: Tour(None, alike=True, stays=True))
     _runner: ExplorerRunner = field(init=False)
     _logs: list[Log] = field(default_factory=list)
 
@@ -43,21 +48,27 @@ class InProcessPlayers:
         script: tuple[int, ...] | None = None,
     ) -> Iterator[list[tuple[int, Log]]]:
         """The logs of these runs, some at a time."""
-        logs: list[tuple[int, Log]] = []
         order = secrets.randbits(64)
-        for number, log in self._runner.play_runs(engine, unit, numbers, order, script):
-            if log is not None:
-                logs.append((number, log))
-            if len(logs) == CHUNK:
-                yield logs
-                logs = []
-        if logs:
-            yield logs
+        played = self._runner.play_runs(engine, unit, numbers, order, script)
+        while True:
+            with printing_to(Silence()):
+                some = list(islice(played, CHUNK))
+            if not some:
+                return
+            yield [(number, log) for number, log in some if log is not None]
 
     def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
         """Take records that are played once more."""
         order = secrets.randbits(64)
-        self._logs = self._runner.play_records(records, policy, order, plain=plain)
+        with printing_to(Silence()):
+            self._logs = self._runner.play_records(records, policy, order, plain=plain)
+
+    def printed(self, record: Record, policy: str) -> str:
+        """The prints of the explorer while it plays a record once more."""
+        prints = Prints()
+        with printing_to(prints):
+            self._runner.play_records([record], policy, 0)
+        return prints.text
 
     def receive_logs(self) -> list[Log]:
         """The logs of the records that were sent."""
@@ -66,5 +77,5 @@ class InProcessPlayers:
     def restart(self) -> None:
         """Go on in this process, which cannot be replaced."""
 
-    def take_seeds(self, seed: int, *, alike: bool) -> None:
+    def take_places(self, seed: int, turn: int, *, alike: bool) -> None:
         """Go on in this process, which keeps its hash seed."""

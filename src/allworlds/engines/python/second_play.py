@@ -12,8 +12,8 @@ which choices are due, and that none is left out; the second play gets the choic
 and not those that the first play reported.
 
 Where the second player has another hash seed than the first, plays that differ are repeated with
-either seed in both players.  If that explains the difference, the explorer goes by hashes: from
-then on both players have one seed, and it is right if it is right with each of them.
+either seed (:mod:`allworlds.engines.python.hash_seeds`).  If that explains the difference, the
+explorer goes by hashes, and is right if it is right with each seed.
 
 A failure that the machine may have caused is tried once more in fresh processes before it is
 believed: a run that has killed its process, or that crashed, or was silent, in one of its plays
@@ -50,11 +50,18 @@ from allworlds.engines.python.comparison import (
     overruled,
 )
 from allworlds.engines.python.examiner import Outcome, Referee, name_run
+from allworlds.engines.python.hash_seeds import (
+    GOES_BY_HASHES,
+    GoesByHashes,
+    SeededPlays,
+    seeds_explain,
+)
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import REPORT_EVERY, RunCounter
 from allworlds.engines.python.runs_of_unit import GivenWorlds, NumberedRun, UnitOfRuns
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import Tour
+from allworlds.explorers import is_library
 from allworlds.judging import Episode, Fault, Finding, Log, LostRun, Over, retold
 from allworlds.protocol import DEFAULT_POLICY, next_script
 from allworlds.world import IllegalAction, World
@@ -73,8 +80,6 @@ where something was wrong does not count."""
 OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
 )
-
-GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
 
 FIRST, KEPT = 64, 256
 """The number of plays that are kept for good, and in all, to be played again among later ones."""
@@ -115,8 +120,8 @@ class Players(Protocol):
     def tour(self) -> Tour:
         """The hash seeds of both."""
 
-    def take_seeds(self, seed: int, *, alike: bool) -> None:
-        """Go on in fresh processes: the second with that hash seed, the first with it or with 0."""
+    def take_places(self, seed: int, turn: int, *, alike: bool) -> None:
+        """Go on in fresh processes; see the attributes of :class:`Tour`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +131,12 @@ class OneRun:
     number: int
     place: int
     world: World
+
+
+def placed_run(run: NumberedRun) -> OneRun:
+    """A run that has a place."""
+    assert run.lighthouse is not None
+    return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
 
 
 @dataclass(slots=True)
@@ -238,17 +249,26 @@ class EarlierPlays(Generic[P]):
 
 @dataclass(slots=True)
 class PlayedTwice:
-    """The engine with a user's explorer, which plays each run twice."""
+    """The engine with a user's explorer, which plays each run twice.
+
+    Attributes:
+        engine: the scope, with its rules.
+        explorer: its name.
+        players: its players.
+        earlier: plays that are played again among later ones.
+        alone: whether there is this one run alone; else an explorer that goes by hashes raises
+            :class:`GoesByHashes`.
+    """
 
     engine: RunCounter
     explorer: str
     players: Players
     earlier: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
+    alone: bool = False
     _belated: list[tuple[OneRun, Outcome | LostRun]] = field(default_factory=list)
     _silent_after_others: str = ""
     _window: int = FEW
     _again: int = 0
-    _seed: int | None = None
     _seeds_explain: bool = True
     _referee: Referee = field(init=False)
 
@@ -332,7 +352,6 @@ class PlayedTwice:
                 else:
                     whole.append(self._play(placed[number], log, script, fits))
             records = [play.record for play in whole]
-            self._forget_other_seeds()
             self.earlier.spare += (PLAYS - 2) * len(records)
             earlier = self.earlier.draw_for(len(records))
             # A run that ended in a fault is played again once: a silence is not waited out often.
@@ -347,7 +366,7 @@ class PlayedTwice:
                 for play in whole
             ]
             again = self.players.receive_logs()
-            seed = self.players.tour.seed
+            seed = self.players.tour.turn
             self._look_back(earlier, again[len(order) :], unlike)
             seconds: dict[int, list[Log]] = {i: [] for i in range(len(whole))}
             for i, log in zip(order, again, strict=False):
@@ -374,6 +393,25 @@ class PlayedTwice:
         if unlike:
             yield from self._by_seed(unlike, remark)
 
+    def played_once(
+        self, unit: UnitOfRuns, runs: Sequence[NumberedRun]
+    ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
+        """The outcomes of these runs of a unit by their first play alone, in any order."""
+        placed = {run.number: placed_run(run) for run in runs if run.lighthouse}
+        scripts = ScriptTracker(self._every, dict.fromkeys(placed, ()))
+        for logs in self.players.play_runs(self.engine, unit, [*placed]):
+            for number, log in logs:
+                script, fits = scripts.take(number, log)
+                if isinstance(log.ending, LostRun):
+                    yield placed[number], log.ending
+                    continue
+                play = self._play(placed[number], log, script, fits)
+                outcome = self._referee.outcome(play.one.world, play.episode, log.choices)
+                if not fits:
+                    outcome = replace(outcome, violation=nondeterministic(OTHER_CHOICES))
+                yield play.one, outcome
+        scripts.finish()
+
     def finding(self, one: OneRun, outcome: Outcome | LostRun) -> Finding:
         """The finding of a run that breaks a law, or that was lost."""
         if isinstance(outcome, Outcome):
@@ -384,14 +422,21 @@ class PlayedTwice:
     def _by_seed(
         self, unlike: list[_Unlike], remark: Callable[[str], None]
     ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
-        """The outcomes of runs whose two plays differ, where the players had different seeds."""
-        chosen = unlike[0]
-        again = [(0, chosen.play.log), (chosen.seed, chosen.second)]
-        self._seeds_explain = all(self._repeats(chosen.play, *each) for each in again)
-        # Where seeds explain it, both players have this one from now on.
-        self.players.take_seeds(chosen.seed, alike=self._seeds_explain)
-        if self._seeds_explain:
-            remark(GOES_BY_HASHES)
+        """The outcomes of runs whose two plays differ, where the players had different seeds.
+
+        Raises:
+            GoesByHashes: if the seeds explain it, and there are more runs than this one.
+        """
+        seed = unlike[0].seed
+        known = [
+            SeededPlays(one.play.record, one.play.log, one.second)
+            for one in unlike
+            if one.seed == seed
+        ]
+        self._seeds_explain = seeds_explain(self.players, seed, known, self._policy)
+        if self._seeds_explain and not self.alone:
+            raise GoesByHashes(self.explorer)
+        self.players.take_places(0, seed, alike=False)
         for each in unlike:
             settled: Outcome | LostRun
             if not self._seeds_explain:
@@ -399,7 +444,7 @@ class PlayedTwice:
             elif each.outcome.violation is not None:
                 settled = replace(each.outcome, hash_seed=0)
             else:
-                settled = self._anew(each.play, remark)
+                settled = self._with_seed(each, remark)
             if not each.belated:
                 yield each.play.one, settled
             elif isinstance(settled, LostRun) or settled.violation is not None:
@@ -413,19 +458,15 @@ class PlayedTwice:
         (log,) = self.players.receive_logs()
         return difference_of(play.log, log) is None
 
-    def _repeats(self, play: _Play, seed: int, before: Log) -> bool:
-        """Whether the record is played as before, with that hash seed and other addresses."""
-        self.players.take_seeds(seed, alike=True)
-        self.players.send_records([play.record], self._policy)
-        (log,) = self.players.receive_logs()
-        return difference_of(before, log) is None
-
-    def _anew(self, play: _Play, remark: Callable[[str], None]) -> Outcome | LostRun:
-        """The outcome of a run that is played anew, with the present hash seed."""
-        unit, one = _by_itself(play.one)
-        script = self._script(play)
-        ((_, outcome),) = self.outcomes(unit, {one.number: one}, remark=remark, given=script)
-        return outcome
+    def _with_seed(self, unlike: _Unlike, remark: Callable[[str], None]) -> Outcome | LostRun:
+        """The outcome of a run with the other seed if it is wrong, or else that with seed 0."""
+        remark(GOES_BY_HASHES)
+        self.players.take_places(unlike.seed, 1, alike=True)
+        unit, one = _by_itself(unlike.play.one)
+        given = self._script(unlike.play)
+        ((_, outcome),) = self.outcomes(unit, {one.number: one}, remark=remark, given=given)
+        wrong = isinstance(outcome, LostRun) or outcome.violation
+        return outcome if wrong else unlike.outcome
 
     def _script(self, play: _Play) -> tuple[int, ...]:
         """The script of a play: all of its choices if every schedule is due, else the given ones.
@@ -436,15 +477,9 @@ class PlayedTwice:
 
     @property
     def _may_go_by_seed(self) -> bool:
-        """Whether a difference of two plays may be one of their hash seeds."""
-        return self._seeds_explain and self.players.tour.differ
-
-    def _forget_other_seeds(self) -> None:
-        """Keep no plays that were made with another hash seed."""
-        seed = self.players.tour.hash_seed
-        if seed is not None and seed != self._seed:
-            self.earlier.forget()
-            self._seed = seed
+        """Whether a difference of two plays may be one of their hash seeds: C has none."""
+        differ = self.players.tour.differ and not is_library(self.explorer)
+        return differ and self._seeds_explain
 
     def _seeded(self, outcome: Outcome) -> Outcome:
         """The outcome with the hash seed, if it makes a difference."""
@@ -468,7 +503,7 @@ class PlayedTwice:
             if difference_of(play.log, log) and not may_be_the_machine(play.log, log):
                 outcome = self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 if self._may_go_by_seed:
-                    seed = self.players.tour.seed
+                    seed = self.players.tour.turn
                     unlike.append(_Unlike(play, log, seed, outcome, belated=True))
                 else:
                     self._belated.append((play.one, overruled(outcome, play.log, log)))

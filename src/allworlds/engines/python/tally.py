@@ -5,23 +5,30 @@ from __future__ import annotations
 from bisect import insort
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Annotated, Any, NamedTuple, Self
 
 from allworlds.document import replace
 from allworlds.engines.units.kept_form import Form
-from allworlds.judging import Finding, Rules
+from allworlds.judging import Chirality, Finding, Rules
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
     """A finding with what its own document leaves out, but without the rules."""
-    return {**finding.to_json(), "machine": finding.machine, "traced": finding.traced}
+    record = {**finding.to_json(), "machine": finding.machine, "traced": finding.traced}
+    if finding.chirality:
+        record["chirality"] = asdict(finding.chirality)
+    return record
 
 
 def finding_from_record(document: Mapping[str, Any]) -> Finding:
     """The finding of :func:`finding_to_record`'s document, but for its rules."""
-    found = Finding.from_json(document)
-    return replace(found, machine=document["machine"], traced=document["traced"])
+    return replace(
+        Finding.from_json(document),
+        machine=document["machine"],
+        traced=document["traced"],
+        chirality=Chirality(**document["chirality"]) if "chirality" in document else None,
+    )
 
 
 class AtRun(NamedTuple):

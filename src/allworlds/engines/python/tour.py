@@ -1,12 +1,12 @@
 """The hash seeds and address layouts of one explorer's players, in turn.
 
-Processes that are forked by one have its addresses and hashes in common, so an explorer that goes
-by ``id(x)``, or by the order of a set, would do the same in both plays.  The first player has hash
-seed 0; the second has another one, in a process with other addresses, and changes to the next in
-the course of a check.  Seeds are fixed, so that a repeated check has equal results; addresses are
-drawn by the system.
+Processes that are forked by one have most of its addresses and its hashes in common, so an explorer
+that goes by ``id(x)``, or by the order of a set, would do the same in both plays.  The first player
+has hash seed 0; the second has another one, in a process with other addresses, and changes to the
+next in the course of a check.  Seeds are fixed, so that a repeated check has equal results;
+addresses are drawn.
 
-Where plays differ by the seed alone, both players have one seed from then on, and other addresses.
+An explorer that is known to go by hashes is played twice with one seed, on other addresses.
 """
 
 from __future__ import annotations
@@ -19,28 +19,53 @@ SEEDS = 8
 BEGINNING, SPELL = 256, 128
 """The number of second plays before the first change, and before each of the next ones."""
 
+VISITS = 3
+"""In the long run a library has this number of new layouts for each process without compiled code
+that it visits: such a visit takes the time of some thousand plays."""
+
+BEHIND, APART = SEEDS, 1 << 22
+"""The number of the process with compiled code that forks second players in the long run, and the
+number of second plays from which on; it takes a second to start."""
+
 
 @dataclass(slots=True)
 class Tour:
-    """The hash seeds of both players, as they change.
+    """The places of both players, as they change.
+
+    A *place* is a hash seed, and the number of the process with that seed that forks the player.
 
     Attributes:
-        seed: of the second player.
-        alike: whether the first has the same; else it has 0.
+        seed: the hash seed of the first player; None if nobody has set it.
+        alike: whether the second has the same; else it has the number of its layout.
+        turn: the number of the second player's layout, from 1 on.
         stays: whether there are no more changes.
+        at_home: whether the second player, in the long run, comes from a process with compiled
+            code.
     """
 
-    seed: int = 1
+    seed: int | None = 0
     alike: bool = False
+    turn: int = 1
     stays: bool = False
+    at_home: bool = False
     _played: int = 0
     _until: int = BEGINNING
     _changes: int = 0
 
     @property
-    def seeds(self) -> tuple[int, int]:
-        """The hash seeds of the first and of the second player."""
-        return (self.seed if self.alike else 0, self.seed)
+    def places(self) -> tuple[tuple[int, int], tuple[int, int]]:
+        """The places of the first and of the second player."""
+        seed = self.seed or 0
+        if self.is_home:
+            second = 0, BEHIND * (self._played >= APART)
+        else:
+            second = (seed, self.turn) if self.alike else (self.turn, 0)
+        return (seed, 0), second
+
+    @property
+    def is_home(self) -> bool:
+        """Whether the second player comes from a process with compiled code now."""
+        return self.at_home and self._all_met and not self._visits(self._changes)
 
     @property
     def hash_seed(self) -> int | None:
@@ -50,37 +75,64 @@ class Tour:
     @property
     def differ(self) -> bool:
         """Whether the players have different seeds."""
-        return not self.alike and self.seed != 0
+        return not self.alike
 
     @property
     def complete(self) -> bool:
-        """Whether every seed has had its turn."""
-        return self.stays or self._changes >= SEEDS - 2
+        """Whether every layout has had its turn, and neither is nor comes a visit to one."""
+        later = self._changes + (self._played >= self._until)
+        return self._all_met and not (
+            self.at_home and (self._visits(self._changes) or self._visits(later))
+        )
 
     @property
-    def upcoming(self) -> int | None:
-        """The next seed of the second player, if a change is near; else None."""
+    def upcoming(self) -> tuple[int, int] | None:
+        """The next place of the second player, if it is new, and a change is near."""
         soon = self._played + SPELL // 2 >= self._until
-        return self._next if soon and not self.complete else None
+        if not soon or self._all_met:
+            return None
+        return (self.seed or 0, self._next) if self.alike else (self._next, 0)
 
     def hold(self) -> None:
-        """Keep the seeds for some plays."""
+        """Keep the places for some plays."""
         self._until = max(self._until, self._played + SPELL)
 
     def count(self, plays: int) -> None:
         """Count second plays."""
         self._played += plays
 
-    def change(self) -> bool:
-        """Take the next seed if it is time for it; return whether it was."""
+    def change(self, plays: int = 0, *, may_visit: bool = True) -> bool:
+        """Take the next layout if it is time for it; return whether it was.
+
+        Args:
+            plays: the number of the next ones; a visit does not begin with many.
+            may_visit: whether they can be made without compiled code.
+        """
         if self.stays or self._played < self._until:
             return False
-        self.seed = self._next
+        if self._visits(self._changes + 1):
+            if may_visit and plays > 2 * SPELL:
+                return False
+            self._changes += not may_visit
         self._changes += 1
-        # Later ones get as many plays as half of all before, so that there are few changes.
-        self._until = self._played + (self._played // 2 if self.complete else SPELL)
+        if self._visits(self._changes):
+            self._until = self._played + 1
+        else:
+            # Later ones get as many plays as half of all before, so that there are few changes.
+            self._until = self._played + (self._played // 2 if self._all_met else SPELL)
+        if not self.is_home:
+            self.turn = self._next
         return True
 
     @property
+    def _all_met(self) -> bool:
+        return self.stays or self._changes >= SEEDS - 2 + self.at_home
+
+    def _visits(self, changes: int) -> bool:
+        """Whether a library visits a process without compiled code after so many changes."""
+        late = changes - (SEEDS - 1)
+        return self.at_home and late > 0 and late % (VISITS + 1) == 0
+
+    @property
     def _next(self) -> int:
-        return (self.seed + 1) % SEEDS if self.alike else self.seed % (SEEDS - 1) + 1
+        return self.turn % (SEEDS - 1) + 1

@@ -129,6 +129,14 @@ class Database:
         row = self._sealed(name, in_order(value))
         self._connection.execute("INSERT OR REPLACE INTO meta VALUES (?, ?, ?)", row)
 
+    def forget(self) -> None:
+        """Remove all units.
+
+        Raises:
+            sqlite3.OperationalError: if it cannot be written.
+        """
+        self._connection.execute("DELETE FROM units")
+
     def begin_session(self, now: float) -> None:
         """Note the time at which a process begins to add to it."""
         with saying_where(self.path):
@@ -218,7 +226,9 @@ def reading(path: Path) -> Iterator[Database]:
 
 
 def _connected(address: str) -> sqlite3.Connection:
-    return sqlite3.connect(address, BUSY, isolation_level=None, uri=True, check_same_thread=False)
+    return sqlite3.connect(
+        address, timeout=BUSY, isolation_level=None, uri=True, check_same_thread=False
+    )
 
 
 def _quoted(path: Path) -> str:

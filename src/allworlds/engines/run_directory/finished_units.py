@@ -53,6 +53,9 @@ class Records(Protocol):
     def note(self, name: str, value: Any) -> None:
         """Note a JSON value under a name."""
 
+    def forget(self) -> None:
+        """Drop all units, which are to be done in another way."""
+
 
 class NoRecords(Records):
     """Records that keep no units."""
@@ -71,6 +74,10 @@ class NoRecords(Records):
 
     @override
     def note(self, name: str, value: Any) -> None:
+        pass
+
+    @override
+    def forget(self) -> None:
         pass
 
 
@@ -107,6 +114,11 @@ class RunDirectory(Records):
     @override
     def note(self, name: str, value: Any) -> None:
         self._write(lambda: self.database.note(name, value))
+
+    @override
+    def forget(self) -> None:
+        self.found = frozenset()
+        self._write(self.database.forget)
 
     def _write(self, write: Callable[[], None]) -> None:
         if self._full:
@@ -158,6 +170,10 @@ class Merged(Records):
 
     @override
     def note(self, name: str, value: Any) -> None:
+        pass
+
+    @override
+    def forget(self) -> None:
         pass
 
     def _unfinished(self) -> str:

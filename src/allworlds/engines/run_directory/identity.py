@@ -53,6 +53,12 @@ class Identity(Document):
         return a_shard((int(index), int(count)))
 
     @property
+    def code(self) -> dict[str, str]:
+        """The user's code that it needs, as it was recorded: see ``as_recorded``."""
+        code: dict[str, str] = self.parameters.get("code", {})
+        return code
+
+    @property
     def shards(self) -> int:
         """The number of shards into which the job is cut."""
         return shards_of(self.portion)

@@ -9,6 +9,8 @@
     the units into which all maps with one number of edges are cut;
 ``shards``
     the units that one of several machines does;
+``listing``
+    the rows that are listed for programs: by size, world or run;
 ``effort``
     the limits of the effort: workers, and time;
 ``gather``

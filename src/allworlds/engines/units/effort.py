@@ -133,7 +133,13 @@ class AskedTime(Request):
 
     time_limit: Annotated[
         Taken[float | None, float | None],
-        Option(EFFORT, "S", "Seconds for everything.", parse=seconds_of, apart=True),
+        Option(
+            EFFORT,
+            "S",
+            "Stop after S seconds, and report what is finished.",
+            parse=seconds_of,
+            apart=True,
+        ),
     ] = Taken(_positive("time-limit"), None)
 
 
@@ -233,7 +239,7 @@ class AskedCluster(Request):
         Option(
             EFFORT,
             "S",
-            "Seconds of silence after which a Dask worker, or the scheduler, is given up.",
+            "Give up a Dask worker or scheduler that is silent for S seconds.",
             parse=seconds_of,
             apart=True,
         ),

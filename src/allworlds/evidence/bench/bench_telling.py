@@ -8,12 +8,14 @@ from allworlds.evidence.bench.rounds import BenchReport
 from allworlds.reports import (
     Block,
     Cell,
+    CsvRows,
     Headline,
     Section,
     Shown,
     ToldFacts,
     ToldResult,
     ToldTable,
+    Value,
     so_far,
 )
 from allworlds.version import host
@@ -47,7 +49,25 @@ def bench_telling(report: BenchReport) -> ToldResult:
     ]
     blocks: list[Block] = [ToldTable(header, rows, "Side by side"), ToldFacts(facts)]
     head = so_far(report, Headline("MEASURED", plural(report.rounds, "round")))
-    return ToldResult("allworlds self bench", "", report, head, [Section("seen", "", blocks)])
+    section = Section("seen", "", blocks)
+    return ToldResult(
+        "allworlds self bench", "", report, head, [section], rows=lambda: _rows(report)
+    )
+
+
+def _rows(report: BenchReport) -> CsvRows:
+    """A row for each contender; ratios are those of the first one's rate to its own."""
+    columns = {"name": str, "edges": int, "seconds": float, "worlds_per_second": float}
+    ratios = {row.to: row.ratio for row in report.ratios}
+    rows: list[list[Value]] = []
+    for one in report.contenders:
+        ratio = ratios.get(one.name)
+        found = (ratio.median, ratio.lowest, ratio.highest) if ratio else (None, None, None)
+        rows.append(
+            [one.name, one.edges, median(one.seconds), one.worlds_per_second.median, *found]
+        )
+    spread = {"ratio": float, "ratio_lowest": float, "ratio_highest": float}
+    return CsvRows({**columns, **spread}, rows)
 
 
 def _times(ratio: float) -> str:

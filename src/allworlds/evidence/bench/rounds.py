@@ -31,6 +31,7 @@ from allworlds.document import (
     computed,
 )
 from allworlds.engines import (
+    COMPILER,
     ENGINES,
     WALKED_FROM,
     AskedListener,
@@ -55,6 +56,7 @@ from allworlds.inputs import (
     an_integer,
     answers,
     at_most,
+    ensure_installed,
     integer_of,
     show,
 )
@@ -236,6 +238,7 @@ def bench(request: BenchRequest) -> BenchReport:
         InputError: naming the offending option, or the peer that failed.
         KeyboardInterrupt: if the user interrupts before the first round is over.
     """
+    ensure_installed(*COMPILER, "self bench")
     edges, rounds, peers = request.edges, request.rounds, request.peers
     contenders = [*own_contenders(edges), *(peer(text, edges) for text in peers)]
     for contender in contenders[: -len(peers) or None]:

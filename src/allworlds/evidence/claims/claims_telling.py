@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from allworlds.evidence.claims.ledger import CheckedClaim, ClaimsReport
 from allworlds.reports import (
     Block,
+    CsvRows,
     Headline,
     Section,
     Suite,
@@ -63,13 +64,13 @@ def claims_telling(report: ClaimsReport) -> ToldResult:
     )
 
 
-def _rows(report: ClaimsReport) -> ToldTable:
-    header = ["section", "claim", "sentence", "method", "expected", "found", "standing"]
+def _rows(report: ClaimsReport) -> CsvRows:
+    names = ("section", "claim", "sentence", "method", "expected", "found", "standing")
     rows = [
         [one.section, one.id, one.statement, one.method, one.expected, one.verdict, one.standing]
         for one in report.claims
     ]
-    return ToldTable(header, rows)
+    return CsvRows(dict.fromkeys(names, str), rows)
 
 
 def _heading(section: str) -> str:

@@ -20,7 +20,7 @@ from allworlds.document import (
     computed,
     one_of,
 )
-from allworlds.engines import AskedListener, AskedWorkers, Listener, RowsReport
+from allworlds.engines import COMPILER, AskedListener, AskedWorkers, Listener, RowsReport
 from allworlds.evidence.claims.claim_types import (
     Budget,
     Check,
@@ -43,6 +43,7 @@ from allworlds.inputs import (
     Taken,
     a_path,
     answers,
+    ensure_installed,
     show,
 )
 from allworlds.outcome import Exit, until_interrupted
@@ -239,6 +240,7 @@ def claims(request: ClaimsRequest) -> ClaimsReport:
     Raises:
         InputError: naming the offending value and what would be legal.
     """
+    ensure_installed(*COMPILER, "paper claims")
     chosen, required = request.only, request.require
     wanted = [c for c in manifest() if not chosen or c.id in {*chosen, *required}]
     means = Means(request.workers, request.proofs, request.budget)

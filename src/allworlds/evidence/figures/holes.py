@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from math import sqrt
+from functools import partial
 from typing import Any
 
 from allworlds.engines import Limits, Listener, subject_of
@@ -13,16 +13,18 @@ from allworlds.inputs import values_of
 from allworlds.judging import paper_bound, printed_bound
 from allworlds.outcome import Facts
 from allworlds.studies.compare import (
+    LEVEL,
     CompareRequest,
     Contestant,
     GrowingWorlds,
     GrowRow,
     Growth,
     Member,
-    first_place,
+    drawn_places,
 )
 
-HOLES = "10%"
+HOLES, PLACES = "10%", 4
+"""Of the edges of a graph, and the directions of the marker in it that are run."""
 
 LADDERS: Mapping[str, tuple[str, ...]] = {
     "lattice": tuple(f"lattice:{n}x{n}" for n in (4, 5, 6, 8, 10, 12)),
@@ -70,7 +72,7 @@ class Holes:
 
     def table(self) -> Table:
         """Rows, one for each run."""
-        header = ["family", "vertices", "edges", "explorer", "world", "traversals"]
+        header = ["family", "vertices", "edges", "explorer", "world", "place", "traversals"]
         header += ["bound_1_plus_2", "bound_3_as_printed", "twice_the_edges"]
         return header, [
             [
@@ -79,6 +81,7 @@ class Holes:
                 row.edges,
                 row.explorer,
                 one.name,
+                place,
                 cost,
                 paper_bound(row.vertices, row.edges),
                 round(printed_bound(row.vertices, row.edges)),
@@ -86,7 +89,7 @@ class Holes:
             ]
             for row in self.growth.rows
             for one in row.members
-            for cost in one.costs
+            for place, cost in zip(one.ran, one.costs, strict=True)
         ]
 
     def caption(self) -> Sequence[str]:
@@ -95,9 +98,11 @@ class Holes:
         runs = sum(row.runs for row in self.growth.rows)
         sentences = [
             (
-                f"Traversals by edges, mean and standard error of {self.worlds} graphs a size, "
-                f"seeds {self.seed} to {self.seed + self.worlds - 1}: squares of a lattice and "
-                f"complete graphs, without {HOLES} of their edges, removed at random while the "
+                f"Traversals by edges, means with their {LEVEL:.0%} intervals by a bootstrap over "
+                f"{self.worlds} graphs a size, in each over at most {PLACES} directions of the "
+                f"marker, which are drawn; seeds {self.seed} to {self.seed + self.worlds - 1}: "
+                "squares of a lattice and complete graphs, "
+                f"without {HOLES} of their edges, removed at random while the "
                 f"rest stays connected. Every one of the {runs:,} runs was judged. Above linear "
                 "axes, which the bounds leave at once; below the same with logarithmic ones."
             ),
@@ -145,16 +150,10 @@ class Holes:
             rows = [row for row in self._rows(family) if row.explorer == explorer]
             means = [row.mean for row in rows]
             highest = max([highest, *means])
-            axes.errorbar(
-                [row.edges for row in rows],
-                means,
-                yerr=[standard_error(row.means) for row in rows],
-                label=explorer,
-                marker="o",
-                markersize=3,
-                linewidth=1.2,
-                capsize=2,
-            )
+            low, high = zip(*(row.interval or (row.mean, row.mean) for row in rows), strict=True)
+            at = [row.edges for row in rows]
+            (line,) = axes.plot(at, means, label=explorer, marker="o", markersize=3, linewidth=1.2)
+            axes.fill_between(at, low, high, color=line.get_color(), alpha=0.25, linewidth=0)
         sizes = sorted({(row.edges, row.vertices) for row in self._rows(family)})
         edges = [m for m, _ in sizes]
         for label, style, values in (
@@ -172,14 +171,6 @@ class Holes:
             axes.set(ylim=(0, 1.08 * highest))
 
 
-def standard_error(costs: Sequence[float]) -> float:
-    """The sample's standard deviation, divided by the root of its size; 0 for a single value."""
-    if len(costs) < 2:
-        return 0.0
-    mean = sum(costs) / len(costs)
-    return sqrt(sum((cost - mean) ** 2 for cost in costs) / (len(costs) - 1) / len(costs))
-
-
 def figure_3(worlds: int, seed: int, limits: Limits, listener: Listener) -> Holes:
     """Run every explorer in every graph."""
     ladders = {
@@ -188,7 +179,7 @@ def figure_3(worlds: int, seed: int, limits: Limits, listener: Listener) -> Hole
     }
     contestants = [_contestant(name, policy, limits) for name, policy in WHO]
     effort = CompareRequest(listener=listener, **values_of(Limits, limits))
-    sweep = GrowingWorlds(contestants, ladders, effort, first_place)
+    sweep = GrowingWorlds(contestants, ladders, effort, partial(drawn_places, most=PLACES))
     return Holes(sweep.answer(None), worlds, seed)
 
 

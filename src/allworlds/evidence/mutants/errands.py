@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import wraps
 from typing import Any
 
-from allworlds.judging import TASKS, Judge, Task
+from allworlds.judging import TASKS, Judge, Task, WalkLog
 from allworlds.protocol import Move, Percept, Told, Transcript
 from allworlds.world import World
 
@@ -76,15 +76,15 @@ WRONG_ERRANDS = (
 """The explorers that must be refuted by the law ``task``."""
 
 
-def home_is_enough(world: World, transcript: Transcript, answer: object) -> str | None:
+def home_is_enough(world: World, walk: WalkLog, answer: object) -> str | None:
     """Only the end of the walk is looked at, and not what was visited."""
-    told = _judge("home")(world, transcript, answer)
+    told = _judge("home")(world, walk, answer)
     return told if told and "where it began" in told else None
 
 
-def visits_are_enough(world: World, transcript: Transcript, answer: object) -> str | None:
+def visits_are_enough(world: World, walk: WalkLog, answer: object) -> str | None:
     """Only what was visited is looked at, and not where the walk ended."""
-    return _judge("stop")(world, transcript, answer)
+    return _judge("stop")(world, walk, answer)
 
 
 def _judge(task: str) -> Judge:
@@ -115,7 +115,10 @@ class WeakTaskJudge:
         """Whether it accepts a finished run that the sound judge refuses."""
         if self.softer is None:
             return True
-        return task.name == self.task and self.softer(world, transcript, None) is None
+        return (
+            task.name == self.task
+            and self.softer(world, WalkLog.of(world, transcript), None) is None
+        )
 
 
 WEAK_TASK_JUDGES = (

@@ -6,14 +6,17 @@ from allworlds.evidence.mutants.matrix import Kill, KillMatrix
 from allworlds.reports import (
     Block,
     Cell,
+    CsvRows,
     Headline,
     Section,
     ToldFacts,
     ToldResult,
     ToldTable,
+    Value,
     so_far,
 )
 from allworlds.words import plural
+from allworlds.world import code_of
 
 
 def mutants_telling(matrix: KillMatrix) -> ToldResult:
@@ -32,15 +35,27 @@ def mutants_telling(matrix: KillMatrix) -> ToldResult:
         ("EQUIVALENT", f"{kill.mutant}: {kill.breaks} {kill.equivalent}") for kill in equivalent
     ]
     blocks += [ToldFacts(whys)] if whys else []
-    every = [[kill.kind, *_row(kill)] for kill in matrix.kill_matrix]
     return ToldResult(
         "allworlds self mutants",
         "this program",
         matrix,
         _headline(matrix, text),
         [Section("seen", "", blocks)],
-        rows=lambda: ToldTable(["kind", "mutant", "killed by", "m", "n", "world"], every),
+        rows=lambda: _rows(matrix),
     )
+
+
+def _rows(matrix: KillMatrix) -> CsvRows:
+    """A row for each mutant, with the smallest world that kills it."""
+    columns = {"kind": str, "mutant": str, "killed_by": str, "edges": int, "vertices": int}
+    rows = []
+    for kill in matrix.kill_matrix:
+        world: list[Value] = [None, None, None]
+        if kill.world is not None:
+            map_ = kill.world.map
+            world = [map_.edge_count, map_.vertex_count, code_of(map_, kill.world.start)]
+        rows.append([kill.kind, kill.mutant, kill.killed_by, *world])
+    return CsvRows({**columns, "code": str}, rows)
 
 
 def _headline(matrix: KillMatrix, text: str) -> Headline | None:

@@ -4,6 +4,8 @@
     from a finding to an :class:`~allworlds.judging.Explanation`: the entry;
 ``by_law``
     **the** table of the laws, each with the explanation of a run that breaks it;
+``wrong_pose``
+    the explanation of the law ``pose``;
 ``parting``
     the step where belief and truth diverge, and the open darts of the log, in sentences;
 ``slips``

@@ -6,24 +6,23 @@
 
 from __future__ import annotations
 
-from typing import assert_never
-
 from allworlds.explorers import is_program
-from allworlds.inputs import InputError, an_integer
+from allworlds.inputs import an_integer
 from allworlds.judging.endings import BUILT, NO_MAP
 from allworlds.judging.explanations.another_world import another_world
 from allworlds.judging.explanations.parting import tell_open_darts, tell_parting
 from allworlds.judging.explanations.rounds import tell_rounds
-from allworlds.judging.explanations.slips import mirror_image, the_slip
+from allworlds.judging.explanations.slips import the_slip
 from allworlds.judging.explanations.spending import spending
 from allworlds.judging.explanations.story import Belief, Story, Teller, Telling
 from allworlds.judging.explanations.traceback_line import telling_line
-from allworlds.judging.explanations.whose_bound import tell_whose_bound
-from allworlds.maps import CombinatorialMap, Dart, carries, numbering
+from allworlds.judging.explanations.whose_bound import tell_whose_bound, tell_whose_budget
+from allworlds.judging.explanations.wrong_pose import tell_pose
+from allworlds.maps import CombinatorialMap
 from allworlds.words import plural, size
 
-GUESSED, TURNED, ELSEWHERE = "guessed", "off by a turn", "another vertex"
-"""The causes of a wrong answer that are no slips in drawing the map."""
+GUESSED = "guessed"
+"""The cause of a wrong answer that is no slip in drawing the map."""
 
 FLUSH = (
     "Does the program flush its output after every line? A line in a buffer is silence, and so is "
@@ -63,17 +62,17 @@ def tell_crash(story: Story) -> Telling:
 
 
 def tell_no_estimate(story: Story) -> Telling:
-    """Tell the ending, and for an answer that is no map the law of maps that it breaks."""
+    """Tell the ending, and for a map that could not be built the law of maps that it breaks."""
     seen = str(story.finding.seen)
     if not seen.startswith(NO_MAP):
         return ending("The explorer ended without an answer that could be judged.")(story)
     built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
-    told = [
-        f"The explorer's answer is no map: {seen.removeprefix(NO_MAP)}.",
-        *(f"The map was {line}." for line in built),
-        _say_last_step(story),
-    ]
-    return Telling(told)
+    message = seen.removeprefix(NO_MAP)
+    told = [f"The answer is no map: {message}."]
+    if built:
+        told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
+        told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
+    return Telling([*told, _say_last_step(story)])
 
 
 def tell_illegal_action(story: Story) -> Telling:
@@ -86,7 +85,7 @@ def tell_illegal_action(story: Story) -> Telling:
 
 def tell_nondeterministic(story: Story) -> Telling:
     """Tell that two plays differ, and what is mostly the cause."""
-    told = ["Exploring the same world again, the explorer did something else.", KEPT]
+    told = ["In a second run of the same world the explorer acted differently.", KEPT]
     return Telling([*told, _say_last_step(story)])
 
 
@@ -99,10 +98,10 @@ def tell_timeout(story: Story) -> Telling:
 
 
 def tell_budget(story: Story) -> Telling:
-    """Tell whether the robot went round, or since when it found no new edge."""
-    how = "The explorer went on for longer than it may."
-    rounds = tell_rounds(story)
-    return Telling([how, *(rounds or [_say_last_step(story)])])
+    """Tell whose the budget is, and whether the robot went round, or found no new edge."""
+    how = "The explorer did not end within its step budget, so the run was stopped."
+    rounds = tell_rounds(story) or [_say_last_step(story)]
+    return Telling([how, *rounds, tell_whose_budget(story.finding)])
 
 
 def _say_last_step(story: Story) -> str:
@@ -140,98 +139,6 @@ def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
 
 def _size(map_: CombinatorialMap) -> str:
     return size(map_.edge_count, map_.vertex_count)
-
-
-def tell_pose(story: Story) -> Telling:
-    """Tell where the robot is, where it believes to be, and where the walks diverge."""
-    belief = Belief(story)
-    images = _images(belief)
-    slip = mirror_image(belief)
-    turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
-    alike = len(images) - 1
-    symmetry = f" (the map is symmetric: {plural(alike, 'other dart')} would do as well)"
-    where = f"{_say_where(belief, images)}{symmetry if alike else ''}"
-    turned_over = slip is not None and _turns_the_wrong_way(story)
-    if slip and turned_over:
-        told = [
-            slip.sentence,
-            *_say_chirality(story),
-            f"Its 'here' is wrong for no other reason: {where}.",
-        ]
-    elif slip and story.chirality is None:
-        either = f"Either 'here' is wrong, or the rotations are anticlockwise: {where}."
-        tells = "and cannot tell; 'allworlds explain' decides it in another one"
-        told = [either, f"This world is its own mirror image, {tells}."]
-    else:
-        told = [f"The map is right, it is 'here' that is wrong: {where}."]
-        told += _say_chirality(story) if slip else []
-    name = slip.name if slip and turned_over else TURNED if turned else ELSEWHERE
-    return Telling([*told, *tell_parting(belief)], belief.step, belief.answer, slip=name)
-
-
-def _turns_the_wrong_way(story: Story) -> bool:
-    """Whether the explorer was seen to list rotations anticlockwise."""
-    return story.chirality is not None and story.chirality.rotations == "anticlockwise"
-
-
-def _say_chirality(story: Story) -> list[str]:
-    """Tell which way round the explorer turns, as far as another world has shown it."""
-    same = "This world is its own mirror image"
-    assert story.chirality is not None
-    where = story.chirality.where
-    match story.chirality.rotations:
-        case "clockwise":
-            return [
-                (
-                    f"The rotations are clockwise, as they should be: in {where}, the "
-                    "explorer's map is right."
-                )
-            ]
-        case "anticlockwise":
-            return [f"{same}, but in {where}, the explorer's map is the mirror image, too."]
-        case "unknown":
-            return [
-                (
-                    f"{same}, so rotations that are anticlockwise would give this answer, too; "
-                    f"worlds that would tell do not: {where}."
-                )
-            ]
-        case rotations:
-            assert_never(rotations)
-
-
-def _images(belief: Belief) -> list[Dart]:
-    """The darts of the world that ``here`` can stand for: one, or more by symmetry."""
-    answer, map_ = belief.answer, belief.story.map
-    sigma, alpha = answer.map.sigma, answer.map.alpha
-    order = numbering(sigma, alpha, answer.here)
-    images = [d for d in map_.darts if carries(sigma, alpha, order, map_.sigma, map_.alpha, d)]
-    if not images:
-        raise InputError("the finding's answer is not the map of its world, so its law is not pose")
-    return images
-
-
-def _say_where(belief: Belief, images: list[Dart]) -> str:
-    """Tell where the robot stands, and where the answer says that it stands."""
-    story = belief.story
-    map_, robot = story.map, story.walked[-1]
-    stands = f"the robot stands at {story.place(robot)}, and the answer says"
-    parting = belief.parting
-    meant = parting.taken_for if parting and parting.step == len(story.walked) - 1 else None
-    near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
-    if not near:
-        said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
-        told = f"{stands} {story.place(said)}, which is another vertex"
-    else:
-        said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
-        turned, degree = map_.offset(said, robot), map_.degree_at[robot]
-        back = degree - turned
-        way = f"{back} of {degree} darts clockwise"
-        if turned < back:
-            way = f"{turned} of {degree} darts anticlockwise"
-        told = f"{stands} dart {said} of the same vertex, off by a turn of {way}"
-    far = "; that is the far end of the edge by which it came"
-    return told + (far if said == map_.alpha[robot] and len(story.walked) > 1 else "")
 
 
 def tell_ambiguity(story: Story) -> Telling:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from allworlds.judging.explanations.slips import mirror_image
-from allworlds.judging.explanations.story import Belief, Chirality, Story
+from allworlds.judging.explanations.story import Belief, Story
 from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.sense_of_rotation import Chirality
 from allworlds.maps import CombinatorialMap, MapClass, isomorphism, rooted_maps
 from allworlds.words import size
 from allworlds.world import World

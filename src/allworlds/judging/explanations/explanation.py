@@ -8,7 +8,7 @@ from allworlds.document import Aside, Natural, Positive, Report, Some, Text, abo
 from allworlds.inputs import InputError, show
 from allworlds.judging.explanations.by_law import teller_of
 from allworlds.judging.explanations.spending import Spending
-from allworlds.judging.explanations.story import Chirality, Story
+from allworlds.judging.explanations.story import Story
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import LawName
 from allworlds.maps import Dart
@@ -46,7 +46,7 @@ class Explanation(Report):
     slip: Annotated[
         Text | None,
         about(
-            "the one thing that makes all the difference between answer and world, such as "
+            "the one difference between answer and world, such as "
             "`mirror image`; null: none that is known"
         ),
     ]
@@ -59,7 +59,6 @@ class Explanation(Report):
 def explain(
     finding: Finding,
     *,
-    chirality: Chirality | None = None,
     number: int = 1,
     findings: int = 1,
 ) -> Explanation:
@@ -67,7 +66,6 @@ def explain(
 
     Args:
         finding: the one that is explained.
-        chirality: the sense that its explorer has shown in a chiral world; None if not played.
         number: of the finding in its report, from 1 on.
         findings: the number of findings in the report.
 
@@ -76,7 +74,7 @@ def explain(
     """
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    story = Story(finding, chirality)
+    story = Story(finding)
     telling = teller_of(finding.law)(story)
     return Explanation(
         step=telling.step,

@@ -28,7 +28,7 @@ def tell_parting(belief: Belief) -> list[str]:
         sentences.append(f"The first percept against the answer came at step {step}: {misfit}.")
         return sentences
     sentences.append(
-        "Every percept fits the answer all the same: the log does not tell them apart."
+        "Every percept fits the answer, too: the walk was too short to tell the two apart."
     )
     return sentences + tell_open_darts(belief.story)
 
@@ -53,7 +53,7 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
         left = story.last_left(taken_for, step)
         taken = f"its answer takes the place for {story.vertex(taken_for)}, {left}"
     else:
-        taken = f"its answer takes dart {robot}, by which it came, for dart {taken_for}"
+        taken = f"in its answer it came by dart {taken_for}, in truth by dart {robot}"
     return f"{truth}, but {taken}{': ' if misfit else ''}{misfit}."
 
 
@@ -67,7 +67,7 @@ def tell_open_darts(story: Story) -> list[str]:
 
     No sentence if no dart is open, or if the lighthouse allows no folding.
     """
-    if not story.world.lighthouse.folds:
+    if not story.world.lighthouse.as_kind.folds:
         return []
     folded, map_ = fold(story.transcript), story.map
     image = {0: story.world.start}
@@ -83,7 +83,7 @@ def tell_open_darts(story: Story) -> list[str]:
     open_ = f"where {plural(len(unsettled), 'dart')} {'lead' if many else 'leads'}"
     copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
     twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
-    told = [f"The log does not settle {open_}."]
+    told = [f"After this walk it is open {open_}."]
     if twice:
         one = "each of these" if len(twice) > 1 else "this"
         told.append(

@@ -6,6 +6,7 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 from allworlds.judging.explanations.named_walk import Walked
+from allworlds.protocol import Move
 from allworlds.words import plural
 
 LONGEST = 200
@@ -13,6 +14,12 @@ LONGEST = 200
 
 TIMES = 3
 """The least number of times that a round is gone."""
+
+WAY_BACK = (
+    "motions a, b, c are undone by 0, -c, -b, and then the robot stands at the dart by which it "
+    "left, a darts clockwise of the one where it stood before"
+)
+"""The rule of ways back: a wrong one is a likely cause of a walk without an end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,13 +58,32 @@ def tell_rounds(story: Walked) -> list[str]:
     found = round_at_the_end([*zip(actions, story.walked[1:], strict=True)])
     if found:
         steps = plural(found.length, "step")
-        return [f"From step {found.first} on it went round: {steps}, {found.times} times over."]
+        told = f"From step {found.first} on it repeated {steps} {found.times} times"
+        return [f"{told}, until the end.", *_tell_ways_back(story, found.first + found.length - 1)]
     found_at = story.discoveries
     if not found_at:
         return []
     left = story.map.edge_count - len(found_at)
     step = f"After step {found_at[-1]}"
     if left:
-        return [f"{step} it met no new edge; {plural(left, 'edge')} it never met."]
-    went_on = "mostly such an explorer takes a vertex or an edge that it knows for a new one"
-    return [f"{step} it had walked every edge of the world, and yet it went on: {went_on}."]
+        told = f"{step} it met no new edge; {plural(left, 'edge')} it never met."
+        return [told, *_tell_ways_back(story, len(actions))]
+    why = (
+        "Either it takes a vertex or an edge that it knows for a new one, or the robot is not "
+        "where the explorer believes."
+    )
+    return [
+        f"{step} it had walked every edge of the world, and yet it went on.",
+        why,
+        *(_tell_ways_back(story, len(actions)) or [f"Look at its ways back: {WAY_BACK}."]),
+    ]
+
+
+def _tell_ways_back(story: Walked, end: int) -> list[str]:
+    """Tell how a way back is walked, where one begins before that step."""
+    actions, turns = story.transcript.actions[:end], story.sensed
+    back = (i for i, action in enumerate(actions) if i and action == Move(0))
+    first = next((i + 1 for i in back if turns[i].degree > 1), None)
+    if first is None or all(action == Move(0) for action in actions):
+        return []
+    return [f"Look at the way back that begins at step {first}: {WAY_BACK}."]

@@ -6,11 +6,12 @@ world, so its sentence is true of the answer, whatever the cause was.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import TypeAlias, TypeGuard
 
 from allworlds.judging.explanations.story import Belief
+from allworlds.judging.findings.walks import trail_to
 from allworlds.maps import (
     CombinatorialMap,
     Dart,
@@ -21,6 +22,7 @@ from allworlds.maps import (
     isomorphism,
     rooted_isomorphism,
 )
+from allworlds.protocol import Percept
 
 LARGEST = 40
 """Edges above which slips are not looked for: there are quadratically many, each compared anew."""
@@ -33,7 +35,7 @@ class Slip:
     Attributes:
         name: in the table.
         sentence: a description with the darts of the world.
-        mended: the map without the slip.
+        mended: the map without the slip; None if the slip is in the reading of percepts.
         truth: the map that the mended one equals: the world's, or that without the edge of the
             slip.
         here: the robot's dart in the mended map; None if that is wrong, too, or unknown.
@@ -41,10 +43,12 @@ class Slip:
 
     name: str
     sentence: str
-    mended: CombinatorialMap
+    mended: CombinatorialMap | None
     truth: CombinatorialMap
     here: Dart | None = None
 
+
+MIRROR_IMAGE, BEARINGS = "mirror image", "bearings anticlockwise"
 
 Recogniser: TypeAlias = Callable[[Belief], Slip | None]
 """A recogniser: the slip, or None if it is another one, or none."""
@@ -65,13 +69,52 @@ def mirror_image(belief: Belief) -> Slip | None:
         sentence = (
             "The answer is a mirror image: with its rotations read anticlockwise it would be right."
         )
-        return Slip("mirror image", sentence, mirrored, world, answer.here)
+        return Slip(MIRROR_IMAGE, sentence, mirrored, world, answer.here)
     if isomorphism(mirrored, world) and not isomorphism(answer.map, world):
         sentence = (
             "The answer's map is the mirror image of the world's: its rotations are anticlockwise."
         )
-        return Slip("mirror image", sentence, mirrored, world)
+        return Slip(MIRROR_IMAGE, sentence, mirrored, world)
     return None
+
+
+def bearings_anticlockwise(belief: Belief) -> Slip | None:
+    """Recognise an answer whose edges end as sensed if bearings are counted anticlockwise.
+
+    The walk that ends at ``here`` is followed in the answer.  Percepts count at the start and
+    where the walk takes an edge for the first time: on its way back a robot need not look.  Where
+    the map is right, all percepts count: there a wrong ``here`` alone is likelier.
+    """
+    map_, transcript = belief.answer.map, belief.story.transcript
+    trail = trail_to(map_, belief.answer.here, transcript)
+    is_right = bool(isomorphism(map_, belief.story.map))
+    sensed, taken = [(trail[0], transcript.first)], set()
+    for dart, percept in zip(trail[1:], transcript.percepts[1:], strict=True):
+        edge = min(dart, map_.alpha[dart])
+        if is_right or edge not in taken:
+            sensed.append((dart, percept))
+        taken.add(edge)
+    if _fits(map_, sensed, 1) or not _fits(map_, sensed, -1):
+        return None
+    sentence = (
+        "The explorer seems to count bearings anticlockwise: read so, the percepts show all edges "
+        "as the answer has them. A bearing counts the darts clockwise, from the dart by which the "
+        "robot arrives to the pointed dart."
+    )
+    return Slip(BEARINGS, sentence, None, belief.story.map)
+
+
+def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: int) -> bool:
+    """Whether each vertex has one degree, one number of marks and one pointed dart."""
+    found: dict[int, tuple[int, Dart | None]] = {}
+    for dart, percept in sensed:
+        if map_.degree_at[dart] != percept.degree:
+            return False
+        pointed = None if percept.bearing is None else map_.turn(dart, way * percept.bearing)
+        here = (percept.marks, pointed)
+        if found.setdefault(map_.vertex_of[dart], here) != here:
+            return False
+    return True
 
 
 def _glued_crosswise(belief: Belief) -> Slip | None:
@@ -116,11 +159,11 @@ def _say_crosswise(belief: Belief, wrong: list[tuple[Dart, Dart]]) -> str:
         if world.alpha[x] != y and world.vertex_of[x] == world.vertex_of[y]:
             first, second = sorted((x, y))
             return (
-                f"One slip makes all the difference: the answer has darts {first} and {second} of "
-                f"{belief.story.vertex(x)} exchanged."
+                f"The answer differs from the world only in this: darts {first} and {second} of "
+                f"{belief.story.vertex(x)} are exchanged."
             )
     return (
-        f"One slip makes all the difference: the answer joins {_pairs(wrong)}, where the world "
+        f"The answer differs from the world only in this: it joins {_pairs(wrong)}, the world "
         f"joins {_pairs([(a, world.alpha[a]), (b, world.alpha[b])])}."
     )
 
@@ -187,6 +230,7 @@ def _same(a: CombinatorialMap | None, b: CombinatorialMap) -> TypeGuard[Combinat
 
 SLIPS: dict[str, Recogniser] = {
     "mirrored": mirror_image,
+    "bearings read anticlockwise": bearings_anticlockwise,
     "glued crosswise": _glued_crosswise,
     "an edge misplaced": _edge_misplaced,
     "an edge missing": _edge_missing,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, TypeAlias
+from typing import TypeAlias
 
 from allworlds.inputs import InputError, show
 from allworlds.judging.explanations.named_walk import Walked
@@ -18,34 +18,20 @@ from allworlds.protocol import Estimate, Percept
 from allworlds.world import World
 
 
-@dataclass(frozen=True, slots=True)
-class Chirality:
-    """The result of playing the explorer in a chiral world.
-
-    Attributes:
-        rotations: the order in which the explorer lists the darts round a vertex.
-        where: the chiral world in words, or, where the order is unknown, why it is.
-    """
-
-    rotations: Literal["clockwise", "anticlockwise", "unknown"]
-    where: str
-
-
 class Story(Walked):
     """A finding with the walk that its log describes.
 
     Attributes:
         finding: the one that is explained.
-        chirality: the explorer's sense of rotation in a chiral world; None if not played in one.
         checkpoint: the step before the checkpoint that breaks the law; None if none does.
 
     Raises:
         InputError: if the transcript is no walk in the world, or has no such step.
     """
 
-    def __init__(self, finding: Finding, chirality: Chirality | None = None) -> None:
+    def __init__(self, finding: Finding) -> None:
         super().__init__(finding.world, finding.transcript)
-        self.finding, self.chirality = finding, chirality
+        self.finding = finding
         self.checkpoint = finding.step
         if finding.step is not None and finding.step >= len(self.walked):
             raise InputError(

@@ -1,15 +1,11 @@
-"""The owner of the bound that a walk has exceeded, and the way to check without it."""
+"""The owner of the bound, or of the step budget, that a walk has exceeded, and the way out."""
 
 from __future__ import annotations
 
+from allworlds.judging.episode import default_step_budget
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.bounds import paper_terms
-from allworlds.words import listed, size
-
-WITHOUT = (
-    "The option --bound none checks the other laws alone; --bound EXPR checks another cost, such "
-    "as --bound '2*m'."
-)
+from allworlds.words import listed, plural, size
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
@@ -20,7 +16,29 @@ def tell_whose_bound(finding: Finding) -> list[str]:
         right = "The map and the pose are right; the walk is longer than the bound allows."
     else:
         right = f"The walk is longer than the bound allows{'; ' if rest else ''}{rest}."
-    return [right, _whose(finding), WITHOUT]
+    other = "4*m" if finding.rules.the_bound.name == "2*m" else "2*m"
+    without = (
+        "The option --bound none checks the other laws alone; --bound EXPR checks another cost, "
+        f"such as --bound '{other}'."
+    )
+    return [right, _whose(finding), without]
+
+
+def tell_whose_budget(finding: Finding) -> str:
+    """Tell where the step budget comes from, and how to get another one."""
+    rules, map_ = finding.rules, finding.world.map
+    if rules.step_budget is not None:
+        return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
+    value = rules.budget(map_)
+    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    world = size(map_.edge_count, map_.vertex_count)
+    told = "the bound that the explorer names"
+    if value == default_step_budget(new + closing):
+        told = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
+    return (
+        f"In a world with {world} the budget is {plural(value, 'traversal')}, {told}. An explorer "
+        "that is right and walks more needs another one: --step-budget N."
+    )
 
 
 def _whose(finding: Finding) -> str:

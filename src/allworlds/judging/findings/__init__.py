@@ -4,6 +4,8 @@
     the rules by which a run is played and judged; a finding records them;
 ``finding``
     a world, an explorer, its run there, and the law that it broke;
+``sense_of_rotation``
+    the explorer's sense of rotation, where another world has shown it;
 ``asked_finding``
     the choice of a finding of a file;
 ``walks``

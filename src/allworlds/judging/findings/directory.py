@@ -7,9 +7,11 @@ import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from allworlds.inputs import InputError, show
 from allworlds.judging.findings.finding import Finding
+from allworlds.protocol import OtherText
 
 DIGITS = 12
 """The hexadecimal digits of the digest in a file's name."""
@@ -23,14 +25,26 @@ class KeptFinding:
     finding: Finding
 
 
-def kept_findings(directory: Path) -> list[KeptFinding]:
-    """The findings of a directory, smallest first; an empty list if there is no directory yet.
+class FindingsOfDirectory(NamedTuple):
+    """The findings of a directory, smallest first.
+
+    Attributes:
+        kept: those that can be tried again.
+        stale: the names of the files whose lighthouse or judge has another text now.
+    """
+
+    kept: list[KeptFinding]
+    stale: list[str]
+
+
+def kept_findings(directory: Path) -> FindingsOfDirectory:
+    """The findings of a directory; there are none if there is no directory yet.
 
     Raises:
         InputError: naming the file that cannot be read, is no finding, or has been changed
             since it was written.
     """
-    past = []
+    past, stale = list[KeptFinding](), list[str]()
     for file in sorted(directory.glob("*.json")):
         try:
             text = file.read_text(encoding="utf-8")
@@ -42,10 +56,13 @@ def kept_findings(directory: Path) -> list[KeptFinding]:
             raise InputError(f"corpus file {show(file.name)} has been changed since it was written")
         try:
             finding = Finding.from_json(text)
+        except OtherText:
+            stale.append(file.name)
+            continue
         except ValueError as error:
             raise InputError(f"corpus file {show(file.name)}: {error}") from None
         past.append(KeptFinding(file.name, finding))
-    return sorted(past, key=lambda one: (one.finding.key, one.name))
+    return FindingsOfDirectory(sorted(past, key=lambda one: (one.finding.key, one.name)), stale)
 
 
 def write_finding(directory: Path, finding: Finding) -> str:

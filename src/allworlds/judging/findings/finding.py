@@ -23,6 +23,7 @@ from allworlds.document import (
 from allworlds.explorers import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs import InputError, parse_json, show
 from allworlds.judging.findings.rules import RecordedRules, Rules
+from allworlds.judging.findings.sense_of_rotation import Chirality
 from allworlds.judging.laws.case import Value
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName
 from allworlds.maps import Code, numbering, rooted_code
@@ -58,7 +59,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
 
     ``at`` holds the place and ``under`` the rules, where they need not be made of the world and the
     options. The ``machine`` may be the cause. A run that has killed its worker is ``traced``, so
-    that its walk is known, when it is reported.
+    that its walk is known, when it is reported. The ``chirality`` is what a chiral world showed.
     """
 
     version: Annotated[Literal[1], about("the version of findings")]
@@ -117,6 +118,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     under: Aside[Rules | None] = None
     machine: Aside[bool] = False
     traced: Aside[bool] = True
+    chirality: Aside[Chirality | None] = None
 
     @cached_property
     def rules(self) -> Rules:

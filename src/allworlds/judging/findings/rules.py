@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import KW_ONLY, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 from allworlds.document import Different, Document, IfAny, Positive, Text, about
-from allworlds.explorers import Subject
+from allworlds.explorers import Subject, is_library
 from allworlds.inputs import (
     RULES,
     InputError,
@@ -30,8 +30,8 @@ from allworlds.inputs import (
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.laws.bounds import NO_BOUND, Bound, bound_named, paper_bound
 from allworlds.judging.laws.law_table import LAWS, TASK, JudgedLaw, Setting
-from allworlds.judging.tasks import ENTRY_POINTS, MAP, TASKS, Task, task_named
-from allworlds.maps import CombinatorialMap
+from allworlds.judging.tasks import MAP, TASKS, Judge, Task, task_named
+from allworlds.maps import CombinatorialMap, Condition
 from allworlds.protocol import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
 from allworlds.world import (
     Directional,
@@ -41,6 +41,7 @@ from allworlds.world import (
     World,
     kind_of,
     lighthouse_kind,
+    numbers_told,
 )
 
 
@@ -87,31 +88,37 @@ def _step_budget(given: object) -> int | None:
     return budget
 
 
-class AskedRules(Request):
-    """The part of a request that says how runs are played and judged.
-
-    Each field that stands for another value, where nothing is given, follows from those before it.
-    """
+class AskedTask(Request):
+    """The part of a request that says what counts as done."""
 
     task: Annotated[
-        Taken[str | Task, Task],
+        Taken[str | Judge | Task, Task],
         Option(
             RULES,
             "TASK",
-            f"What counts as done: {one_of(TASKS)}, or path/to/file.py:judge, a function of the "
-            "world, the transcript and the answer that returns None or what is wrong.",
+            f"What counts as done: {one_of(TASKS)}, or path/to/file.py:judge, a function of "
+            "(world, transcript, answer): it returns None if all is right, else the fault in "
+            "words.",
             told=Annotated[
                 IfAny[Text | None],
                 about("what counted as done; where it is left out, the map"),
             ],
         ),
     ] = Taken(task_named, MAP)
+
+
+class AskedRules(AskedTask):
+    """The part of a request that says how runs are played and judged.
+
+    Each field that stands for another value, where nothing is given, follows from those before it.
+    """
+
     policy: Annotated[
         Taken[str, str],
         Option(
             RULES,
             "POLICY",
-            f"Who answers the explorer's choices: {one_of([*POLICIES, SEEDED])}.",
+            f"How choices are made where the explorer is free: {one_of([*POLICIES, SEEDED])}.",
             told=Annotated[Text, about("who answered the explorer's choices")],
         ),
     ] = Taken(_policy, DEFAULT_POLICY)
@@ -147,7 +154,8 @@ class AskedRules(Request):
         Option(
             RULES,
             "B",
-            "More traversals break the law 'budget' (default: 8 x the bound paper + 100).",
+            "The most traversals of a run: more break the law 'budget' (default: 8 x (1)+(2) + "
+            "100).",
             parse=integer_of,
             told=Annotated[
                 Positive | None,
@@ -157,7 +165,12 @@ class AskedRules(Request):
     ] = Taken(_step_budget, None)
 
     def rules_of(
-        self, subject: Subject, lighthouse: GivenLighthouse, *, promised: bool = False
+        self,
+        subject: Subject,
+        lighthouse: GivenLighthouse,
+        *,
+        promised: bool = False,
+        among: Among | None = None,
     ) -> Rules:
         """The rules under a lighthouse, with the bound and the budget that the explorer brings.
 
@@ -167,8 +180,35 @@ class AskedRules(Request):
         told = values_of(AskedRules, self)
         if self.step_budget is None:
             told["step_budget"] = subject.step_budget
-        own = subject.bound_under(str(lighthouse_kind(lighthouse)))
-        return Rules(lighthouse, promised=promised, own_bound=own, **told)
+        kind = lighthouse_kind(lighthouse)
+        told_numbers = numbers_told(kind)
+        if len(told_numbers) > 1 and is_library(subject.name):
+            raise InputError(
+                f"explorer {show(subject.name)} is a library, which is told one number at most, "
+                f"and the lighthouse {kind} tells {', '.join(told_numbers)}; legal is told:n, or "
+                "an explorer that reads lines of JSON"
+            )
+        own = subject.bound_under(str(kind))
+        return Rules(lighthouse, promised=promised, own_bound=own, among=among, **told)
+
+
+class Among(NamedTuple):
+    """A condition on the maps of a check: among these its findings are minimal.
+
+    Attributes:
+        name: as ``--where`` takes it.
+        digest: of the predicate's file, where it is the user's.
+    """
+
+    name: str
+    digest: str | None = None
+
+    @classmethod
+    def of(cls, where: Condition | None) -> Among | None:
+        """The condition of a request."""
+        if where is None:
+            return None
+        return cls(where.name, next((code.digest for code in getattr(where, "codes", ())), None))
 
 
 class Rules(AskedRules, kw_only=False):
@@ -181,12 +221,14 @@ class Rules(AskedRules, kw_only=False):
         promised: whether the worlds keep a promise, such as planarity, that can make an explorer
             right without folding.
         own_bound: the explorer's own bound for this lighthouse; None if it has none.
+        among: the condition on the maps, for findings; runs do not depend on it.
     """
 
     lighthouse: Taken[GivenLighthouse, LighthouseKind] = Taken(lighthouse_kind, Directional.kind)
     _: KW_ONLY
     promised: bool = False
     own_bound: Taken[str | Bound | None, Bound | None] = Taken(_bound, None)
+    among: Among | None = None
 
     def __post_init__(self) -> None:
         for law in self.laws or ():
@@ -211,8 +253,8 @@ class Rules(AskedRules, kw_only=False):
     @property
     def files(self) -> tuple[Path, ...]:
         """The files of the user's from which code is loaded where runs are judged."""
-        judge = self.task.code
-        return (*self.lighthouse.files, *([judge.file(ENTRY_POINTS)] if judge else ()))
+        codes = (*self.lighthouse.codes, *self.task.codes)
+        return tuple(file for code in codes for file in code.files)
 
     @cached_property
     def the_bound(self) -> Bound:
@@ -294,7 +336,12 @@ class Rules(AskedRules, kw_only=False):
     def recorded(self) -> RecordedRules:
         """The options as they stand in a finding."""
         told = {key: value for key, value in self.told.items() if key != "lighthouse"}
-        return RecordedRules(**told, task_digest=self.task.code.digest if self.task.code else None)
+        return RecordedRules(
+            **told,
+            task_digest=self.task.code.digest if self.task.code else None,
+            where=self.among.name if self.among else None,
+            where_digest=self.among.digest if self.among else None,
+        )
 
 
 class RecordedRules(Document, of=AskedRules, forbid_unknown_fields=False):
@@ -306,6 +353,12 @@ class RecordedRules(Document, of=AskedRules, forbid_unknown_fields=False):
     task_digest: Annotated[
         IfAny[Text | None], about("SHA-256 of the judge's file, where it is the user's")
     ] = None
+    where: Annotated[
+        IfAny[Text | None], about("the condition on the maps among which it is minimal, if any")
+    ] = None
+    where_digest: Annotated[
+        IfAny[Text | None], about("SHA-256 of the predicate's file, where it is the user's")
+    ] = None
 
     def rules(self, world: World, own_bound: str | None = None) -> Rules:
         """The rules in a world; the explorer of a finding may bring a bound of its own.
@@ -316,10 +369,14 @@ class RecordedRules(Document, of=AskedRules, forbid_unknown_fields=False):
             InputError: naming the offending option.
         """
         told = {field.name: getattr(self, field.name) for field in fields_of(AskedRules)}
-        bare = Rules(kind_of(world.lighthouse), task=told["task"] or MAP, own_bound=own_bound)
-        code = bare.task.code
-        if code and self.task_digest not in (None, code.digest):
-            raise InputError(f"task {show(bare.task.name)} has another text now than is recorded")
+        bare = Rules(
+            kind_of(world.lighthouse),
+            task=told["task"] or MAP,
+            own_bound=own_bound,
+            among=Among(self.where, self.where_digest) if self.where else None,
+        )
+        if bare.task.code:
+            bare.task.code.ensure_recorded(self.task_digest)
         if told["laws"] is not None:
             laws = {*told["laws"]} - {TASK}
             if (told["bound"] or str(bare.default_bound)) == str(NO_BOUND):

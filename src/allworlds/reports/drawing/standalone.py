@@ -3,37 +3,43 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from hashlib import sha256
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs import InputError, a_path, show
 from allworlds.maps import CombinatorialMap
 from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.drawing.svg import picture
 from allworlds.reports.drawing.text import draw as drawn_in_characters
 from allworlds.reports.markup import tag
-from allworlds.world import World, code_of
+from allworlds.words import size
+from allworlds.world import World
 
-# No variables, no nesting, and no rule for what is outside: other programs than browsers read it,
-# and in a notebook it must not colour what stands beside it.
+# No variables and no nesting: other programs than browsers read it.  In a notebook the rules of a
+# drawing reach the whole page, so that each begins with the name of its drawing.
 STYLE = """
-.map text { font: 600 12px system-ui, sans-serif; fill: #1c2126; text-anchor: middle;
+#NAME text { font: 600 12px system-ui, sans-serif; fill: #1c2126; text-anchor: middle;
   dominant-baseline: central; }
-.map .edge { fill: none; stroke: #5a646d; stroke-width: 1.5; }
-.map .bridge { fill: none; stroke: #ffffff; stroke-width: 11; }
-.map .stub, .map .robot { display: none; }
-.map .pole { fill: none; stroke: #c26a00; stroke-width: 3; }
-.map .flag { fill: #c26a00; }
-.map .disc { fill: #e4eaf0; stroke: #1c2126; stroke-width: 1.5; }
-.map .marked .disc { fill: #ffe3b0; stroke: #c26a00; stroke-width: 3; }
-.map .name { font-size: 11px; }
-.map .arc { fill: none; stroke: #5b646d; stroke-width: 1.3; }
-.map .head { fill: #5b646d; }
-.map .dart text { paint-order: stroke; stroke: #ffffff; stroke-width: 4px; }
-.map .box { fill: none; }
-.map .start .box { fill: #ffffff; stroke: #1c2126; stroke-width: 1.3; }
-.map .start text { stroke: none; }
+#NAME .edge { fill: none; stroke: #5a646d; stroke-width: 1.5; }
+#NAME .bridge { fill: none; stroke: #ffffff; stroke-width: 11; }
+#NAME .stub, #NAME .robot { display: none; }
+#NAME .pole { fill: none; stroke: #c26a00; stroke-width: 3; }
+#NAME .flag { fill: #c26a00; }
+#NAME .disc { fill: #e4eaf0; stroke: #1c2126; stroke-width: 1.5; }
+#NAME .marked .disc { fill: #ffe3b0; stroke: #c26a00; stroke-width: 3; }
+#NAME .name { font-size: 11px; }
+#NAME .arc { fill: none; stroke: #5b646d; stroke-width: 1.3; }
+#NAME .head { fill: #5b646d; }
+#NAME .dart text { paint-order: stroke; stroke: #ffffff; stroke-width: 4px; }
+#NAME .box { fill: none; }
+#NAME .start .box { fill: #ffffff; stroke: #1c2126; stroke-width: 1.3; }
+#NAME .start text { stroke: none; }
 """
+
+
+SUFFIX = ".svg"
+"""The end of the names of files of drawings."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,9 +58,15 @@ class Drawing:
         """Write the SVG document into a file.
 
         Raises:
+            InputError: if the name of the file does not end in ``.svg``.
             OSError: if it cannot be written.
         """
-        Path(file).write_text(self.svg, encoding="utf-8")
+        path = a_path("file", file)
+        if path.suffix.lower() != SUFFIX:
+            raise InputError(
+                f"file {show(str(file))} does not end in {SUFFIX}: a drawing is written as SVG"
+            )
+        path.write_text(self.svg, encoding="utf-8")
 
     def __str__(self) -> str:
         return self.text
@@ -80,9 +92,14 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
             scene, map_ = Scene(shown), shown
         case _:
             raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
-    # Names of elements must differ in a notebook that shows several maps.
-    name = f"map-{code_of(map_, scene.start)}".translate({ord("/"): "-", ord("."): "_"})
-    title = f"A map with {map_.edge_count} edges and {map_.vertex_count} vertices"
-    root = picture(scene, name[:80], title)
-    root.insert(2, tag("style", STYLE))
-    return Drawing(ET.tostring(root, "unicode") + "\n", drawn_in_characters(scene))
+    where = size(map_.edge_count, map_.vertex_count)
+    title = f"A {'world' if isinstance(shown, World) else 'map'} with {where}"
+
+    def svg(name: str) -> str:
+        root = picture(scene, name, title)
+        root.insert(2, tag("style", STYLE.replace("NAME", name)))
+        return ET.tostring(root, "unicode") + "\n"
+
+    # In a notebook that shows several drawings, each has a name of its own: that of its content.
+    content = svg("map").encode()
+    return Drawing(svg(f"map-{sha256(content).hexdigest()[:16]}"), drawn_in_characters(scene))

@@ -30,7 +30,7 @@ _LEGEND = {
     "→": "a→v.b the other end of dart a is dart b of v",
     "┼": "┼ arcs cross, no vertex",
     "●": "● marker",
-    "▲": "▲ pointed dart (bearing 0)",
+    "▲": "▲ dart from which bearings are counted",
     "S": "S start",
     "R": "R robot at the end",
 }

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from importlib.resources import files
 from typing import Any
 from xml.etree import ElementTree as ET
 
+from allworlds.inputs import InputError
 from allworlds.judging import bound_named
 from allworlds.protocol import Pick
 from allworlds.reports.drawing.scene import scene_of
 from allworlds.reports.html.frame import Own, Page, framed
 from allworlds.reports.html.viewer import figure
 from allworlds.reports.markup import record, tag
-from allworlds.reports.play.costs import costs_beside, in_words
+from allworlds.reports.tellings.played import LEAST, NAMES
 from allworlds.studies.play import Play
-from allworlds.world import World
+from allworlds.world import Movable, World, Written, parts_of
 
 HOW = (
     "Click a number, or press its key, to leave by that edge: 0 is the way back, the others "
@@ -25,6 +27,8 @@ CONCLUDE = (
     "Every arrival is drawn as a place of its own, as it might be one. Do you know better? "
     "Click two darts to say that they are one and the same."
 )
+
+SCRIPTS = ("robot.js", "spots.js", "view.js")
 
 
 def game(play: Play) -> str:
@@ -38,17 +42,35 @@ def game(play: Play) -> str:
         ("EXPLORE", f"Which world is this, and where in it are you? A {lighthouse}.{told}", "open"),
         [
             tag("noscript", tag("p", "This page needs JavaScript: it is played.")),
-            _board(world),
+            _board(play),
         ],
         play.to_json(),
-        Own(_read("play.css"), _read("robot.js") + _read("view.js")),
+        Own(
+            _read("play.css"), "".join(_read(name) for name in ("robot.js", "spots.js", "view.js"))
+        ),
     )
     return framed(page)
 
 
 def world_data(world: World) -> dict[str, Any]:
-    """Data of the world for the script, whatever the lighthouse; see ``robot.js``."""
+    """Data of the world for the script, whatever the lighthouse; see ``robot.js``.
+
+    Raises:
+        InputError: for a lighthouse of the user's under which the robot leaves marks.
+    """
     map_ = world.map
+    marking = next((part for part in parts_of(world.lighthouse) if part.leaves_marks), None)
+    if marking is not None and marking.code is not None:
+        raise InputError(
+            f"under the lighthouse {world.lighthouse.written} the robot leaves marks in a way of "
+            "your own, which a page cannot do; leave --html out to play in the terminal"
+        )
+    written = marking if isinstance(marking, Written) else None
+    spots: list[int] | None = None
+    if written:
+        spots = [written.place_of_number(map_, dart) for dart in map_.darts]
+    elif isinstance(marking, Movable) and marking.distinct:
+        spots = list(map_.vertex_of)
     return {
         "sigma": list(map_.sigma),
         "alpha": list(map_.alpha),
@@ -57,15 +79,27 @@ def world_data(world: World) -> dict[str, Any]:
         "start": world.start,
         "hand": world.lighthouse.in_hand,
         "pick": not world.lighthouse.refusal(Pick(), 1, 0),
+        "states": written.states if written else 0,
+        "spots": spots,
         "bound": bound_named(world.lighthouse.default_bound).of(map_, world.start),
     }
 
 
-def _board(world: World) -> ET.Element:
+def costs_data(play: Play) -> dict[str, Any]:
+    """The costs of others for the script, and what is to be said of them."""
+    return {
+        "others": [[NAMES[one.who], one.cost] for one in play.costs],
+        "said": f"{LEAST} {play.not_compared}".rstrip(),
+    }
+
+
+def _board(play: Play) -> ET.Element:
+    world = play.world
     return tag(
         "div",
         tag("div", _senses(), _notes(), class_="game"),
         tag("p", "", id="outcome", class_="outcome", role="status"),
+        _costs(),
         tag("section", tag("h2", "The walk"), tag("ol", id="log", start="0"), class_="log"),
         tag(
             "section",
@@ -74,10 +108,22 @@ def _board(world: World) -> ET.Element:
             tag("div", figure("The world", scene_of(world), "played", "robot"), id="world"),
         ),
         record(
-            {**world_data(world), "beside": in_words(costs_beside(world))},
+            {**world_data(world), "costs": costs_data(play)},
             id="play-json",
         ),
         id="game",
+        hidden="hidden",
+    )
+
+
+def _costs() -> ET.Element:
+    """The place of the table of costs, which the script shows at the end."""
+    return tag(
+        "section",
+        tag("h2", "Costs"),
+        tag("table", tag("tbody", id="cost-rows"), class_="costs"),
+        tag("p", "", id="costs-words", class_="legend"),
+        id="costs",
         hidden="hidden",
     )
 
@@ -90,6 +136,7 @@ def _senses() -> ET.Element:
         tag("p", "", id="sensed-words", role="status"),
         tag("p", tag("span", "", id="cost"), " ", tag("span", "", id="hand")),
         _buttons(("drop", "Drop a marker"), ("pick", "Take a marker up")),
+        _buttons(("write", "Write"), before=[_number()]),
         tag("p", HOW, class_="legend"),
     )
 
@@ -105,9 +152,14 @@ def _notes() -> ET.Element:
     )
 
 
-def _buttons(*buttons: tuple[str, str]) -> ET.Element:
+def _number() -> ET.Element:
+    told = {"min": "0", "value": "0", "step": "1", "aria_label": "The number to write"}
+    return tag("input", type="number", id="number", **told)
+
+
+def _buttons(*buttons: tuple[str, str], before: Sequence[ET.Element] = ()) -> ET.Element:
     made = (tag("button", label, type="button", id=name) for name, label in buttons)
-    return tag("p", *made, class_="rows")
+    return tag("p", *before, *made, class_="rows")
 
 
 def _read(name: str) -> str:

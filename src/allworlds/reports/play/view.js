@@ -3,8 +3,11 @@
 const world = JSON.parse(document.getElementById("play-json").textContent);
 const SVG = "http://www.w3.org/2000/svg";
 const movable = world.hand > 0;
+const changing = movable || world.states > 0; // the robot makes marks itself
 
-let states, log, conclusions, chosen, uncovered;
+let states, log, conclusions, chosen, uncovered, claimed;
+let spots; // of the places in the notes: see spots.js
+let seen = () => {}; // makes the notes as large as there is room for
 
 function element(name, attributes, ...children) {
   const made = document.createElementNS(SVG, name);
@@ -18,7 +21,7 @@ const round = (x) => Math.round(x * 10) / 10;
 const polar = (x, y, r, angle) => [round(x + r * Math.cos(angle)), round(y + r * Math.sin(angle))];
 
 function said({ degree, marks, bearing }) {
-  const marker = marks > 1 ? `${marks} markers` : "marked";
+  const marker = marks > 1 ? `marks ${marks}` : "marked";
   const parts = [`degree ${degree}`];
   if (marks) parts.push(marker);
   if (bearing !== null) parts.push(`bearing ${bearing}`);
@@ -26,6 +29,7 @@ function said({ degree, marks, bearing }) {
 }
 
 function named(action) {
+  if (action.write !== undefined) return `write ${action.write}`;
   return action.drop ? "drop" : action.pick ? "pick" : `move ${action.move}`;
 }
 
@@ -89,40 +93,20 @@ function drawSensed() {
 
 // ---------------------------------------------------------------- the notes
 
-const known = () => notes(log.first, log, conclusions, movable);
+const known = () => notes(log.first, log, conclusions, changing);
 
-// Each place on a circle, its darts clockwise, turned so that they look where they lead.
-function laidOut({ places }) {
-  const side = Math.max(420, 130 + 90 * places.length);
-  const ring = places.length > 1 ? side / 2 - 72 : 0;
-  const spots = new Map();
-  places.forEach(({ name }, i) => {
-    const angle = -Math.PI / 2 + (2 * Math.PI * i) / places.length;
-    spots.set(name, polar(side / 2, side / 2, ring, angle));
-  });
+// Where each dart is drawn: round the spot of its place, clockwise.
+function seated({ places }) {
+  place(spots, places);
   const seats = new Map();
   for (const { name, darts } of places) {
-    const [x, y] = spots.get(name);
-    let [east, south] = [0, 0];
-    darts.forEach(({ end }, k) => {
-      if (end === null) return;
-      const [ex, ey] = spots.get(Number(end.split(".")[0]));
-      if (ex === x && ey === y) return;
-      const angle = Math.atan2(ey - y, ex - x) - (2 * Math.PI * k) / darts.length;
-      east += Math.cos(angle);
-      south += Math.sin(angle);
-    });
-    const turned = east || south ? Math.atan2(south, east) : Math.PI / 2;
+    const { x, y, turned, far: room } = spots.get(name);
     darts.forEach((dart, k) => {
-      const room = far(darts.length);
       seats.set(dart.name, { x, y, far: room, angle: turned + (2 * Math.PI * k) / darts.length });
     });
   }
-  return { side, spots, seats };
+  return seats;
 }
-
-// How far from their place its darts are drawn: so far that they do not touch.
-const far = (degree) => Math.max(30, 3.8 * degree);
 
 function edgePath(a, b) {
   const [ax, ay] = polar(a.x, a.y, a.far + 4, a.angle);
@@ -136,7 +120,7 @@ function edgePath(a, b) {
 
 function drawNotes() {
   const map = known();
-  const { side, spots, seats } = laidOut(map);
+  const seats = seated(map);
   const parts = [];
   for (const { darts } of map.places) {
     for (const { name, end } of darts) {
@@ -150,16 +134,16 @@ function drawNotes() {
     }
   }
   for (const { name, percept, darts } of map.places) {
-    const [x, y] = spots.get(name);
+    const { x, y } = spots.get(name);
     const disc = element(
       "g",
-      { class: percept.marks && !movable ? "vertex marked" : "vertex" },
+      { class: percept.marks && !changing ? "vertex marked" : "vertex" },
       element("circle", { cx: x, cy: y, r: 14 }),
       element("text", { x, y }, String(name)),
     );
     darts.forEach((dart, k) => {
-      const { angle } = seats.get(dart.name);
-      const [dx, dy] = polar(x, y, far(darts.length), angle);
+      const { angle, far: room } = seats.get(dart.name);
+      const [dx, dy] = polar(x, y, room, angle);
       const classes = ["note-dart"];
       if (dart.name === chosen) classes.push("chosen");
       if (dart.name === map.here) classes.push("robot-here");
@@ -175,29 +159,44 @@ function drawNotes() {
     });
     parts.push(disc);
   }
-  const drawn = { viewBox: `0 0 ${side} ${side}`, width: side, height: side, class: "map notes" };
+  const { left, top, width, height } = box(spots, map.places);
+  const drawn = { viewBox: `${left} ${top} ${width} ${height}`, class: "map notes" };
   const svg = element("svg", { ...drawn, role: "group", "aria-label": "Your notes" }, ...parts);
   at("notes").replaceChildren(svg);
-  follow(seats.get(map.here));
-  const left = openDarts(map).length;
-  const open = left === 1 ? "1 dart is open" : `${left} darts are open`;
+  seen = () => {
+    const { x, y } = seats.get(map.here);
+    follow(svg, { x: x - left, y: y - top, width, height });
+  };
+  seen();
+  const many = openDarts(map).length;
+  const open = many === 1 ? "1 dart is open" : `${many} darts are open`;
   at("notes-words").textContent = map.wrong
     ? `That cannot be: ${map.wrong}. Take the last conclusion back.`
     : chosen
       ? `Dart ${chosen} is the same as ... (click the other one).`
-      : left
+      : many
         ? `${open}. Arriving anywhere you draw a new place; click two darts to say that they are one.`
         : "No dart is open: your map is complete. Is it the world?";
   at("undo").disabled = !conclusions.length;
   at("claim").disabled = !estimate(map);
 }
 
-// The notes are as large as they must be, and scroll so that the robot is in the middle.
-function follow({ x, y }) {
+// All notes are seen while they can be read; larger ones scroll, with the robot in the middle.
+const SMALLEST_NOTES = 0.55;
+const HIGHEST_NOTES = 0.75; // of the window
+
+function follow(svg, { x, y, width, height }) {
   const frame = at("notes");
-  frame.scrollLeft = x - frame.clientWidth / 2;
-  frame.scrollTop = y - frame.clientHeight / 2;
+  if (!frame.clientWidth) return;
+  const room = Math.min(frame.clientWidth / width, (HIGHEST_NOTES * innerHeight) / height);
+  const scale = Math.max(SMALLEST_NOTES, Math.min(1, room));
+  svg.setAttribute("width", Math.floor(width * scale));
+  svg.setAttribute("height", Math.floor(height * scale));
+  frame.scrollLeft = x * scale - frame.clientWidth / 2;
+  frame.scrollTop = y * scale - frame.clientHeight / 2;
 }
+
+new ResizeObserver(() => seen()).observe(at("notes"));
 
 function choose(name) {
   if (chosen === null) chosen = name;
@@ -211,20 +210,30 @@ function choose(name) {
 }
 
 function claim() {
-  const right = isWorld(estimate(known()), world, states[states.length - 1].dart);
-  at("outcome").textContent = right
-    ? `Right: this is the world, and you know where in it you are. ${cost()}`
+  claimed = isWorld(estimate(known()), world, states[states.length - 1].dart);
+  at("outcome").textContent = claimed
+    ? "Right: this is the world, and you know where in it you are."
     : "It fits all that you have sensed, but it is another world: you have guessed. Walk on, or " +
       "take a conclusion back.";
+  drawCosts();
 }
 
 // ---------------------------------------------------------------- the walk, and the world
 
-function cost() {
-  const moves = log.filter(({ action }) => action.move !== undefined).length;
-  const many = moves === 1 ? "1 traversal" : `${moves} traversals`;
-  const told = world.bound === null ? `${many}.` : `${many}; the bound of this world is ${world.bound}.`;
-  return world.beside ? `${told} ${world.beside}` : told;
+const moves = () => log.filter(({ action }) => action.move !== undefined).length;
+
+// What others walk in this world tells something of it, and so comes at the end.
+function drawCosts() {
+  at("costs").hidden = !claimed && !uncovered;
+  const bound = world.bound === null ? [] : [["the bound of this world", world.bound]];
+  at("cost-rows").replaceChildren(
+    ...[["you", moves()], ...world.costs.others, ...bound].map(([who, cost]) => {
+      const row = document.createElement("tr");
+      for (const text of [who, cost.toLocaleString("en")]) row.insertCell().textContent = text;
+      return row;
+    }),
+  );
+  at("costs-words").textContent = world.costs.said;
 }
 
 function drawLog() {
@@ -236,8 +245,7 @@ function drawLog() {
       return item;
     }),
   );
-  const moves = log.filter(({ action }) => action.move !== undefined).length;
-  at("cost").textContent = `Traversals so far: ${moves}.`;
+  at("cost").textContent = `Traversals so far: ${moves()}.`;
 }
 
 const fits = [...at("world").querySelectorAll(".frame")].map((one) => fitting(one, SMALLEST_STILL));
@@ -271,6 +279,7 @@ function act(action) {
   const why = refusal(world, state, action);
   at("outcome").textContent = why ? `That is not possible: ${why}.` : "";
   if (why) return;
+  claimed = false;
   states.push(step(world, state, action));
   log.push({ action, percept: now() });
   draw();
@@ -281,6 +290,7 @@ function draw() {
   drawNotes();
   drawLog();
   drawWorld();
+  drawCosts();
   const state = states[states.length - 1];
   at("hand").textContent = movable ? `Markers in your hand: ${state.hand}.` : "";
   at("drop").disabled = refusal(world, state, { drop: true }) !== "";
@@ -294,6 +304,8 @@ function restart() {
   conclusions = [];
   chosen = null;
   uncovered = false;
+  claimed = false;
+  spots = new Map();
   at("outcome").textContent = "";
   draw();
 }
@@ -301,14 +313,18 @@ function restart() {
 const BUTTONS = {
   drop: () => act({ drop: true }),
   pick: () => act({ pick: true }),
+  write: () => act({ write: at("number").valueAsNumber }),
   undo: () => { conclusions.pop(); chosen = null; at("outcome").textContent = ""; drawNotes(); },
   claim,
-  uncover: () => { uncovered = true; drawWorld(); },
+  uncover: () => { uncovered = true; drawWorld(); drawCosts(); },
   restart,
 };
 for (const [id, pressed] of Object.entries(BUTTONS)) at(id).addEventListener("click", pressed);
 for (const id of ["drop", "pick"]) at(id).hidden = !movable;
+for (const id of ["number", "write"]) at(id).hidden = !world.states;
+at("number").max = world.states - 1;
 document.addEventListener("keydown", (event) => {
+  if (event.target === at("number")) return; // it is typed there
   if (event.altKey || event.ctrlKey || event.metaKey || !/^[0-9]$/.test(event.key)) return;
   if (Number(event.key) < now().degree) act({ move: Number(event.key) });
 });

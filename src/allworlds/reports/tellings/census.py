@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
+    Cell,
     Headline,
     Section,
     ToldFacts,
@@ -10,28 +12,21 @@ from allworlds.reports.telling import (
     ToldTable,
     so_far,
 )
+from allworlds.reports.tellings.lookalikes import alike
 from allworlds.reports.tellings.scope import finished, gate_told, maps_words, places_told
-from allworlds.studies.ambiguity import AmbiguityCensus
+from allworlds.studies.ambiguity import AmbiguityCensus, CensusCell, CensusRow
 from allworlds.words import number, plural
 from allworlds.world import Position
 
 
 def census_telling(census: AmbiguityCensus) -> ToldResult:
     """A row for each number of edges, and the source with which the counts were compared."""
-    header = ["edges", "marked worlds", "ambiguous", "classes", "largest class"]
-    rows = [
-        [
-            row.edges,
-            row.marked_worlds,
-            row.ambiguous_worlds,
-            row.classes,
-            row.largest_class or None,
-        ]
-        for row in census.rows
-    ]
+    header = ["marked worlds", "ambiguous", "classes", "largest class"]
+    rows = [[row.edges, *_counts(row)] for row in census.rows]
+    cells = [[cell.edges, cell.vertices, *_counts(cell)] for cell in census.by_vertices]
     scope = (
         f"{maps_words(census)}, with {_marked(census)}, up to isomorphism; ambiguous are those "
-        f"from which no motion tells another world of the class {census.extent.map_class}"
+        "from which no motion tells another world of the scope"
     )
     facts = [("scope", scope), *places_told(census.places)]
     if not census.whole:
@@ -42,14 +37,36 @@ def census_telling(census: AmbiguityCensus) -> ToldResult:
         facts.append(("shard", text))
     if census.agrees:
         facts += gate_told(census, "rooted map", census.source, rows=bool(rows))
-    table = ToldTable(header, rows, "Marked worlds by size")
+    tables = [
+        ToldTable(["edges", *header], rows, "Marked worlds by edges"),
+        ToldTable(["edges", "vertices", *header], cells, "By edges and vertices", keys=2),
+    ]
     return ToldResult(
         "allworlds ambiguity census",
         f"class {census.extent.map_class}",
         census,
         _headline(census),
-        [Section("seen", "", [table, ToldFacts(facts)])],
+        [Section("seen", "", [*tables, ToldFacts(facts)]), *_pair(census)],
+        rows=lambda: _rows(census),
     )
+
+
+def _rows(census: AmbiguityCensus) -> CsvRows:
+    """A row for each number of edges and vertices."""
+    counts = {"ambiguous_worlds": int, "classes": int, "largest_class": int}
+    return CsvRows.of(census.by_vertices, edges=int, vertices=int, marked_worlds=int, **counts)
+
+
+def _counts(row: CensusRow | CensusCell) -> list[Cell]:
+    return [row.marked_worlds, row.ambiguous_worlds, row.classes, row.largest_class or None]
+
+
+def _pair(census: AmbiguityCensus) -> list[Section]:
+    """The smallest pair, with its proof; an empty list if there is none."""
+    if not census.pair:
+        return []
+    title = "The smallest worlds that no motion tells apart"
+    return [Section("pair", title, [alike("AB", census.pair, census.bisimulation)])]
 
 
 def _marked(census: AmbiguityCensus) -> str:

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from allworlds.engines import Given, Row, Sample, Shard, tried_places
-from allworlds.judging import Finding, checked_laws
+from allworlds.judging import Finding
 from allworlds.maps import source_of
 from allworlds.outcome import Disagreed, Verdict
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,
     Headline,
@@ -23,9 +24,15 @@ from allworlds.reports.telling import (
     Words,
     fact,
 )
-from allworlds.reports.tellings.finding import finding_section
+from allworlds.reports.tellings.finding import finding_section, nothing_checked
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
-from allworlds.reports.tellings.scope import SAID, of_the_class, options_told, places_told
+from allworlds.reports.tellings.scope import (
+    SAID,
+    of_the_class,
+    options_told,
+    places_told,
+    trust_told,
+)
 from allworlds.studies.check import (
     CheckReport,
     Guess,
@@ -61,9 +68,17 @@ def check_telling(report: CheckReport | TimeEstimate) -> ToldResult:
         more=lambda: (
             [] if findings else most_expensive_sections(cells, most_expensive_runs(report))
         ),
+        rows=lambda: _rows(report),
         suite=lambda: Suite(verb, report.explorer, _properties(report), [*_cases(report)]),
         apart=frozenset({"findings"}),
     )
+
+
+def _rows(report: CheckReport) -> CsvRows:
+    """A row for each number of edges and of vertices, of a sample too."""
+    played = {"worlds": int, "runs": int, "episodes": int}
+    costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
+    return CsvRows.of(report.rows, edges=int, vertices=int, **played, **costs)
 
 
 def _finding(report: CheckReport, number: int) -> Section:
@@ -125,18 +140,27 @@ def verdict_of(report: CheckReport) -> Headline:
         case Verdict.INCONCLUSIVE:
             text = f"{report.ending.reason}; in {where} no law is broken ({done})"
         case Verdict.VACUOUS:
-            text = "a witness is missing" if report.runs else "the scope holds no run"
+            text = _vacuous(report)
         case Verdict.ERROR:
             text = report.ending.reason
     return Headline(report.verdict.value.upper(), text, report.verdict.value)
 
 
+def _vacuous(report: CheckReport) -> str:
+    """The reason why a complete check says nothing."""
+    if not report.runs:
+        return "the scope holds no run"
+    if not report.checked_laws:
+        return nothing_checked(report.asked.rules)
+    return "a witness is missing"
+
+
 def _in_shard(report: CheckReport) -> str:
     """A remark that this is only a shard; empty for a whole check."""
-    shard = report.asked.coverage
+    shard = report.asked.portion
     if not isinstance(shard, Shard):
         return ""
-    return f" in shard {shard}; the verdict on every world needs the merge of all shards"
+    return f" in shard {shard}; the verdict on the whole needs the merge of all shards"
 
 
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
@@ -156,15 +180,12 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         words.append(("", f"NOT complete: finished levels (edges): {finished}"))
     if not rules.task.is_map:
         words.append(("task", f"{rules.task.name}: {rules.task.asks}"))
-    if shared := report.scope.shared_file:
-        words.append(
-            ("trust", f"{shared} holds the explorer, and code that judges it: see docs/trust.md")
-        )
+    words += trust_told(report.scope.shared_file)
     if report.symmetry:
         words.append(("symmetry", report.symmetry))
     witnesses = report.tally.witnesses
     seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
-    met = f"what was met, and how often: {seen}" if seen else "none was met"
+    met = f"events seen: {seen}" if seen else "no event was seen"
     words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
     if report.missing_witnesses:
         words.append(("MISSING", f"never met: {', '.join(report.missing_witnesses)}"))
@@ -205,9 +226,10 @@ def _corpus(past: UserCorpus) -> str:
             (f"{plural(len(past.reproduced), 'past finding')} reproduced", past.reproduced),
             (f"{len(past.beyond)} still refuted, but beyond the scope", past.beyond),
             (f"{len(past.fixed)} fixed and kept", past.fixed),
+            (f"{len(past.stale)} stale and not tried", past.stale),
             (f"{len(past.written)} written", past.written),
         )
-        if names or names is not past.beyond
+        if names or (names is not past.beyond and names is not past.stale)
     )
 
 
@@ -219,17 +241,18 @@ def _schedules(report: CheckReport) -> str:
 
 def _laws(report: CheckReport) -> str:
     rules = report.asked.rules
-    published = report.tally.checkpoints
-    checked = checked_laws(rules.judged, report.runs, published)
-    if not checked:
+    published, checked = report.tally.checkpoints, report.checked_laws
+    if not report.runs:
         return "no run was made, so no law was checked"
+    if not checked:
+        return nothing_checked(rules)
     bound = f"bound ({rules.the_bound.name})"
     laws = ", ".join(bound if law == "bound" else law for law in checked)
     if published:
         return f"{laws}; {plural(published, 'checkpoint')}"
     left = [law for law in rules.applying if law not in checked]
     return laws + (
-        f"; no checkpoint was published, so nothing was checked of {listed(left)}" if left else ""
+        f"; not checked, because the explorer shows no checkpoint: {listed(left)}" if left else ""
     )
 
 
@@ -365,10 +388,8 @@ def _whole(report: CheckReport) -> Iterator[ToldCase]:
         yield ToldCase("engines", "error", "engines-disagree", "two engines disagree", told)
     if not report.complete or not report.asked.whole:
         return
-    if not report.runs:
-        yield ToldCase(
-            "witnesses", "failure", "vacuous", "nothing was checked: the scope holds no run"
-        )
+    if not report.checked_laws:
+        yield ToldCase("witnesses", "failure", "vacuous", _vacuous(report))
     elif report.missing_witnesses:
         missing = f"never seen: {', '.join(report.missing_witnesses)}"
         yield ToldCase("witnesses", "failure", "vacuous", missing)

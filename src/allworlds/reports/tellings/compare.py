@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from allworlds.explorers import short_names
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -74,22 +75,25 @@ def _cells(report: Comparison, row: ComparedRow) -> list[Cell]:
     return cells
 
 
-def _rows(report: Comparison) -> ToldTable:
+SIZES = {"edges": int, "vertices": int, "worlds": int, "explorer": str}
+COSTS = {"mean": float, "worst": int, "ratio": float}
+TIMES = {"less": int, "equal": int, "more": int}
+
+
+def _rows(report: Comparison) -> CsvRows:
     """A row for each size and explorer, or as is asked for.
 
     The first explorer is compared with each other one.
     """
-    if report.by is not None:
-        return rows_of_worlds(report.in_worlds, report.names[0], report.by)
-    header = ["edges", "vertices", "worlds", "explorer", "mean", "worst", "less", "equal", "more"]
+    if report.by in ("world", "run"):
+        return rows_of_worlds(report.worlds_kept, report.names[0], report.by)
     rows = []
     for row in report.rows:
         for name in report.names:
-            compared = [which.get(name) for which in (row.less, row.equal, row.more)]
-            mean = f"{row.mean[name]:.6f}"
-            size_of_it = [row.edges, row.vertices, row.worlds]
-            rows.append([*size_of_it, name, mean, row.worst[name], *compared])
-    return ToldTable(header, rows)
+            times = [which.get(name) for which in (row.less, row.equal, row.more)]
+            costs = [row.mean[name], row.worst[name], row.ratio[name]]
+            rows.append([row.edges, row.vertices, row.worlds, name, *costs, *times])
+    return CsvRows({**SIZES, **COSTS, **TIMES}, rows)
 
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:
@@ -98,6 +102,10 @@ def _facts(report: Comparison) -> list[tuple[str, str]]:
     words = [*explorers_told(report), ("scope", scope), *options_told(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))
+    first = short_names(report.names)[0]
+    exact = "; exact" if report.whole else ""
+    ratio = f"of the means in each map, to that of {first}: the geometric mean over the maps{exact}"
+    words.append(("ratio", ratio))
     if report.rows:
         words += [("in all", _in_all(report, name)) for name in report.names[1:]]
     most = report.differ_most

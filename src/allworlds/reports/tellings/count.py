@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Headline,
     Section,
@@ -31,8 +32,21 @@ def count_telling(census: Census) -> ToldResult:
     if census.agrees:
         facts += gate_told(census, "map", census.source, rows=bool(rows))
     sections = [Section("seen", "", [table, ToldFacts(facts)])]
-    subject = f"class {census.extent.map_class}"
-    return ToldResult("allworlds count", subject, census, _headline(census), sections)
+    return ToldResult(
+        "allworlds count",
+        f"class {census.extent.map_class}",
+        census,
+        _headline(census),
+        sections,
+        rows=lambda: _rows(census),
+    )
+
+
+def _rows(census: Census) -> CsvRows:
+    """A row for each number of edges, of vertices, and genus."""
+    columns = {"edges": int, "vertices": int, "genus": int, "rooted": int, "unrooted": int}
+    rows = [[row.edges, *cell] for row in census.rows for cell in row.cells]
+    return CsvRows(columns, rows)
 
 
 def _headline(census: Census) -> Headline | None:

@@ -6,7 +6,18 @@ from collections.abc import Iterator
 from typing import Any
 
 from allworlds.explorers import is_program
-from allworlds.judging import Belief, Explanation, Finding, Story, explain, find_parting, true_trail
+from allworlds.judging import (
+    BUILT,
+    NO_MAP,
+    Belief,
+    Explanation,
+    Finding,
+    Rules,
+    Story,
+    explain,
+    find_parting,
+    true_trail,
+)
 from allworlds.protocol import Estimate
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
 from allworlds.reports.telling import (
@@ -21,7 +32,7 @@ from allworlds.reports.telling import (
     View,
     fact,
 )
-from allworlds.words import number, plural
+from allworlds.words import listed, number, plural
 from allworlds.world import World
 
 LONGEST_LIST = 60
@@ -56,13 +67,17 @@ def finding_section(
     """
     story, told = Story(finding), told or explain(finding)
     title = title or f"Finding {number}: {headline_of(finding)}"
-    blocks: list[Block] = [_law(finding), _walk(story, told, f"The walk of finding {number}")]
+    detail = _detail(finding)
+    blocks: list[Block] = [_law(finding)]
+    if finding.law == "no-estimate":
+        blocks += detail
+    blocks.append(_walk(story, told, f"The walk of finding {number}"))
     if told.spent:
         blocks.append(Curve(told.spent))
     blocks += [ToldFacts([*_remarks(finding, origin, checked=checked)])]
     blocks.append(Quote("command", "reproduce", finding.reproduce, command=True))
-    if finding.detail:
-        blocks.append(Quote("detail", _said_of_detail(finding), finding.detail))
+    if finding.law != "no-estimate":
+        blocks += detail
     blocks += printed(finding.output, finding.detail)
     transcript = finding.transcript
     log = [f"start: {transcript.first}", *(f"{a}: {p}" for a, p in transcript.steps)]
@@ -71,12 +86,18 @@ def finding_section(
     return Section(f"finding-{number}", title, blocks)
 
 
-def _said_of_detail(finding: Finding) -> str:
+def _detail(finding: Finding) -> list[Block]:
+    """The detail of the finding, under what it is."""
+    detail = finding.detail
     if finding.law == "no-estimate":
-        return "the permutations that were tried"
-    if finding.law == "nondeterministic":
-        return "the two plays, from where they differ"
-    return "output on stderr" if is_program(finding.explorer) else "traceback"
+        # The explanation has told the line of the call.
+        detail = "" if detail.startswith(BUILT) else detail.partition(f"\n\n{BUILT}")[0]
+        title = "the permutations that were tried"
+    elif finding.law == "nondeterministic":
+        title = "the two plays, from where they differ"
+    else:
+        title = "output on stderr" if is_program(finding.explorer) else "traceback"
+    return [Quote("detail", title, detail)] if detail else []
 
 
 def printed(output: str, told: str = "") -> list[Block]:
@@ -84,6 +105,12 @@ def printed(output: str, told: str = "") -> list[Block]:
     if not output or output.rstrip() in told:
         return []
     return [Quote("output", "printed by the explorer", output, prefix="| ")]
+
+
+def nothing_checked(rules: Rules) -> str:
+    """The reason why runs have checked nothing: their laws are about checkpoints alone."""
+    laws = listed(rules.judged)
+    return f"nothing was checked: the explorer shows no checkpoint, as needed for {laws}"
 
 
 def _law(finding: Finding) -> ToldFacts:
@@ -94,6 +121,8 @@ def _law(finding: Finding) -> ToldFacts:
     }.get(finding.law, "")
     if wrong and isinstance(finding.seen, Estimate):
         return fact("law", f"{finding.law}: {wrong}")
+    if str(finding.seen).startswith(NO_MAP):
+        return fact("law", f"{finding.law}: the explorer's sigma and alpha are no map")
     at_most = "at most " if isinstance(finding.expected, int) else ""
     expected = at_most + _traversals(finding.expected)
     return ToldFacts(
@@ -145,10 +174,12 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
     if checked:
         confirmed = "no"
         if finding.confirmed:
-            confirmed = "yes: a fresh process did the same from the recorded percepts alone"
+            confirmed = "yes: a new process, given only the percepts, repeated the run"
         smaller = "a smaller one may refute"
         if finding.minimal:
-            smaller = "no smaller world of the scope refutes"
+            among = finding.rules.among
+            scope = f"the scope (--where {among.name})" if among else "the scope"
+            smaller = f"no smaller world of {scope} refutes"
         yield "confirmed", f"{confirmed}; {smaller}"
     if origin:
         yield "origin", origin

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from allworlds.explorers import short_names
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,
     Cell,
@@ -16,7 +17,7 @@ from allworlds.reports.telling import (
 from allworlds.reports.tellings.finding import finding_section
 from allworlds.reports.tellings.scope import SAID, explorers_told, options_told
 from allworlds.reports.world_rows import rows_of_worlds
-from allworlds.studies.compare import LEVEL, Exponent, Growth, Shape
+from allworlds.studies.compare import LEVEL, CostRatio, Exponent, GrowRow, Growth, Shape
 from allworlds.words import number, plural
 
 
@@ -35,8 +36,42 @@ def growth_telling(report: Growth) -> ToldResult:
         report,
         Headline(report.verdict.value.upper(), _verdict(report), report.verdict.value),
         [*findings, Section("seen", "What was compared", blocks)],
-        rows=lambda: rows_of_worlds(report.in_worlds(), report.names[0], report.by or "run"),
+        rows=lambda: _rows(report),
     )
+
+
+COLUMNS = {
+    "family": str,
+    "edges": int,
+    "vertices": int,
+    "explorer": str,
+    "seeds": int,
+    "drawn_from": int,
+    "worlds": int,
+    "places": int,
+    "runs": int,
+    "exact": bool,
+    "mean": float,
+    "least": int,
+    "worst": int,
+    "bound": int,
+}
+ENDS = {"low": float, "high": float, "ratio": float, "ratio_low": float, "ratio_high": float}
+
+
+def _rows(report: Growth) -> CsvRows:
+    """A row for each family, size and explorer, for each world, or for each run."""
+    if report.by != "size":
+        return rows_of_worlds(report.in_worlds(), report.names[0], report.by or "run")
+    ratios = {(one.family, one.edges, one.explorer): one for one in report.ratios}
+    rows = []
+    for row in report.rows:
+        ratio = ratios.get((row.family, row.edges, row.explorer))
+        ends = row.interval or (None, None)
+        beside = ratio.interval or (None, None) if ratio else (None, None)
+        told = [getattr(row, name) for name in COLUMNS]
+        rows.append([*told, *ends, ratio.ratio if ratio else None, *beside])
+    return CsvRows(COLUMNS | ENDS, rows)
 
 
 def _table(report: Growth) -> ToldTable:
@@ -50,7 +85,7 @@ def _table(report: Growth) -> ToldTable:
             Shown(row.worlds, number(row.worlds)),
             Shown(row.runs, f"{number(row.runs)} of {number(row.places)}"),
             Shown(row.mean, f"{row.mean:,.1f}"),
-            _interval(row.interval, ",.1f"),
+            _interval(row, ",.1f"),
             row.worst,
             row.bound,
         ]
@@ -64,7 +99,7 @@ def _ratios(report: Growth) -> ToldTable:
     rows: list[list[Cell]] = [
         [
             *(one.family, one.edges, one.explorer, one.worlds),
-            *(Shown(one.ratio, f"{one.ratio:.3f}"), _interval(one.interval, ".3f")),
+            *(Shown(one.ratio, f"{one.ratio:.3f}"), _interval(one, ".3f")),
         ]
         for one in report.ratios
     ]
@@ -76,7 +111,7 @@ def _exponents(report: Growth) -> ToldTable:
     rows: list[list[Cell]] = [
         [
             *(one.family, one.explorer),
-            *(Shown(one.exponent, f"{one.exponent:.2f}"), _interval(one.interval, ".2f")),
+            *(Shown(one.exponent, f"{one.exponent:.2f}"), _interval(one, ".2f")),
             *(Shown(one.residual, f"{one.residual:.2f}"), _shape(one)),
         ]
         for one in report.exponents
@@ -94,10 +129,12 @@ def _shape(one: Exponent) -> str:
     return f"no: {one.shape.value}, {one.distance:+.0%} at {plural(one.farthest, 'edge')}"
 
 
-def _interval(interval: tuple[float, ...] | None, form: str) -> Cell:
-    if interval is None:
+def _interval(found: GrowRow | CostRatio | Exponent, form: str) -> Cell:
+    if found.exact:
+        return "exact"
+    if found.interval is None:
         return None
-    low, high = (format(end, form) for end in interval)
+    low, high = (format(end, form) for end in found.interval)
     return Shown(f"{low}..{high}", f"{low}..{high}")
 
 
@@ -128,6 +165,8 @@ def _facts(report: Growth) -> list[tuple[str, str]]:
             ("mean", "over the worlds, in each over its runs; ratios: geometric mean"),
             ("interval", f"{LEVEL:.0%}, by a bootstrap over the worlds; -: too few worlds"),
         ]
+    if any(row.exact for row in report.rows):
+        words.append(("exact", "every world that seeds draw was run, in every place"))
     if report.exponents:
         words += [
             ("exponent", "of the power of the edges that fits all worlds best, in logarithms"),
@@ -136,6 +175,9 @@ def _facts(report: Growth) -> list[tuple[str, str]]:
     if report.rows:
         member = report.rows[-1].members[-1].name
         words.append(("again", f"allworlds run {report.names[0]} --family {member}"))
+    if report.begun:
+        begun = len({one.name for row in report.begun for one in row.members})
+        words.append(("begun", f"{plural(begun, 'world')} of an unfinished size, in --csv alone"))
     if report.left_out:
         left = plural(report.left_out, "world")
         words.append(("left out", f"{left} without a place for the lighthouse"))

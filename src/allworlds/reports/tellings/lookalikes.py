@@ -10,6 +10,7 @@ from allworlds.judging import Walked, true_trail
 from allworlds.maps import Quotient
 from allworlds.protocol import Move, Transcript
 from allworlds.reports.drawing.scene import Scene, scene_of
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,
     Cell,
@@ -47,23 +48,38 @@ def twins_telling(comparison: ComparedWorlds) -> ToldResult:
     blocks: list[Block]
     if comparison.bisimulation is UNSET:
         title, blocks = "The shortest walk that tells them apart", [_apart(comparison)]
-        rows = None
     else:
         title = "Darts of one letter look alike"
         quotient = _quotient(projection_of(worlds[0]).quotient)
-        blocks, rows = [alike("AB", worlds, comparison.bisimulation), *quotient], quotient[1]
+        blocks = [alike("AB", worlds, comparison.bisimulation), *quotient]
     return ToldResult(
         "allworlds ambiguity twins",
         "A and B",
         comparison,
         _told(comparison),
         [Section("walk-1", title, blocks)],
-        rows=None if rows is None else lambda: rows,
+        rows=None
+        if comparison.bisimulation is UNSET
+        else lambda: _rows(worlds, comparison.bisimulation or ()),
     )
+
+
+def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> CsvRows:
+    """A row for each dart of each world: darts of one class are not to be told apart."""
+    rows = [
+        [number, dart, world.map.vertex_of[dart], of_world[dart]]
+        for number, (world, of_world) in enumerate(zip(worlds, classes, strict=True), 1)
+        for dart in world.map.darts
+    ]
+    return CsvRows({"world": int, "dart": int, "vertex": int, "class": int}, rows)
 
 
 def _told(comparison: ComparedWorlds) -> Headline:
     if comparison.motions is not UNSET:
+        if comparison.told is not UNSET:
+            one, other = comparison.told
+            said = f"by 0 motions: before the start {one} is told in A, and {other} in B"
+            return Headline("TOLD APART", said, "holds")
         motions = ", ".join(map(str, comparison.motions)) or "none: the first percepts differ"
         count = plural(len(comparison.motions), "motion")
         return Headline("TOLD APART", f"by {count}, and by no fewer: {motions}", "holds")
@@ -95,7 +111,7 @@ def class_telling(found: AmbiguityClass) -> ToldResult:
         found,
         _size(found),
         [Section("walk-1", "Worlds that look alike", [*blocks, fact("poses", poses), *quotient])],
-        rows=lambda: quotient[1],
+        rows=lambda: _rows(found.worlds, [projection_of(world).classes for world in found.worlds]),
     )
 
 
@@ -125,7 +141,10 @@ def _apart(comparison: ComparedWorlds) -> ToldWalk:
     worlds = comparison.worlds
     scenes = [scene_of(world) for world in worlds]
     transcript = walk_along(worlds[0], comparison.motions or ())
-    return _walk("AB", worlds, scenes, transcript, ["The last percepts of this walk differ."])
+    sentence = "The last percepts of this walk differ."
+    if comparison.told is not UNSET:
+        sentence = "The robot knows which world it is in before it moves."
+    return _walk("AB", worlds, scenes, transcript, [sentence])
 
 
 def _walk(

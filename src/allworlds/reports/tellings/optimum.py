@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -48,7 +49,25 @@ def optimum_telling(report: OptimumReport) -> ToldResult:
         text = "each strategy was followed in every world, and costs what was found"
         facts.append(("replay", text))
     sections = [Section("seen", "", [table, ToldFacts(facts)])]
-    return ToldResult("allworlds optimum", "every explorer", report, _headline(report), sections)
+    return ToldResult(
+        "allworlds optimum",
+        "every explorer",
+        report,
+        _headline(report),
+        sections,
+        rows=lambda: _rows(report),
+    )
+
+
+def _rows(report: OptimumReport) -> CsvRows:
+    """A row for each number of edges and explorer, with the explorer's worst cost."""
+    columns = {"edges": int, "runs": int, "at_least": int, "optimum": int}
+    rows = [
+        [row.edges, row.runs, row.at_least, row.optimum, name, cost]
+        for row in report.rows
+        for name, cost in row.explorers.items() or [(None, None)]
+    ]
+    return CsvRows({**columns, "explorer": str, "worst": int}, rows)
 
 
 def _headline(report: OptimumReport) -> Headline | None:

@@ -3,11 +3,32 @@
 from __future__ import annotations
 
 from allworlds.judging import Walked
-from allworlds.reports.play.costs import costs_beside, in_words
 from allworlds.reports.scenes import walk_in_world
-from allworlds.reports.telling import Headline, Section, ToldResult, ToldWalk, View, Words
-from allworlds.studies.play import Play
+from allworlds.reports.telling import (
+    Block,
+    Cell,
+    Headline,
+    Section,
+    ToldResult,
+    ToldTable,
+    ToldWalk,
+    View,
+    Words,
+)
+from allworlds.studies.play import Play, Walker
 from allworlds.words import plural
+
+NAMES = {
+    Walker.ALGORITHM_1: "Algorithm 1",
+    Walker.OPTIMUM: "the optimum, which knows the number of edges",
+    Walker.EVERY_EDGE: "a shortest walk along every edge, which knows the map",
+}
+"""Whose costs stand beside the player's, in words."""
+
+LEAST = (
+    "An explorer that does not know the number of edges, and is right in every world, goes along "
+    "every edge, and so walks no less than that shortest walk."
+)
 
 
 def play_telling(play: Play) -> ToldResult:
@@ -17,10 +38,13 @@ def play_telling(play: Play) -> ToldResult:
         return ToldResult("allworlds play", "you", play, headline, [])
     walked = Walked(play.world, play.transcript)
     scene = walk_in_world(play.world, play.transcript)
-    walk = ToldWalk("Your walk", walked, [View("world", "The world", scene, walked.walked)])
-    beside = in_words(costs_beside(play.world)) if play.transcript.steps else ""
-    said = [Words(beside)] if beside else []
+    blocks: list[Block] = [
+        ToldWalk("Your walk", walked, [View("world", "The world", scene, walked.walked)])
+    ]
+    if play.transcript.steps:
+        rows: list[list[Cell]] = [["you", play.transcript.cost]]
+        rows += [[NAMES[one.who], one.cost] for one in play.costs]
+        blocks += [ToldTable(["walked by", "traversals"], rows, "Costs in this world")]
+        blocks += [Words(f"{LEAST} {play.not_compared}".rstrip())]
     headline = Headline("PLAYED", plural(play.transcript.cost, "traversal"))
-    return ToldResult(
-        "allworlds play", "you", play, headline, [Section("walk-1", "", [walk, *said])]
-    )
+    return ToldResult("allworlds play", "you", play, headline, [Section("walk-1", "", blocks)])

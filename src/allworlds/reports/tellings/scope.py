@@ -60,7 +60,14 @@ def explorers_told(report: ContestReport) -> list[tuple[str, str]]:
         how = f"lighthouse {rules.lighthouse}, policy {rules.policy}, bound {rules.the_bound}"
         words.append(("explorer", f"{one.name}: {how}"))
         words += places_told(tried_places(rules.lighthouse, report.extent))
+        words += trust_told(report.shared_file(one))
     return words
+
+
+def trust_told(file: str) -> list[tuple[str, str]]:
+    """A fact about the explorer's file, if code that judges it is loaded from it."""
+    told = f"{file} holds the explorer, and code that judges it: see docs/trust.md"
+    return [("trust", told)] if file else []
 
 
 def options_told(report: OfWorlds, told: Iterable[str]) -> list[tuple[str, str]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import Headline, Section, Shown, ToldFacts, ToldResult, ToldTable
 from allworlds.reports.tellings.lookalikes import alike, letters
 from allworlds.studies.ambiguity import SearchResult
@@ -22,8 +23,21 @@ def search_telling(result: SearchResult) -> ToldResult:
         result,
         headline,
         [*pair, seen],
-        rows=lambda: _table(result),
+        rows=lambda: _rows(result),
     )
+
+
+def _rows(result: SearchResult) -> CsvRows:
+    """A row for each size that was decided."""
+    columns = {"sizes": str, "status": str, "seconds": float, "formula": str, "proof": str}
+    rows = [
+        [
+            *(one.sizes.name, one.status, round(one.seconds, 6), one.formula.name),
+            None if one.proof is None else one.proof.name,
+        ]
+        for one in result.levels
+    ]
+    return CsvRows(columns, rows)
 
 
 def _table(result: SearchResult) -> ToldTable:

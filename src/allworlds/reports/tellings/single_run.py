@@ -6,8 +6,9 @@ import json
 from dataclasses import replace
 
 from allworlds.engines import SingleRun
-from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk, checked_laws
+from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk
 from allworlds.protocol import Ambiguous
+from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
 from allworlds.reports.telling import (
     Block,
@@ -21,7 +22,12 @@ from allworlds.reports.telling import (
     Words,
     fact,
 )
-from allworlds.reports.tellings.finding import answer_view, finding_section, printed
+from allworlds.reports.tellings.finding import (
+    answer_view,
+    finding_section,
+    nothing_checked,
+    printed,
+)
 from allworlds.reports.tellings.shown_map import known
 from allworlds.studies.replay import Replay
 from allworlds.studies.run import WorldNames, hypotheses_in
@@ -33,11 +39,19 @@ def run_telling(run: SingleRun | WorldNames) -> ToldResult:
     if isinstance(run, WorldNames):
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
         facts = ToldFacts([(kind, ", ".join(names)) for kind, names in named])
-        return ToldResult("allworlds run", "names", run, None, [Section("names", "", [facts])])
+        rows = CsvRows(
+            {"kind": str, "name": str}, [[kind, one] for kind, of in named for one in of]
+        )
+        section = Section("names", "", [facts])
+        return ToldResult("allworlds run", "names", run, None, [section], rows=lambda: rows)
     headline = Headline(run.verdict.value.upper(), _said(run), run.verdict.value)
-    return ToldResult(
+    told = ToldResult(
         "allworlds run", run.explorer, run, headline, [_section(run)], apart=frozenset({"finding"})
     )
+    if run.shows_walk or run.finding:
+        return told
+    walk = next(b for b in run_section(run, "walk-1").blocks if isinstance(b, ToldWalk))
+    return replace(told, rows=lambda: rows_of_walk(walk))
 
 
 def _said(run: SingleRun) -> str:
@@ -45,10 +59,12 @@ def _said(run: SingleRun) -> str:
     made = run.adversary
     if run.finding:
         return f"law {run.finding.law} is broken"
+    if made is not None and not made.same:
+        return f"{run.explorer} did not walk as against {made.name}: not deterministic"
+    if not run.checked_laws:
+        return f"{nothing_checked(run.rules)}; {cost_words(run)}"
     if made is None:
         return f"{cost_words(run)}: no law is broken"
-    if not made.same:
-        return f"{run.explorer} did not walk as against {made.name}: not deterministic"
     if not made.keeps_the_bound:
         return (
             f"{cost_words(run)} and {plural(made.excluded, 'pair')} excluded, less than every "
@@ -85,7 +101,7 @@ def replay_telling(replay: Replay) -> ToldResult:
         more=lambda: (
             [] if again else [section, finding_section(recorded, title="The recorded finding")]
         ),
-        rows=lambda: walk.table,
+        rows=lambda: rows_of_walk(walk),
         apart=frozenset({"run"}),
     )
 
@@ -103,8 +119,7 @@ def _section(run: SingleRun) -> Section:
     told = run_section(run, "walk-1")
     if not run.shows_walk:
         told = replace(told, blocks=[b for b in told.blocks if not isinstance(b, ToldWalk)])
-    shown = len(run.outcome.episode.checkpoints)
-    laws = fact("laws", ", ".join(checked_laws(run.rules.judged, 1, shown)))
+    laws = fact("laws", ", ".join(run.checked_laws) or nothing_checked(run.rules))
     return replace(told, blocks=[*told.blocks, *_decided(run), *printed(run.outcome.output), laws])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from allworlds.engines import tried_places
+from allworlds.reports.rows import CsvRows, Value
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -16,7 +17,13 @@ from allworlds.reports.telling import (
 )
 from allworlds.reports.tellings.finding import finding_section, headline_of
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
-from allworlds.reports.tellings.scope import gate_told, maps_words, options_told, places_told
+from allworlds.reports.tellings.scope import (
+    gate_told,
+    maps_words,
+    options_told,
+    places_told,
+    trust_told,
+)
 from allworlds.studies.worst import WorstReport
 from allworlds.words import number, plural, size
 from allworlds.world import code_of
@@ -41,17 +48,19 @@ def worst_telling(report: WorstReport) -> ToldResult:
     )
 
 
-def _rows(report: WorstReport) -> ToldTable:
+SIZES = {"edges": int, "vertices": int, "worlds": int, "best": int, "worst": int, "bound": int}
+
+
+def _rows(report: WorstReport) -> CsvRows:
     """A row for each size, with the world and the choices that attain its worst cost."""
-    header = ["edges", "vertices", "worlds", "best", "worst", "bound", "code", "place", "choices"]
-    rows: list[list[Cell]] = []
+    rows: list[list[Value]] = []
     for row in report.rows:
         map_, lighthouse = row.world.map, row.world.lighthouse
         place = lighthouse.number(map_, row.world.start)
         choices = ",".join(map(str, row.choices))
         numbers = [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound]
         rows.append([*numbers, code_of(map_, row.world.start), place, choices])
-    return ToldTable(header, rows)
+    return CsvRows({**SIZES, "code": str, "place": int, "choices": str}, rows)
 
 
 def _headline(report: WorstReport) -> Headline | None:
@@ -94,7 +103,7 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
     return [*words, ("replay", f"every worst cost was attained {again}")] if report.rows else words
 
 
-SAID = ("edges", "map_class", "where", "lighthouse", "transit")
+SAID = ("edges", "map_class", "where", "lighthouse", "task", "transit")
 """The fields of the request of which other words tell."""
 
 
@@ -105,28 +114,39 @@ def _of_runs(report: WorstReport) -> list[tuple[str, str]]:
         f"{schedules} of {report.explorer} in {maps_words(report)}, "
         f"at every place of the lighthouse {report.rules.lighthouse}"
     )
-    costs = "worst: of all episodes; best: the largest cost of the cheapest schedule of a run"
+    costs = (
+        "worst: of all episodes; best: the cheapest schedule of each run, of these the largest cost"
+    )
     places = places_told(tried_places(report.rules.lighthouse, report.extent))
-    return [("scope", scope), *places, ("costs", costs)]
+    task = report.rules.task
+    done = [] if task.is_map else [("task", f"{task.name}: {task.asks}")]
+    trust = trust_told(report.scope.shared_file)
+    return [("scope", scope), *places, *done, *trust, ("costs", costs)]
 
 
 def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
     """Method for Algorithm 1: the compiled search."""
     tests = sum(row.tests or 0 for row in report.rows)
     wrong = sum(row.wrong_tests or 0 for row in report.rows)
-    verdict = "all rejected" if not wrong else f"{number(wrong)} CONFIRMED"
     scope = (
         f"every schedule of algorithm1 in {maps_words(report)}, from every vertex; transit on {way}"
     )
     costs = (
-        "worst: the most expensive schedule of the most expensive world; best: the largest cost "
-        "of the cheapest schedule of a world"
+        "worst: the most expensive schedule of the most expensive world; best: the cheapest "
+        "schedule of each world, of these the largest cost"
     )
     return [
         ("scope", scope),
         ("costs", costs),
-        ("tests", f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}"),
+        ("tests", _tests(tests, wrong)),
     ]
+
+
+def _tests(tests: int, wrong: int) -> str:
+    if not tests:
+        return "no hypothesis was false, so no test of one was walked"
+    verdict = "all rejected" if not wrong else f"{number(wrong)} CONFIRMED"
+    return f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}"
 
 
 _WAYS = {"shortest": "a shortest path", "simple": "any simple path"}

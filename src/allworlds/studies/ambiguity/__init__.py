@@ -25,7 +25,7 @@ Modules
 ``members``, ``lifting``, ``marked_code``
     the class of a world: its members, how they are made from the quotient, and their codes;
 ``marked_worlds``, ``sensed_worlds``
-    the census: every map with a marked vertex, or with any other lighthouse;
+    the census of a lighthouse, and its parts: worlds by what can be sensed in them;
 ``smt``
     the search by solvers for worlds that no motion tells apart.
 """
@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     )
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
+        CensusCell as CensusCell,
         CensusRow as CensusRow,
         CensusSweep as CensusSweep,
         census as census,

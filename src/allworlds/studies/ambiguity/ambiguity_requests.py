@@ -35,7 +35,7 @@ from allworlds.world import (
     LighthouseKind,
     Position,
     World,
-    lighthouse_kind,
+    tried_kind,
 )
 
 DEFAULT_LIMIT = 1000
@@ -55,7 +55,7 @@ class CensusRequest(
             f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}.",
             told=Annotated[Text, about("`KIND[:key=value,...]`")],
         ),
-    ] = Taken(lighthouse_kind, Position.kind)
+    ] = Taken(tried_kind, Position.kind)
 
 
 class AskedMembers(AskedClass):

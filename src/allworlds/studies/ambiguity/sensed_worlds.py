@@ -1,45 +1,87 @@
-"""The census of any lighthouse: all worlds, parted by what a robot could ever sense in them."""
+"""What a census brings: worlds, parted by what a robot could ever sense in them."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from typing import Any, Self
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias, TypeVar
 
 from allworlds.document import Natural
 from allworlds.engines import LevelUnit
 from allworlds.inputs import InputError
-from allworlds.maps import Extent, Labelled, Quotient, numbering, project, rooted_code
+from allworlds.maps import (
+    CombinatorialMap,
+    Disagreement,
+    Extent,
+    Labelled,
+    Quotient,
+    class_size,
+    is_ambiguous,
+    numbering,
+    project,
+    rooted_code,
+)
 from allworlds.protocol import Percept
+from allworlds.studies.ambiguity.marked_code import is_least_rooting
+from allworlds.studies.ambiguity.members import projection_of
 from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, twins
-from allworlds.world import InvalidWorld, LighthouseKind, World
+from allworlds.world import InvalidWorld, LighthouseKind, Position, World
 
 BATCH = 200
 """Maps after which a part of a unit is handed over."""
 
+Size: TypeAlias = tuple[int, int]
+"""The numbers of edges and of vertices."""
+
+Key = TypeVar("Key")
+
+
+@dataclass(slots=True)
+class SizeCounts:
+    """Counts of the worlds of some sizes.
+
+    Attributes:
+        marked_worlds: maps with a lighthouse in them, up to isomorphism.
+        ambiguous_worlds: those with a twin, of any size.
+        classes: parts with two or more members, one of which is among these worlds.
+        largest_class: the number of members of the largest of these parts; 0: there is none.
+    """
+
+    marked_worlds: int = 0
+    ambiguous_worlds: int = 0
+    classes: int = 0
+    largest_class: int = 0
+
+    def add(self, members: int, of: int) -> None:
+        """Add some worlds that are members of one part with ``of`` members."""
+        self.marked_worlds += members
+        if of > 1:
+            self.ambiguous_worlds += members
+            self.classes += 1
+            self.largest_class = max(self.largest_class, of)
+
 
 @dataclass(slots=True)
 class SensedParts:
-    """Counts and quotients of a part of a level.
+    """Counts and quotients of some worlds.
 
     Attributes:
         worlds: rooted maps.
-        parts: for each quotient the maps, with what is sensed in them, that have it: the document
-            of a world of each, up to isomorphism.
+        alone: by size, how many worlds there are of which it is known that they have no twin.
+        parts: for each quotient the other maps, with what is sensed in them, that have it: the
+            document of a world of each, up to isomorphism.
     """
 
-    worlds: Natural
-    parts: dict[str, dict[str, dict[str, Any]]]
-
-    @classmethod
-    def none(cls) -> Self:
-        """Of no map."""
-        return cls(0, {})
+    worlds: Natural = 0
+    alone: Counter[tuple[int, int]] = field(default_factory=Counter)
+    parts: dict[str, dict[str, dict[str, Any]]] = field(default_factory=dict)
 
     def add(self, other: SensedParts) -> None:
         """Add the counts of another part."""
         self.worlds += other.worlds
+        self.alone.update(other.alone)
         for quotient, worlds in other.parts.items():
             mine = self.parts.setdefault(quotient, {})
             for key, world in worlds.items():
@@ -53,42 +95,79 @@ class SensedParts:
         key = json.dumps([min(map(_quotient_code, roots)), told])
         self.parts.setdefault(key, {}).setdefault(_world_code(world), world.to_json())
 
-    @property
-    def marked_worlds(self) -> int:
-        """How many maps there are with a lighthouse in them, up to isomorphism."""
-        return sum(self.sizes)
+    def meet_marked(self, map_: CombinatorialMap) -> None:
+        """Take in a map with its root's vertex marked; of all roots there one is taken in.
 
-    @property
-    def sizes(self) -> list[int]:
-        """How many members each part has."""
-        return [len(worlds) for worlds in self.parts.values()]
+        Of such worlds the quotient alone tells whether there is a twin.
+        """
+        if not is_least_rooting(map_):
+            return
+        world = World(map_, Position(0), 0)
+        # A marked vertex of degree 1 is alone at what is sensed there, and so is every other one.
+        if map_.sigma[0] != 0 and is_ambiguous(projection_of(world).quotient):
+            self.meet(world)
+        else:
+            self.alone[map_.edge_count, map_.vertex_count] += 1
+
+    def counts(self, name: Callable[[Size], Key]) -> dict[Key, SizeCounts]:
+        """The counts of the worlds of each size, or of those whose sizes have one name."""
+        found: dict[Key, SizeCounts] = {}
+        for size, number in self.alone.items():
+            found.setdefault(name(size), SizeCounts()).marked_worlds += number
+        for worlds in self.parts.values():
+            names = Counter(name(_size(world)) for world in worlds.values())
+            for each, members in names.items():
+                found.setdefault(each, SizeCounts()).add(members, of=len(worlds))
+        return found
 
     def smallest_pair(self) -> ComparedWorlds | None:
         """Two worlds of one part, with the proof that no motion tells them apart."""
-        pairs = [sorted(worlds.items())[:2] for worlds in self.parts.values() if len(worlds) > 1]
+        pairs = [
+            sorted((_size(world), code) for code, world in worlds.items())[:2]
+            for worlds in self.parts.values()
+            if len(worlds) > 1
+        ]
         if not pairs:
             return None
-        (_, one), (_, other) = min(pairs)
-        return _apart(World.from_json(one), World.from_json(other))
+        one, other = min(pairs, key=lambda pair: pair[::-1])
+        (worlds,) = (w for w in self.parts.values() if one[1] in w and other[1] in w)
+        return _apart(*(World.from_json(worlds[code]) for _, code in (one, other)))
+
+    def ensure_counted(self) -> None:
+        """Raise Disagreement unless each class has as many members as Burnside's count says.
+
+        It counts all maps with a marked vertex that look alike.
+        """
+        for worlds in self.parts.values():
+            world = World.from_json(next(iter(worlds.values())))
+            quotient = projection_of(world).quotient
+            if len(worlds) != class_size(quotient):
+                raise Disagreement(
+                    f"{len(worlds)} worlds were met of a class of {class_size(quotient)}, "
+                    f"with the quotient {quotient}"
+                )
 
 
 @dataclass(frozen=True, slots=True)
 class PartBySensing:
-    """The engine of the census of any lighthouse."""
+    """The engine of the census."""
 
     extent: Extent
     kind: LighthouseKind
 
     def parts(self, unit: LevelUnit) -> Iterator[SensedParts]:
         """The maps of the unit, some at a time."""
-        met = SensedParts.none()
+        met, marked = SensedParts(), self.kind.name == Position.kind
         for map_ in unit.maps(self.extent):
             met.worlds += 1
-            for place in self.kind.as_class.places(map_, 0):
-                met.meet(World(map_, place, 0))
+            if marked:
+                met.meet_marked(map_)
+            else:
+                for place in self.kind.as_class.places(map_, 0):
+                    met.meet(World(map_, place, 0))
             if met.worlds == BATCH:
                 yield met
-                met = SensedParts.none()
+                met = SensedParts()
         yield met
 
 
@@ -99,6 +178,12 @@ def ensure_stands(kind: LighthouseKind) -> None:
             f"under the lighthouse {kind} the robot leaves marks itself, and a census is of what "
             "motions alone can tell apart; legal are lighthouses that stand where they are"
         )
+
+
+def _size(world: Mapping[str, Any]) -> Size:
+    """The size of a world, by its document."""
+    map_ = CombinatorialMap.trusted(tuple(world["sigma"]), tuple(world["alpha"]))
+    return map_.edge_count, map_.vertex_count
 
 
 def _label(percept: Percept) -> list[int]:

@@ -63,6 +63,10 @@ class ComparedWorlds(Report):
         Pair[Some[Percept]] | UnsetType,
         about("with the motions: for each world the percepts at the start and after each of them"),
     ] = UNSET
+    told: Annotated[
+        Pair[int | dict[str, int] | None] | UnsetType,
+        about("if that is different: what is told in each world before the start"),
+    ] = UNSET
     bisimulation: Annotated[
         Pair[Annotated[tuple[Natural, ...], narrowed(minItems=2)]] | UnsetType,
         about("if not: for each world the class of each dart"),
@@ -75,7 +79,7 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
 
     Raises:
         InputError: if the lighthouses are of different kinds: what is sensed is then no
-            matter of the worlds; or if they tell different things before the start.
+            matter of the worlds.
 
     Cost: O(m log m) where no motion can; else as many steps as pairs of darts are met.
     """
@@ -91,14 +95,12 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
             f"under the lighthouse {kinds[0]} the robot leaves marks itself, and twins are "
             "compared by motions alone; legal are lighthouses that stand where they are"
         )
-    if a.told != b.told:
-        raise InputError(
-            f"the lighthouse {kinds[0]} tells {a.told} in one world and {b.told} in the other: an "
-            "explorer knows which it is in before it moves"
-        )
     first, second = classes_of_union(*(Labelled(w.map, w.percepts, w.start) for w in (a, b)))
     proof: dict[str, Any]
-    if first[a.start] == second[b.start]:
+    if a.told != b.told:
+        proof = {"motions": (), "percepts": ((a.first,), (b.first,)), "told": (a.told, b.told)}
+        wrong = None
+    elif first[a.start] == second[b.start]:
         proof = {"bisimulation": (first, second)}
         wrong = flaw((a, b), (first, second))
     else:

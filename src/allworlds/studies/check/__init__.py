@@ -22,6 +22,8 @@
     findings, played again in fresh processes;
 ``report``
     the verdict with its scope;
+``shared_files``
+    files that hold an explorer, and code that judges it;
 ``most_expensive``
     the most expensive run of every size, played again.
 """
@@ -55,6 +57,10 @@ if TYPE_CHECKING:
         rules_known as rules_known,
         rules_record as rules_record,
         subject_of_record as subject_of_record,
+    )
+    from allworlds.studies.check.shared_files import (
+        SharedFile as SharedFile,
+        shared_file as shared_file,
     )
     from allworlds.studies.check.shielding import shield as shield
     from allworlds.studies.check.tally_sweep import TallySweep as TallySweep

@@ -65,5 +65,5 @@ def _rooted(world: object, number: int, request: CheckRequest) -> World:
 
 def _place(world: World) -> int:
     """The number of the lighthouse's place among all that the map has; 0 of another one."""
-    places = type(world.lighthouse).places(world.map, 0)
+    places = world.lighthouse.as_kind.places(world.map, 0)
     return next((i for i, place in enumerate(places) if place == world.lighthouse), 0)

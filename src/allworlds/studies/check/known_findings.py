@@ -7,8 +7,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document import Document, Text, about
-from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, confirmed, workers_for
+from allworlds.document import Document, IfAny, Text, about
+from allworlds.engines import (
+    GivenWorlds,
+    Limits,
+    PythonEngine,
+    Scope,
+    confirmed,
+    with_more_seeds_if_needed,
+    workers_for,
+)
 from allworlds.explorers import Subject
 from allworlds.judging import LAWS, Finding, file_name, kept_findings, write_finding
 from allworlds.maps import Extent, MapClass
@@ -23,6 +31,7 @@ class UserCorpus:
         reproduced: the files whose findings still stand, within the scope of the check.
         beyond: those that stand beyond it; they say nothing about the scope.
         fixed: the files whose worlds are no longer refuting; they are kept.
+        stale: the files that were not tried, since their lighthouse or judge has another text now.
         written: the files that this check has added.
     """
 
@@ -30,6 +39,7 @@ class UserCorpus:
     reproduced: list[str] = field(default_factory=list)
     beyond: list[str] = field(default_factory=list)
     fixed: list[str] = field(default_factory=list)
+    stale: list[str] = field(default_factory=list)
     written: list[str] = field(default_factory=list)
     _standing: list[Finding] = field(default_factory=list)
 
@@ -38,7 +48,9 @@ class UserCorpus:
 
         Each finding is tried by itself, so that one that is lost does no harm to others.
         """
-        for kept in kept_findings(self.directory):
+        past = kept_findings(self.directory)
+        self.stale = past.stale
+        for kept in past.kept:
             found = _retry(kept.finding, subject, limits)
             if found is None:
                 self.fixed.append(kept.name)
@@ -57,6 +69,7 @@ class UserCorpus:
             reproduced=tuple(self.reproduced),
             beyond_scope=tuple(self.beyond),
             fixed=tuple(self.fixed),
+            stale=tuple(self.stale),
             written=tuple(self.written),
         )
 
@@ -86,6 +99,10 @@ class CorpusReport(Document):
     fixed: Annotated[
         tuple[Text, ...], about("the files whose worlds no longer refute; they are kept")
     ]
+    stale: Annotated[
+        IfAny[tuple[Text, ...]],
+        about("the files that were not tried: their lighthouse or judge has another text now"),
+    ]
     written: Annotated[tuple[Text, ...], about("the files that this check has added")]
 
 
@@ -94,6 +111,7 @@ def is_inside(finding: Finding, scope: Scope) -> bool:
     rules, own, world = scope.rules, finding.rules, finding.world
     return (
         scope.extent.include(world.map)
+        and own.task == rules.task
         and world.lighthouse in rules.kind.places(world.map, world.start)
         and (finding.law not in LAWS or finding.law in rules.applying)
         and (finding.law != "bound" or own.the_bound.name == rules.the_bound.name)
@@ -107,9 +125,13 @@ def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None
     every = subject.takes_choices and finding.rules.policy == "fifo" and any(finding.choices)
     extent = Extent(MapClass.MAPS, finding.world.map.edge_count)
     scope = Scope(extent, finding.rules, "all" if every else "one")
-    with workers_for(subject, limits, limits.deadline()) as workers:
-        world = GivenWorlds(((finding.world, finding.place),))
-        for part in workers.map(PythonEngine(scope, keep=1), [world]):
-            for found in part.result.findings:
-                return confirmed(found, subject, limits, scope.schedules)
-    return None
+
+    def found_in(scope: Scope) -> Finding | None:
+        with workers_for(subject, limits, limits.deadline()) as workers:
+            world = GivenWorlds(((finding.world, finding.place),))
+            for part in workers.map(PythonEngine(scope, keep=1), [world]):
+                for found in part.result.findings:
+                    return confirmed(found, subject, limits, scope.schedules)
+        return None
+
+    return with_more_seeds_if_needed(found_in, scope)

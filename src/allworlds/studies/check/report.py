@@ -23,6 +23,7 @@ from allworlds.document import (
     computed,
 )
 from allworlds.engines import (
+    GOES_BY_HASHES,
     EndedReport,
     EngineName,
     Given,
@@ -36,14 +37,13 @@ from allworlds.engines import (
     told_scope,
     tried_places,
 )
-from allworlds.explorers import files_of_explorer
-from allworlds.judging import Finding
+from allworlds.judging import Finding, checked_laws
 from allworlds.maps import Extent, source_of
 from allworlds.outcome import Completed, Verdict
 from allworlds.studies.check.gate import GateCell
 from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
 from allworlds.studies.check.requests import CheckRequest
-from allworlds.world import files_of_condition
+from allworlds.studies.check.shared_files import SharedFile, shared_file
 
 
 class SampleReport(Document):
@@ -63,9 +63,7 @@ class CheckedScope(Document, of=CheckRequest):
     """The scope of a check: every option that its counts and its verdict depend on."""
 
     places: TriedPlaces
-    shared_file: Annotated[
-        IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")
-    ]
+    shared_file: SharedFile
     shard: WhichShard
     sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
     given: Annotated[
@@ -187,7 +185,12 @@ class CheckReport(EndedReport):
     @override
     def empty(self) -> bool:
         lacking = isinstance(self.ending, Completed) and self.ending.missing
-        return not self.tally.runs or bool(lacking)
+        return not self.checked_laws or bool(lacking)
+
+    @property
+    def checked_laws(self) -> tuple[str, ...]:
+        """The laws of which something was checked."""
+        return checked_laws(self.asked.rules.judged, self.tally.runs, self.tally.checkpoints)
 
     @property
     def judged(self) -> Verdict:
@@ -216,7 +219,7 @@ class CheckReport(EndedReport):
             rules,
             edges=extent.edges,
             places=tried_places(rules.lighthouse, extent),
-            shared_file=shared_file(self.explorer, self.asked),
+            shared_file=shared_file(self.explorer, rules, extent.where),
             shard=str(self.portion),
             sample=sample,
             given=len(coverage.worlds) if isinstance(coverage, Given) else None,
@@ -226,18 +229,6 @@ class CheckReport(EndedReport):
             finished_levels=self.levels,
             stopped=self.ending.reason or None,
         )
-
-
-def shared_file(explorer: str, scope: Scope) -> str:
-    """The name of the explorer's file where code that judges it stands there, too; else empty.
-
-    Such code runs where verdicts are made, and could make one.
-    """
-    files = (*scope.rules.files, *files_of_condition(scope.extent.where))
-    if not files:
-        return ""
-    theirs = {file.resolve() for file in files_of_explorer(explorer)}
-    return next((file.name for file in files if file in theirs), "")
 
 
 def _rows(tally: Tally) -> Iterator[CheckRow]:
@@ -256,5 +247,9 @@ def _rows(tally: Tally) -> Iterator[CheckRow]:
 
 
 def _remarks(tally: Tally) -> Iterator[str]:
+    more_than_hashes = any(found.law == "nondeterministic" for found in tally.findings)
     for text, times in sorted(tally.remarks.items()):
-        yield text if times == 1 else f"{text} ({times} times)"
+        if text != GOES_BY_HASHES:
+            yield text if times == 1 else f"{text} ({times} times)"
+        elif not more_than_hashes:
+            yield text

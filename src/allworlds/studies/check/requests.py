@@ -26,7 +26,7 @@ from allworlds.inputs import (
     integer_of,
     show,
 )
-from allworlds.judging import AskedRules, Rules
+from allworlds.judging import Among, AskedRules, Rules
 from allworlds.maps import DEFAULT_EDGES, AskedClass, AskedExtent, Extent
 from allworlds.protocol import Schedule, a_schedule
 from allworlds.world import AskedLighthouse, AskedWhere, World
@@ -42,7 +42,8 @@ class ManyWorlds(AskedListener, Limits, AskedRules, AskedLighthouse, AskedClass)
             InputError: naming the offending option and what would be legal.
         """
         lighthouse = self.lighthouse or subject.lighthouse
-        return self.rules_of(subject, lighthouse, promised=self.map_class.promises)
+        among = Among.of(getattr(self, "where", None))
+        return self.rules_of(subject, lighthouse, promised=self.map_class.promises, among=among)
 
 
 class ManyRuns(ManyWorlds, AskedExplorer):
@@ -106,7 +107,7 @@ class CheckRequest(AskedDirectory, EstimateRequest):
         Option(
             EFFORT,
             "K",
-            "Stop after whole levels with K findings, the smallest of each law and map.",
+            "Stop after the level with the K-th finding (the smallest of each law and map counts).",
             parse=integer_of,
         ),
     ] = Taken(_max_findings, 1)

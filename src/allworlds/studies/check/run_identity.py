@@ -8,7 +8,7 @@ from typing import Any
 
 from allworlds.explorers import Subject, content_digest, subject_known
 from allworlds.inputs import as_json, meant
-from allworlds.judging import AskedRules, Rules
+from allworlds.judging import Among, AskedRules, Rules
 
 
 def parameters_of(request: object, rules: Rules) -> dict[str, Any]:
@@ -28,7 +28,8 @@ def rules_known(request: object, told: Mapping[str, Any]) -> Rules:
     asked = {name: getattr(request, name) for name in names if hasattr(request, name)}
     asked["step_budget"] = told["step_budget"]
     promised, own_bound = told["promised"], told["own_bound"]
-    return Rules(told["lighthouse"], promised=promised, own_bound=own_bound, **asked)
+    among = Among.of(getattr(request, "where", None))
+    return Rules(told["lighthouse"], promised=promised, own_bound=own_bound, among=among, **asked)
 
 
 def record_of(subject: Subject) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any, TypeVar
 
 from typing_extensions import override
@@ -50,6 +51,12 @@ class TallySweep(Sweep[Tally, Answer]):
     @override
     def explorer(self) -> dict[str, Any]:
         return record_of(self.job.subject)
+
+    @property
+    def seeded(self) -> Job:
+        """The job, with more hash seeds if that is needed."""
+        scope = replace(self.scope, more_seeds=self.more_seeds)
+        return replace(self.job, scope=scope)
 
     @override
     def levels(self) -> Iterable[SweptLevel]:

@@ -29,12 +29,9 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.studies.compare.climb import (
         GrowingWorlds as GrowingWorlds,
-        first_place as first_place,
+        drawn_places as drawn_places,
     )
-    from allworlds.studies.compare.compare_request import (
-        By as By,
-        CompareRequest as CompareRequest,
-    )
+    from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
     from allworlds.studies.compare.comparison import (
         ComparedRow as ComparedRow,
         Comparison as Comparison,
@@ -48,6 +45,7 @@ if TYPE_CHECKING:
     from allworlds.studies.compare.contestants import Contestant as Contestant
     from allworlds.studies.compare.growing_families import Member as Member
     from allworlds.studies.compare.growth import (
+        CostRatio as CostRatio,
         Exponent as Exponent,
         GrowRow as GrowRow,
         Growth as Growth,

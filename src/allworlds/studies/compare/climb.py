@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from random import Random
+from typing import Self
 
 from typing_extensions import override
 
@@ -18,7 +19,7 @@ from allworlds.engines import (
     key_of,
 )
 from allworlds.inputs import InputError, an_integer, show
-from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of
+from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of, rootings
 from allworlds.outcome import Ending
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.contestants import Contest, Contestant
@@ -78,11 +79,6 @@ def drawn_places(member: Member, places: int, most: int) -> Sequence[int]:
     return sorted(Random(f"places/{member.name}").sample(range(places), most))  # noqa: S311  # reproducible, not secret
 
 
-def first_place(_: Member, __: int) -> Sequence[int]:
-    """The number of the first place alone."""
-    return (0,)
-
-
 @dataclass(frozen=True, slots=True)
 class _Size:
     """The members of a family of one size.
@@ -92,16 +88,32 @@ class _Size:
         family: its name.
         seeds: the number of members that were drawn.
         maps: those of the different members that are walked in.
+        drawn_from: the number of different members that seeds draw; None if it is not known.
     """
 
     number: int
     family: str
     seeds: int
     maps: Mapping[Member, CombinatorialMap]
+    drawn_from: int | None
+
+    @classmethod
+    def of(cls, number: int, family: str, members: Sequence[Member]) -> Self:
+        """The size with these members."""
+        member, map_ = next(iter((maps := distinct(members)).items()))
+        drawn_from = rootings(member.text, map_, member.holes)
+        return cls(number, family, len(members), maps, drawn_from)
+
+    @property
+    def edges(self) -> int:
+        """The edges of a member before holes are made."""
+        return edges_of(next(iter(self.maps)).text)
 
 
 class GrowingWorlds(Contest[Growth]):
-    """The sweep of explorers through growing worlds, family by family and size by size.
+    """The sweep of explorers through growing worlds, from the smallest size of any family on.
+
+    So what is finished when the time is up is a part of each family.
 
     Args:
         contestants: who walks.
@@ -119,17 +131,19 @@ class GrowingWorlds(Contest[Growth]):
         choose: Callable[[Member, int], Sequence[int]],
     ) -> None:
         self._families, self._choose = tuple(ladders), choose
-        self._sizes = [
-            _Size(number, family, len(members), distinct(members))
+        sizes = [
+            _Size.of(number, family, members)
             for number, (family, ladder) in enumerate(ladders.items())
             for members in ladder
         ]
+        self._sizes = sorted(sizes, key=lambda size: size.edges)
         edges = [edges_of(member.text) for size in self._sizes for member in size.maps]
         super().__init__(contestants, request, Extent(MapClass.MAPS, max(edges)))
         self._mine = set(range(len(edges)))
         if isinstance(self.portion, Shard):
             self._mine = set(dealt([m * m for m in edges], self.portion))
         self._rows: list[GrowRow] = []
+        self._begun: list[GrowRow] = []
         self._left_out = 0
 
     @override
@@ -168,47 +182,64 @@ class GrowingWorlds(Contest[Growth]):
         return size.number
 
     @override
+    def forget(self) -> None:
+        super().forget()
+        self._rows.clear()
+        self._left_out = 0
+
+    @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> None:
-        for number, one in enumerate(self.contestants):
-            self._rows += self._row(one, level.of, total.one(number))
-        self.leave(level, total)
+        self._rows += self._rows_of(level.of, total)
+        for one in self.contestants:
+            chosen = (self._chosen(one, *member) for member in level.of.maps.items())
+            self._left_out += sum(not ran for _, ran in chosen)
+        super().leave(level, total)
+
+    @override
+    def leave(self, level: SweptLevel, total: CostsOfAll) -> None:
+        self._begun += self._rows_of(level.of, total)
+        super().leave(level, total)
 
     @override
     def report(self, ending: Ending) -> Growth:
         return Growth(
             **self.contest(ending),
             families=self._families,
-            rows=tuple(self._rows),
+            rows=tuple(sorted(self._rows, key=lambda row: self._families.index(row.family))),
+            begun=tuple(self._begun),
             left_out=self._left_out,
         )
 
-    def _row(self, one: Contestant, size: _Size, tally: CostTally) -> Iterator[GrowRow]:
-        """The row of a size, if the lighthouse has a place in one of its members."""
-        members = []
+    def _rows_of(self, size: _Size, total: CostsOfAll) -> Iterator[GrowRow]:
+        """The row of each contestant that was run in every chosen place of one of the members."""
+        for number, one in enumerate(self.contestants):
+            members = [*self._members(one, size, total.one(number))]
+            if members:
+                all_run = len(size.maps) == size.drawn_from
+                first = next(map_ for m, map_ in size.maps.items() if m.name == members[0].name)
+                yield GrowRow(
+                    family=size.family,
+                    edges=first.edge_count,
+                    vertices=first.vertex_count,
+                    explorer=one.name,
+                    seeds=size.seeds,
+                    drawn_from=size.drawn_from,
+                    exact=all_run and all(len(m.ran) == m.places for m in members),
+                    members=tuple(members),
+                )
+
+    def _members(self, one: Contestant, size: _Size, tally: CostTally) -> Iterator[GrownWorld]:
+        """The members of a size in which the contestant was run in every chosen place."""
         for member, map_ in size.maps.items():
             places, ran = self._chosen(one, member, map_)
-            if not ran:
-                self._left_out += 1
-                continue
-            costs = [tally.costs[key_of(map_), i].most_expensive for i, _ in ran]
-            bound = one.rules.the_bound.of(map_, 0)
-            members.append(
-                GrownWorld(
+            costs = [tally.costs.get((key_of(map_), i)) for i, _ in ran]
+            known = [cost.most_expensive for cost in costs if cost is not None]
+            if ran and len(known) == len(ran):
+                yield GrownWorld(
                     name=member.name,
                     edges=map_.edge_count,
                     places=places,
                     ran=tuple(i for i, _ in ran),
-                    costs=tuple(costs),
-                    bound=bound,
+                    costs=tuple(known),
+                    bound=one.rules.the_bound.of(map_, 0),
                 )
-            )
-        if members:
-            first = next(map_ for m, map_ in size.maps.items() if m.name == members[0].name)
-            yield GrowRow(
-                family=size.family,
-                edges=first.edge_count,
-                vertices=first.vertex_count,
-                explorer=one.name,
-                seeds=size.seeds,
-                members=tuple(members),
-            )

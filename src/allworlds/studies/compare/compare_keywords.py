@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import TypedDict
 
 from allworlds.engines import Listener, Portion
-from allworlds.judging import Bound, Task
+from allworlds.judging import Bound, Judge, Task
 from allworlds.maps import Condition
-from allworlds.world import GivenLighthouse
+from allworlds.world import GivenLighthouse, Predicate
 
 
 class SameWorldsKeywords(TypedDict, total=False):
@@ -22,13 +22,13 @@ class SameWorldsKeywords(TypedDict, total=False):
     edges: int | None
     vertices: int | None
     map_class: str
-    where: str | Condition | Sequence[str | Condition] | None
+    where: str | Predicate | Condition | Sequence[str | Predicate | Condition] | None
     family: str | Sequence[str] | None
     holes: str | None
     seed: int | None
     shard: tuple[int, int] | Portion | None
     lighthouse: GivenLighthouse | None
-    task: str | Task
+    task: str | Judge | Task
     policy: str
     bound: str | int | Bound | None
     laws: Iterable[str] | None

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any
 
 from allworlds.document import Natural, Positive, Some, Text, about
-from allworlds.engines import AskedCluster, AskedDirectory, AskedShard
+from allworlds.engines import AskedCluster, AskedDirectory, AskedRows, AskedShard
 from allworlds.explorers import ExplorersWords
 from allworlds.inputs import (
-    OUTPUT,
     SCOPE,
     InputError,
     Named,
@@ -22,15 +21,6 @@ from allworlds.inputs import (
 from allworlds.maps import FORMS, AskedExtent
 from allworlds.studies.check import ManyWorlds
 from allworlds.world import HOLES, AskedWhere
-
-By: TypeAlias = Literal["world", "run"]
-"""Rows for programs: one for each world, or each run, and explorer."""
-
-
-def _by(given: str | None) -> By | None:
-    if given in (None, "world", "run"):
-        return given  # type: ignore[return-value]  # one of the three
-    raise InputError(f"by {show(given)} is not one of world, run")
 
 
 def _families(given: object) -> tuple[str, ...] | None:
@@ -119,7 +109,9 @@ class AskedContestWorlds(AskedWhere, AskedExtent):
     ] = None
 
 
-class CompareRequest(AskedDirectory, AskedCluster, ManyWorlds, AskedShard, AskedContestWorlds):
+class CompareRequest(
+    AskedRows, AskedDirectory, AskedCluster, ManyWorlds, AskedShard, AskedContestWorlds
+):
     """Explorers, and the worlds in which they are compared."""
 
     explorers: Annotated[
@@ -130,13 +122,3 @@ class CompareRequest(AskedDirectory, AskedCluster, ManyWorlds, AskedShard, Asked
             "or more.",
         ),
     ] = ()
-    by: Annotated[
-        Taken[str | None, By | None],
-        Option(
-            OUTPUT,
-            "world|run",
-            "Rows of --csv: one for each world, or each run, and explorer [default: by size; with "
-            "--to by run].",
-            apart=True,
-        ),
-    ] = Taken(_by, None)

@@ -11,9 +11,11 @@ from typing_extensions import override
 
 from allworlds.document import Aside, Document, Edges, Figure, Natural, Positive, Vertices, about
 from allworlds.engines import SingleRun, single_run
+from allworlds.inputs import InputError
 from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.studies.compare.growing_families import Member
 from allworlds.studies.compare.in_world import InWorld
+from allworlds.studies.compare.intervals import geometric_mean
 from allworlds.world import World
 
 
@@ -47,7 +49,10 @@ class ComparedRow(Document):
     worst: Annotated[dict[str, Natural], about("for each explorer the largest cost of a run")]
     ratio: Annotated[
         dict[str, Figure | None],
-        about("the mean divided by that of the first; null where that is 0"),
+        about(
+            "for each explorer its mean in a map divided by that of the first there: the geometric "
+            "mean over these maps; null where one is 0"
+        ),
     ]
     less: Annotated[
         dict[str, Natural], about("in how many maps the first one's mean is less than this one's")
@@ -88,6 +93,17 @@ class Comparison(ContestReport):
     def agrees(self) -> bool:
         return self.all_counted
 
+    @property
+    def worlds_kept(self) -> tuple[InWorld, ...]:
+        """The runs in each world.
+
+        Raises:
+            InputError: if they were not kept.
+        """
+        if self.rows and not self.in_worlds:
+            raise InputError(f"by {self.by}: these rows are kept if compare has this option")
+        return self.in_worlds
+
     def walks(self) -> Iterator[SingleRun]:
         """A run of each explorer in the world that differs most, at the first place."""
         if self.differ_most is None:
@@ -112,6 +128,13 @@ def row_of(edges: int, vertices: int, maps: Sequence[Mapping[str, InMap]]) -> Co
             for name in others
         }
 
+    def ratio(name: str) -> float | None:
+        means = [(costs[name].mean, costs[first].mean) for costs in maps]
+        if not all(mine and beside for mine, beside in means):
+            return None
+        found = geometric_mean([float(mine / beside) for mine, beside in means])
+        return found and round(found[0], 6)
+
     mean = {n: sum((costs[n].mean for costs in maps), Fraction(0)) / len(maps) for n in maps[0]}
     return ComparedRow(
         edges=edges,
@@ -120,7 +143,7 @@ def row_of(edges: int, vertices: int, maps: Sequence[Mapping[str, InMap]]) -> Co
         runs=sum(cost.runs for costs in maps for cost in costs.values()),
         mean={name: rounded(cost) for name, cost in mean.items()},
         worst={n: max(costs[n].worst for costs in maps) for n in maps[0]},
-        ratio={n: rounded(cost / mean[first]) if mean[first] else None for n, cost in mean.items()},
+        ratio={name: ratio(name) for name in maps[0]},
         less=times(lambda a, b: a < b),
         equal=times(lambda a, b: a == b),
         more=times(lambda a, b: a > b),

@@ -199,12 +199,20 @@ class SameWorlds(Contest[Comparison]):
         return tuple((World(self._map, lighthouse, 0), place) for place, lighthouse in places)
 
     @override
+    def forget(self) -> None:
+        super().forget()
+        self._rows.clear()
+        self._gate.clear()
+        self._in_worlds.clear()
+        self._most = None
+
+    @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:
         if self._map is None and self.portion == WHOLE:
             self._gate += count_gate(self.bounds, level.edges, total.one(0))
         tallies = [total.one(number) for number in range(len(self.contestants))]
         shared = self._compare([in_maps(tally) for tally in tallies])
-        if self.request.by is not None:
+        if self.request.by in ("world", "run"):
             self._in_worlds += self._runs(tallies, shared)
         self.leave(level, total)
         return Stopped("a law is broken", final=True) if total.findings else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from typing_extensions import override
 
@@ -15,17 +15,21 @@ from allworlds.document import (
     WhichShard,
     about,
     computed,
+    replace,
 )
 from allworlds.engines import (
+    By,
     SweptExit,
     SweptReport,
     TriedPlaces,
+    by_named,
     told_scope,
     tried_places,
 )
 from allworlds.judging import AskedRules, Finding
 from allworlds.outcome import Verdict
-from allworlds.studies.compare.compare_request import AskedContestWorlds, By
+from allworlds.studies.check import SharedFile, shared_file
+from allworlds.studies.compare.compare_request import AskedContestWorlds
 from allworlds.studies.compare.contestants import Contestant
 from allworlds.world import AskedLighthouse
 
@@ -40,6 +44,7 @@ class Compared(ComparedName, of=(AskedLighthouse, AskedRules)):
     """An explorer of a comparison, with the rules of its runs."""
 
     places: TriedPlaces
+    shared_file: SharedFile
 
 
 class ContestScope(Document, of=AskedContestWorlds):
@@ -85,8 +90,28 @@ class ContestReport(SweptReport):
         """The names of the explorers."""
         return [one.name for one in self.contestants]
 
+    @override
+    def records(self, by: str | None = None) -> list[dict[str, Any]]:
+        """The rows of ``--csv``, by the names of their columns: ``pandas.DataFrame`` takes them.
+
+        Args:
+            by: ``size``, ``world`` or ``run``, as in the request; by default as was asked for.
+
+        Raises:
+            InputError: for another word, or for rows that were not kept.
+        """
+        found = self if by is None else replace(self, by=by_named(by))
+        return super(ContestReport, found).records()
+
+    def shared_file(self, one: Contestant) -> str:
+        """The file of an explorer from which code that judges it is loaded; else empty."""
+        return shared_file(one.subject.name, one.rules, self.extent.where)
+
     def compared_one(self, one: Contestant) -> Compared:
         """The part of the document that tells of an explorer."""
         return Compared(
-            name=one.name, **one.rules.told, places=tried_places(one.rules.lighthouse, self.extent)
+            name=one.name,
+            **one.rules.told,
+            places=tried_places(one.rules.lighthouse, self.extent),
+            shared_file=self.shared_file(one),
         )

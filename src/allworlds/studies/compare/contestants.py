@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from typing_extensions import override
 
 from allworlds.engines import (
     WHOLE,
+    By,
     CostEngine,
     CostTally,
     Job,
@@ -127,13 +128,19 @@ class Contest(Sweep[CostsOfAll, Answer]):
     @override
     def ready(self) -> ReadyEngine:
         limits, cluster, notice = self.request.limits, self.request.cluster, self.listener.notice
-        scopes = [one.scope(self.bounds) for one in self.contestants]
+        scopes = [
+            replace(one.scope(self.bounds), more_seeds=self.more_seeds) for one in self.contestants
+        ]
         jobs = [
             Job(scope, one.subject, limits, 1, self.deadline, notice, cluster)
             for one, scope in zip(self.contestants, scopes, strict=True)
         ]
         engines = [CostEngine(scope, 1) for scope in scopes]
         return ReadyEngine(SideBySide([players_for(job) for job in jobs]), engines)
+
+    @override
+    def forget(self) -> None:
+        self._found.clear()
 
     @override
     def empty(self) -> CostsOfAll:
@@ -154,6 +161,10 @@ class Contest(Sweep[CostsOfAll, Answer]):
             known = self._found.setdefault((self.group(level), number), CostTally(keep=1))
             for found in tally.findings:
                 known.find(found)
+
+    @override
+    def list_by(self, by: By) -> None:
+        self.request = replace(self.request, by=by)
 
     def contest(self, ending: Ending) -> dict[str, Any]:
         """Return the keywords of the report of any contest."""

@@ -41,7 +41,8 @@ from allworlds.studies.compare.intervals import (
 Range: TypeAlias = Annotated[
     Pair[Figure] | None,
     about(
-        f"by a bootstrap over the worlds, at {LEVEL:.0%}; null: fewer than {LEAST_WORLDS} worlds"
+        f"by a bootstrap over the worlds, at {LEVEL:.0%}; null: exact, or fewer than "
+        f"{LEAST_WORLDS} worlds"
     ),
 ]
 """An interval of a row."""
@@ -75,6 +76,10 @@ class GrowRow(Document):
     vertices: Annotated[Positive, about("of the first member")]
     explorer: Annotated[Text, about("its name")]
     seeds: Annotated[Positive, about("members that were drawn; isomorphic ones count once")]
+    drawn_from: Annotated[
+        Positive | None,
+        about("different rooted maps that seeds draw; null: they draw more than the start"),
+    ]
     worlds: Annotated[Positive, about("different rooted maps among them")] = computed(
         lambda row: len(row.members)
     )
@@ -87,8 +92,9 @@ class GrowRow(Document):
     mean: Annotated[
         Figure, about("traversals: over the worlds, in each over the places of its runs")
     ] = computed(lambda row: round(_mean(row), 6))
+    exact: Annotated[bool, about("every world that seeds draw was run, in every place")]
     interval: Annotated[Range, about("of the mean")] = computed(
-        lambda row: _rounded(mean_interval(row.means))
+        lambda row: None if row.exact else _rounded(mean_interval(row.means))
     )
     least: Annotated[Natural, about("traversals of a run")] = computed(
         lambda row: min(min(one.costs) for one in row.members)
@@ -115,6 +121,7 @@ class CostRatio(Document):
     explorer: Annotated[Text, about("its name")]
     worlds: Annotated[Positive, about("in which both were run")]
     ratio: Annotated[Figure, about("the geometric mean of the ratios in these worlds")]
+    exact: Annotated[bool, about("in every world that seeds draw, in every place")]
     interval: Annotated[Range, about("of the ratio")]
 
 
@@ -139,9 +146,12 @@ class Exponent(Document):
     exponent: Annotated[
         float, about("fitted to all worlds of all sizes, by least squares of logarithms")
     ] = computed(lambda one: round(one.fit.exponent, 3))
+    exact: Annotated[bool, about("fitted to every world that seeds draw of these sizes")]
     interval: Annotated[
         Pair[float] | None,
-        about(f"by a bootstrap over the worlds of each size, at {LEVEL:.0%}; null: too few worlds"),
+        about(
+            f"by a bootstrap over the worlds of each size, at {LEVEL:.0%}; null: exact, or too few"
+        ),
     ] = computed(lambda one: _rounded(one.fit.interval, 3))
     residual: Annotated[
         Figure, about("standard deviation of the logarithm of the cost about the law")
@@ -166,7 +176,8 @@ class Exponent(Document):
 class Growth(ContestReport):
     """Report of 'compare --to'.
 
-    Explorers in worlds that grow.
+    Explorers in worlds that grow. ``begun`` holds the worlds that were finished of a size that was
+    not, as rows for programs have them.
     """
 
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
@@ -178,6 +189,7 @@ class Growth(ContestReport):
     ] = computed(lambda report: tuple(_ratios(report)))
     left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
     families: Aside[tuple[str, ...]]
+    begun: Aside[tuple[GrowRow, ...]] = ()
 
     @property
     @override
@@ -185,25 +197,30 @@ class Growth(ContestReport):
         return self.facts.sample_verdict
 
     def in_worlds(self) -> Iterator[InWorld]:
-        """The runs in each world, row by row.
+        """The runs in each world, row by row; those of a size that was not finished come last.
 
         Cost: each world is built once again.
         """
-        named = {one.name: one for row in self.rows for one in row.members}
+        every = *self.rows, *self.begun
+        named = {one.name: one for row in every for one in row.members}
         built = {name: one.map() for name, one in named.items()}
-        for row in self.rows:
+        for number, row in enumerate(every):
             for one in row.members:
                 costs = dict(zip(one.ran, one.costs, strict=True))
-                yield InWorld(built[one.name], one.name, row.explorer, costs, one.places, one.bound)
+                map_, finished = built[one.name], number < len(self.rows)
+                told = costs, one.places, one.bound, row.drawn_from, finished
+                yield InWorld(map_, one.name, row.explorer, *told)
 
 
 def _exponents(report: Growth) -> Iterator[Exponent]:
     for family in report.families:
         for name in report.names:
             rows = [r for r in report.rows if (r.family, r.explorer) == (family, name)]
-            fit = power_law({row.edges: row.means for row in rows})
+            exact = {row.edges for row in rows if row.exact}
+            fit = power_law({row.edges: row.means for row in rows}, exact)
             if fit is not None:
-                yield Exponent(family=family, explorer=name, fit=fit)
+                every = len(exact) == len(rows)
+                yield Exponent(family=family, explorer=name, exact=every, fit=fit)
 
 
 def _ratios(report: Growth) -> Iterator[CostRatio]:
@@ -215,13 +232,15 @@ def _ratios(report: Growth) -> Iterator[CostRatio]:
         costs = {one.name: one.mean for one in beside.members}
         ratios = [one.mean / costs[one.name] for one in row.members if costs.get(one.name)]
         if ratios and (mean := geometric_mean(ratios)) is not None:
+            exact = row.exact and beside.exact and len(ratios) == len(row.members) == len(costs)
             yield CostRatio(
                 family=row.family,
                 edges=row.edges,
                 explorer=row.explorer,
                 worlds=len(ratios),
                 ratio=round(mean[0], 6),
-                interval=_rounded(mean[1]),
+                exact=exact,
+                interval=None if exact else _rounded(mean[1]),
             )
 
 

@@ -18,6 +18,8 @@ class InWorld(NamedTuple):
         costs: traversals by the number of the lighthouse's place.
         places: the number of all places.
         bound: on the traversals of a run, the same in each place; None without one.
+        drawn_from: the number of different worlds of this size that seeds draw, where it is known.
+        finished: all worlds of this size were run.
     """
 
     map: CombinatorialMap
@@ -26,6 +28,8 @@ class InWorld(NamedTuple):
     costs: Mapping[int, int]
     places: int
     bound: int | None
+    drawn_from: int | None = None
+    finished: bool = True
 
     @property
     def mean(self) -> float:

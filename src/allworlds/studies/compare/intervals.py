@@ -1,6 +1,7 @@
 """Intervals of means, ratios and exponents by the bootstrap over worlds.
 
-The worlds of one size are a sample.  A *bootstrap* draws as many worlds again from these, with
+The worlds of one size are a sample, unless they are all there are: then their mean is exact, and
+has no interval.  A *bootstrap* draws as many worlds again from these, with
 repetition, :data:`DRAWS` times, and takes the middle of the values found.  Small samples make a
 plain bootstrap too narrow, so that the tails that are cut off are made smaller, by the factor that
 turns the plain interval of a normal population into Student's.  Of normal samples of 5 worlds 93%
@@ -13,7 +14,7 @@ Source: T. C. Hesterberg, What Teachers Should Know About the Bootstrap, The Ame
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import atan, cos, exp, fsum, log, pi, sin, sqrt
@@ -41,7 +42,8 @@ class PowerLaw:
 
     Attributes:
         exponent: its slope.
-        interval: of the exponent, with a sample of each size; None for too few worlds.
+        interval: of the exponent, with a sample of each size that is not exact; None for too few
+            worlds, or if all are exact.
         residual: the standard deviation of log cost about the line, over all worlds.
         distances: by the number of edges, how far the geometric mean of the costs is from the
             line, as a share: 0.1 is a tenth above it.
@@ -85,11 +87,12 @@ def geometric_mean(values: Sequence[float]) -> tuple[float, Interval | None] | N
     return exp(fsum(logs) / len(logs)), found
 
 
-def power_law(costs: Mapping[int, Sequence[float]]) -> PowerLaw | None:
+def power_law(costs: Mapping[int, Sequence[float]], exact: Collection[int] = ()) -> PowerLaw | None:
     """The power law that fits these costs best.
 
     Args:
         costs: by the number of edges, the cost in each world.
+        exact: the numbers of edges of which every world is there.
 
     Returns:
         The law; None for fewer than two sizes, or if a cost is 0.
@@ -110,25 +113,26 @@ def power_law(costs: Mapping[int, Sequence[float]]) -> PowerLaw | None:
     squares = fsum((y - height - slope * x) ** 2 for x, y in every)
     return PowerLaw(
         exponent=slope,
-        interval=_slope_interval(logs, weights),
+        interval=_slope_interval(logs, weights, exact),
         residual=sqrt(squares / (len(every) - 2)) if len(every) > 2 else 0.0,
         distances={edges: exp(distance) - 1 for edges, distance in off.items()},
-        fits=all(_near(logs[edges], distance) for edges, distance in off.items()),
+        fits=all(_near(logs[m], distance, m in exact) for m, distance in off.items()),
     )
 
 
-def _near(logs: Sequence[float], distance: float) -> bool:
+def _near(logs: Sequence[float], distance: float, exact: bool) -> bool:
     if abs(distance) <= log(1 + NEAR):
         return True
-    interval = mean_interval(logs)
+    interval = None if exact else mean_interval(logs)
     line = _mean(logs) - distance
     return interval is not None and interval[0] <= line <= interval[1]
 
 
 def _slope_interval(
-    logs: Mapping[int, Sequence[float]], weights: Mapping[int, float]
+    logs: Mapping[int, Sequence[float]], weights: Mapping[int, float], exact: Collection[int]
 ) -> Interval | None:
-    """The interval of the slope: each size is a sample of its own, or a single world."""
+    """The interval of the slope: each size is a sample of its own, a single world, or exact."""
+    logs = {m: [_mean(ys)] if m in exact else ys for m, ys in logs.items()}
     samples = [len(ys) for ys in logs.values() if len(ys) > 1]
     if sum(samples) - len(samples) < LEAST_WORLDS - 1:
         return None

@@ -22,6 +22,7 @@ from allworlds.document import (
     computed,
 )
 from allworlds.engines import (
+    COMPILER,
     GATE,
     WHOLE,
     LevelUnit,
@@ -33,7 +34,7 @@ from allworlds.engines import (
     here_or,
     told_scope,
 )
-from allworlds.inputs import answers
+from allworlds.inputs import answers, lack_of
 from allworlds.maps import Extent, MapClass, automorphisms, source_of
 from allworlds.outcome import Ending
 from allworlds.studies.count.count_request import CountRequest
@@ -48,7 +49,8 @@ UNROOTED_LIMIT = 6
 class CountRow(Document):
     """The maps with one number of edges.
 
-    ``counted`` holds the rooted maps by vertices according to the independent source.
+    ``counted`` holds the rooted maps by vertices according to the independent source, ``cells`` the
+    number of vertices, the genus, and the numbers of rooted and of unrooted maps that have these.
     """
 
     edges: Edges
@@ -64,7 +66,7 @@ class CountRow(Document):
         about("in simple classes: rotation systems on labelled vertices, by vertices"),
     ] = UNSET
     counted: Aside[dict[int, int] | None]
-
+    cells: Aside[tuple[tuple[int, int, int, int | None], ...]]
     whole: Aside[bool] = True
 
     @property
@@ -151,11 +153,11 @@ class Counted:
 
     Attributes:
         cells: rooted maps by vertices and genus.
-        fixed: the sum of their numbers of automorphisms, where these are counted.
+        fixed: likewise the sum of their numbers of automorphisms, where these are counted.
     """
 
     cells: Counter[tuple[int, int]] = field(default_factory=Counter)
-    fixed: int = 0
+    fixed: Counter[tuple[int, int]] = field(default_factory=Counter)
 
     @property
     def worlds(self) -> int:
@@ -165,7 +167,7 @@ class Counted:
     def add(self, other: Counted) -> None:
         """Add the counts of another part."""
         self.cells.update(other.cells)
-        self.fixed += other.fixed
+        self.fixed.update(other.fixed)
 
 
 CountSweep.result = Counted
@@ -181,7 +183,7 @@ class Enumerate:
         """Count the maps of the unit, and yield results from time to time."""
         extent = self.extent
         plain = extent.map_class is MapClass.MAPS and extent.where is None
-        if plain and unit.edges > UNROOTED_LIMIT:
+        if plain and unit.edges > UNROOTED_LIMIT and not lack_of(*COMPILER):
             yield count_compiled(extent, unit)
         else:
             yield from count_one_by_one(extent, unit)
@@ -205,9 +207,10 @@ def count_one_by_one(extent: Extent, unit: LevelUnit) -> Iterator[Counted]:
     """Count a unit of any class map by map. Results are yielded from time to time."""
     counted = Counted()
     for met, map_ in enumerate(unit.maps(extent), 1):
-        counted.cells[map_.vertex_count, map_.genus] += 1
+        cell = map_.vertex_count, map_.genus
+        counted.cells[cell] += 1
         if unit.edges <= UNROOTED_LIMIT:
-            counted.fixed += automorphisms(map_)
+            counted.fixed[cell] += automorphisms(map_)
         if met % TOLD_EVERY == 0:
             yield counted
             counted = Counted()
@@ -231,10 +234,14 @@ def row_of(extent: Extent, edges: int, total: Counted, *, whole: bool) -> CountR
     return CountRow(
         edges=edges,
         rooted=total.worlds,
-        unrooted=total.fixed // (2 * edges) if known else None,
+        unrooted=total.fixed.total() // (2 * edges) if known else None,
         by_vertices=dict(by_vertices),
         by_genus=dict(sorted(by_genus.items())),
         labelled=labelled if whole and extent.map_class.simple else UNSET,
         counted=counted,
+        cells=tuple(
+            (*cell, maps, total.fixed[cell] // (2 * edges) if known else None)
+            for cell, maps in sorted(total.cells.items())
+        ),
         whole=whole,
     )

@@ -2,25 +2,17 @@
 
 from __future__ import annotations
 
-from itertools import islice
-
-from allworlds.engines import Limits, single_run, subject_of
+from allworlds.document import replace
+from allworlds.engines import Limits, shown_chirality, single_run, subject_of
 from allworlds.inputs import InputError, answers, show
 from allworlds.judging import (
-    Answered,
     Chirality,
     Explanation,
-    Fault,
     Finding,
-    chiral_worlds,
-    chirality_in,
     explain as explained,
     needs_a_chiral_world,
 )
 from allworlds.studies.explain.explain_request import ExplainRequest
-
-TRIED = 8
-"""The number of chiral worlds that are tried before the question stays open."""
 
 
 @answers(ExplainRequest)
@@ -28,7 +20,8 @@ def explain(request: ExplainRequest) -> Explanation:
     """Explain the finding in plain words.
 
     Where the world is its own mirror image, and both a wrong ``here`` and wrong rotations would
-    explain the answer, the recorded explorer is played in a world that tells them apart.
+    explain the answer, the recorded explorer is played in a world that tells them apart, unless
+    it does something else now.
 
     Raises:
         InputError: if the transcript of the finding is no walk in its world, or its answer is
@@ -37,27 +30,27 @@ def explain(request: ExplainRequest) -> Explanation:
     finding = request.finding
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    chirality = None
     if needs_a_chiral_world(finding):
-        chirality = _played(finding, Limits(answer_timeout=request.answer_timeout))
-    return explained(finding, chirality=chirality, number=request.number, findings=request.findings)
+        limits = Limits(answer_timeout=request.answer_timeout)
+        finding = replace(finding, chirality=_played(finding, limits))
+    return explained(finding, number=request.number, findings=request.findings)
 
 
-def _played(finding: Finding, limits: Limits) -> Chirality:
-    """The result of the recorded explorer in a chiral world, under the rules of the finding."""
+def _played(finding: Finding, limits: Limits) -> Chirality | None:
+    """The sense of rotation that the recorded explorer shows, if it is still the same."""
     try:
         subject = subject_of(finding.explorer, limits)
     except InputError as error:
-        return Chirality("unknown", str(error))
-    broken = ""
-    for world in islice(chiral_worlds(finding), TRIED):
-        ending = single_run(subject, world, finding.rules, (), limits).ending
-        if isinstance(ending, Fault):
-            broken = ending.law
-            if broken == "timeout":  # the others would be waited for as long
-                break
-        if isinstance(ending, Answered) and (shown := chirality_in(world, ending.estimate.map)):
-            return shown
-    if broken:
-        return Chirality("unknown", f"there it broke the law '{broken}'")
-    return Chirality("unknown", "there its map was neither right nor a mirror image")
+        return Chirality("unknown", f"the explorer cannot be run ({error})")
+    run = single_run(
+        subject, finding.world, finding.rules, finding.choices, limits, finding.hash_seed
+    )
+    now = run.finding
+    if now is None or not _alike(now, finding):
+        return Chirality("unknown", "the explorer has changed since, and was not played again")
+    return shown_chirality(finding, subject, limits)
+
+
+def _alike(one: Finding, other: Finding) -> bool:
+    """Whether two findings of one world hold the same run."""
+    return (one.law, one.transcript, one.seen) == (other.law, other.transcript, other.seen)

@@ -6,15 +6,16 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-from allworlds.engines import WHOLE, AskedListener, Listener, merged
+from allworlds.engines import WHOLE, AskedListener, AskedRows, Listener, merged
 from allworlds.inputs import Argument, InputError, show, takes_fields
 from allworlds.lazy import loaded
+from allworlds.protocol import as_recorded
 from allworlds.verbs import BY_NAME
 from allworlds.version import __version__
 
 
-class MergeRequest(AskedListener):
-    """Request of ``merge``: the run directories."""
+class MergeRequest(AskedRows, AskedListener):
+    """Request of ``merge``: the run directories, and the rows that are wanted."""
 
     runs: Annotated[
         Sequence[str | Path],
@@ -31,11 +32,15 @@ def _merged(request: MergeRequest) -> Any:
                 f"{show(__version__)}"
             )
         kind = loaded(BY_NAME[identity.verb].sweep)
-        return kind.known(identity, WHOLE, request.listener).merged(records)
+        with as_recorded(identity.code):
+            sweep = kind.known(identity, WHOLE, request.listener)
+            if request.by is not None:
+                sweep.list_by(request.by)
+            return sweep.merged(records)
 
 
 @takes_fields(MergeRequest, several="runs", answered=_merged)
-def merge(*runs: str | Path, listener: Listener | None = None) -> Any:
+def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = None) -> Any:
     """Merge the shards of a job, which were kept in run directories, into one report.
 
     Counts are compared with their source, and witnesses looked for, as if it had been one job.
@@ -48,4 +53,4 @@ def merge(*runs: str | Path, listener: Listener | None = None) -> Any:
         InputError: if they are not of one job, overlap, or are damaged.
         Gap: if something is missing.
     """
-    return _merged(MergeRequest(runs=runs, listener=listener))
+    return _merged(MergeRequest(runs=runs, by=by, listener=listener))

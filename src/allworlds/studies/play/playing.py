@@ -6,10 +6,12 @@ from collections.abc import Callable
 from dataclasses import KW_ONLY
 from typing import Annotated, TypeAlias
 
-from allworlds.document import Report, about
+from allworlds.document import Report, about, computed
 from allworlds.inputs import SCOPE, Option, Request, answers, integer_of
 from allworlds.protocol import Action, Percept, Transcript
+from allworlds.studies.play.costs import CostBeside, costs_beside, not_compared
 from allworlds.world import (
+    HOLES,
     LIGHTHOUSE,
     WORLD,
     Directional,
@@ -33,6 +35,14 @@ class Play(Report):
     path: Annotated[str | None, about("the page for playing; null: played in the terminal")] = None
     world: World
     transcript: Annotated[Transcript, about("the actions and percepts; for a page only the start")]
+    costs: Annotated[tuple[CostBeside, ...], about("of others in the same world")] = computed(
+        lambda played: costs_beside(played.world)
+    )
+
+    @property
+    def not_compared(self) -> str:
+        """A sentence that says whose cost is not compared, and why; empty if each is."""
+        return not_compared(self.world)
 
 
 class PlayRequest(Request, kw_only=False):
@@ -46,10 +56,11 @@ class PlayRequest(Request, kw_only=False):
         Option(
             SCOPE,
             "S",
-            "The seed of a WORLD of a family: random:8 with --seed 3 is one for a class-room.",
+            "Seed for families that are drawn at random: with it, everybody gets the same world.",
             parse=integer_of,
         ),
     ] = None
+    holes: Annotated[str | None, HOLES] = None
     player: Annotated[
         Player,
         "takes a percept and the fault of the last action, and returns the next action, or None to "
@@ -64,7 +75,8 @@ def play(request: PlayRequest) -> Play:
     Raises:
         InputError: if there is no such world.
     """
-    world, player = a_world(request.world, request.lighthouse, request.seed), request.player
+    world = a_world(request.world, request.lighthouse, request.seed, request.holes)
+    player = request.player
     state, percept, steps, refused = world.initial, world.first, [], ""
     while (action := player(percept, refused)) is not None:
         try:

@@ -13,17 +13,9 @@ from allworlds.engines import (
     unused_choice,
 )
 from allworlds.explorers import HASH_SEED, Subject
-from allworlds.inputs import InputError, answers, show
+from allworlds.inputs import InputError, answers
 from allworlds.studies.run.run_request import RunRequest
-from allworlds.world import (
-    PREFIX,
-    Adversary,
-    Directional,
-    World,
-    adversary_named,
-    kind_of,
-    world_named,
-)
+from allworlds.world import Adversary, Directional, kind_of
 
 
 @answers(RunRequest)
@@ -38,16 +30,12 @@ def run(request: RunRequest) -> SingleRun:
         InputError: naming the offending option and what would be legal, or the first choice
             that was not taken.
     """
-    limits, world = request.patience, request.world
+    limits = request.patience
     subject = subject_of(request.explore, limits)
-    if isinstance(world, str) and world.startswith(PREFIX):
-        world = adversary_named(world)
-    if isinstance(world, Adversary):
-        return _against(request, subject, world)
-    if isinstance(world, str):
-        world = world_named(world, subject.lighthouse)
-    if not isinstance(world, World):
-        raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
+    adversary = request.adversary
+    if adversary is not None:
+        return _against(request, subject, adversary)
+    world = request.meant(request.world, subject.lighthouse)
     rules = request.rules_of(subject, kind_of(world.lighthouse))
     told = single_run(subject, world, rules, request.choices, limits, asked_hash_seed())
     if unused := unused_choice(request.choices, told):
@@ -57,11 +45,10 @@ def run(request: RunRequest) -> SingleRun:
 
 def _against(request: RunRequest, subject: Subject, adversary: Adversary) -> SingleRun:
     """The run in the world that the adversary makes."""
-    if str(subject.lighthouse) != Directional.kind:
-        raise InputError(
-            f"{adversary} is under the lighthouse directional; {subject.name} needs "
-            f"{subject.lighthouse}"
-        )
+    kind = request.lighthouse or subject.lighthouse
+    if str(kind) != Directional.kind:
+        who = subject.name if request.lighthouse is None else "what is asked for"
+        raise InputError(f"{adversary} is under the lighthouse directional; {who} needs {kind}")
     rules = request.rules_of(subject, kind_of(Directional(0)))
     told = adversarial_run(
         subject, adversary, rules, request.choices, request.patience, asked_hash_seed()

@@ -22,6 +22,7 @@ from allworlds.document import (
 from allworlds.engines import ENDED, Silent, in_use, is_counted, reading, shards_of
 from allworlds.inputs import Argument, Request, a_path, answers, given_again
 from allworlds.lazy import loaded
+from allworlds.protocol import as_recorded
 from allworlds.verbs import BY_NAME
 
 State: TypeAlias = Literal["running", "finished", "unfinished"]
@@ -97,7 +98,7 @@ def status(request: StatusRequest) -> Standing:
     """
     path = a_path("run", request.run)
     running = in_use(path)
-    with reading(path) as database:
+    with reading(path) as database, as_recorded(database.identity.code):
         identity = database.identity
         sweep = loaded(BY_NAME[identity.verb].sweep).known(identity, identity.portion, Silent())
         ended = database.recall("ended") == ENDED

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from typing_extensions import override
 
 from allworlds.engines import (
+    COMPILER,
     WHOLE,
     Dask,
     Identity,
@@ -21,7 +22,7 @@ from allworlds.engines import (
     cells_of_level,
 )
 from allworlds.explorers import algorithm1, load
-from allworlds.inputs import InputError, an_integer, answers, show
+from allworlds.inputs import InputError, an_integer, answers, ensure_installed, show
 from allworlds.judging import Answered, AskedRules, default_step_budget, paper_bound, play
 from allworlds.maps import CombinatorialMap, Extent, MapClass
 from allworlds.outcome import Ending
@@ -39,8 +40,8 @@ if TYPE_CHECKING:
 MOST_EDGES = 12
 
 NARROWED = (
-    "the compiled search knows no condition; every schedule is played by the python engine, far "
-    "slower"
+    "the compiled search knows no condition and no other task; every schedule is played by the "
+    "python engine, far slower"
 )
 
 SYMMETRY = (
@@ -62,17 +63,18 @@ def worst(request: WorstRequest) -> WorstReport:
         InputError: naming the offending option and what would be legal.
     """
     ours = request.explore in ("algorithm1", algorithm1) and request.lighthouse is None
-    if not ours or request.where is not None:
+    if not ours or request.where is not None or not request.task.is_map:
         if request.transit is not None:
             raise InputError(
-                f"transit = {show(request.transit)} is for algorithm1 as it is built in, in all "
-                "maps of a class"
+                f"transit = {show(request.transit)} is for algorithm1 as it is built in, with "
+                "the task map in all maps of a class"
             )
         if ours:
             request.listener.notice(NARROWED)
         edges = _edges(request, OTHERS_EDGES)
         extent = Extent(request.map_class, edges, where=request.where)
         return runs_asked(request, extent).answer(request.run)
+    ensure_installed(*COMPILER, "worst of algorithm1")
     extent = Extent(request.map_class, _edges(request, DEFAULT_EDGES))
     if not extent.map_class.plain:
         raise InputError(

@@ -103,14 +103,19 @@ class RunsSweep(TallySweep[WorstReport]):
     @override
     def ready(self) -> ReadyEngine:
         """The engine of a check for one schedule. For all schedules every run is told apart."""
-        subject, scope = self.job.subject, self.scope
+        job, subject, scope = self.seeded, self.job.subject, self.seeded.scope
         if scope.schedules == "all":
             if subject.compiled:
                 self.listener.notice(PLAYED)
-            return ReadyEngine(players_for(self.job), CostEngine(scope, 1))
+            return ReadyEngine(players_for(job), CostEngine(scope, 1))
         if why := why_not_compiled(scope, subject):
             self.listener.notice(why)
-        return engine_for("auto", scope, subject).ready(self.job)
+        return engine_for("auto", scope, subject).ready(job)
+
+    @override
+    def forget(self) -> None:
+        self._rows.clear()
+        self._findings.clear()
 
     @override
     def empty(self) -> _MostExpensive:
@@ -200,7 +205,9 @@ def runs_asked(request: WorstRequest, extent: Extent) -> RunsSweep:
         InputError: for an explorer or a lighthouse that is none.
     """
     subject = subject_of(request.explore, request.limits)
-    asked = ManyWorlds(map_class=request.map_class, lighthouse=request.lighthouse)
+    asked = ManyWorlds(
+        map_class=request.map_class, lighthouse=request.lighthouse, task=request.task
+    )
     schedules: Schedule = "all" if subject.takes_choices else "one"
     scope = Scope(extent, asked.rules(subject), schedules, request.shard)
     return RunsSweep(request, scope, subject)

@@ -35,6 +35,7 @@ from allworlds.engines import (
 from allworlds.explorers import Subject
 from allworlds.judging import AskedRules, Finding, Rules
 from allworlds.protocol import Schedule
+from allworlds.studies.check import SharedFile, shared_file
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.studies.worst.worst_request import WorstRequest
 from allworlds.world import World
@@ -89,6 +90,7 @@ class WorstScope(Document, of=(WorstRequest, AskedRules)):
         Text | None, about("why one world stands for every direction; null: each was tried")
     ]
     shard: WhichShard
+    shared_file: SharedFile
 
 
 class WorstReport(SweptReport):
@@ -114,6 +116,7 @@ class WorstReport(SweptReport):
             schedules=r.schedules,
             symmetry=r.symmetry,
             shard=str(r.portion),
+            shared_file=shared_file(r.explorer, r.rules, r.extent.where),
         )
     )
     gate: ToldGate = GATE

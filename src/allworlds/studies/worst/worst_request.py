@@ -14,6 +14,7 @@ from allworlds.engines import (
 )
 from allworlds.explorers import AskedExplorer
 from allworlds.inputs import RULES, SCOPE, InputError, Option, Taken, integer_of, show
+from allworlds.judging import AskedTask
 from allworlds.maps import AskedClass
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.world import AskedLighthouse, AskedWhere
@@ -33,6 +34,7 @@ class WorstRequest(
     AskedDirectory,
     Limits,
     AskedShard,
+    AskedTask,
     AskedWhere,
     AskedLighthouse,
     AskedClass,

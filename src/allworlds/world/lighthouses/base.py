@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 
-from allworlds.document import about, plain
-from allworlds.inputs import InputError, integer, show
+from allworlds.document import about
+from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Action, Percept, Told, UserCode
+from allworlds.protocol import Action, Percept, Told, UserCode, Write
+from allworlds.world.lighthouses.options import (
+    ensure_legal,
+    kind_with,
+    name_of,
+    named_with,
+    values_in,
+    written_as,
+)
+from allworlds.world.lighthouses.place_checks import InvalidWorld
 from allworlds.world.lighthouses.sensing import Sensing, Where
 from allworlds.world.state import State
 
 StandsAt: TypeAlias = Annotated[Dart, about("where it stands")]
-
-
-class InvalidWorld(InputError):
-    """A map, a start and a lighthouse that do not make a world."""
 
 
 class WalkInAnswer(NamedTuple):
@@ -42,20 +47,20 @@ class Lighthouse(ABC):
     A lighthouse of one's own is a frozen dataclass with this base: it says at which places of a
     map it can stand (:meth:`places`), and what is sensed of it there (:meth:`sensed`).  A field
     with the name ``dart`` holds a dart, one with the name ``darts`` a tuple of them; a class with
-    darts in other fields says how they are renamed (:meth:`relabelled`).
+    darts in other fields says how they are renamed (:meth:`relabelled`).  An integer, boolean or
+    text in a field with a default is an option: its name on the command line may give it another
+    default, which every ``cls(...)`` in :meth:`places` then has.
 
     Attributes:
         kind: the name on the command line and in files.
         default_bound: the bound on the traversals that is checked unless another is named.
         folds: whether the log of a correct explorer determines the map (every arrival at v0
-            tells where the robot is, and how it is turned).
+            tells where the robot is, and how it is turned): then the law ``folding`` applies.
         leaves_open: whether an explorer may answer with the rooted quotient, where several
             worlds look alike.
         gives_marks, gives_bearings: whether it can make a percept have them; of two that are put
             together only one may.
         leaves_marks: whether the robot can leave marks itself.
-        keys: what its JSON may hold besides ``kind``.
-        asked: the types of those that are no attributes: they say which place is meant.
         code: where the class comes from, if it is the user's.
         every_place_to: the largest number of edges of the maps in which :meth:`places` yields every
             place; None: in all maps.
@@ -69,8 +74,6 @@ class Lighthouse(ABC):
     gives_marks: ClassVar[bool] = True
     gives_bearings: ClassVar[bool] = True
     leaves_marks: ClassVar[bool] = False
-    keys: ClassVar[tuple[str, ...]] = ("dart",)
-    asked: ClassVar[Mapping[str, Any]] = {}
     code: ClassVar[UserCode | None] = None
     every_place_to: ClassVar[int | None] = None
     beyond: ClassVar[str] = ""
@@ -84,18 +87,14 @@ class Lighthouse(ABC):
 
     @property
     def written(self) -> str:
-        """The name of its kind, as ``--lighthouse`` takes it."""
-        return self.kind if self.code is None else self.code.name
+        """The name of its kind, as ``--lighthouse`` takes it, with its options."""
+        return named_with(type(self), values_in(self))
 
-    @classmethod
-    def with_options(cls, options: Mapping[str, str]) -> type[Lighthouse]:
-        """The kind with the options of ``KIND:key=value``; by default there are none.
-
-        Raises:
-            InvalidWorld: naming the option, or the value, that the kind does not have.
-        """
-        given = ",".join(f"{key}={value}" for key, value in options.items())
-        raise InvalidWorld(f"the {cls.kind} lighthouse takes no options, not {show(given)}")
+    @property
+    def as_kind(self) -> type[Lighthouse]:
+        """The kind of which it is a place: its class, with its options."""
+        kind: type[Lighthouse] = kind_with(type(self), values_in(self))
+        return kind
 
     @classmethod
     @abstractmethod
@@ -104,7 +103,7 @@ class Lighthouse(ABC):
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Raise InvalidWorld unless the lighthouse can stand there: at one of its places."""
-        if self not in type(self).places(map_, start):
+        if self not in self.as_kind.places(map_, start):
             raise InvalidWorld(
                 f"the lighthouse {self.kind} cannot stand at {show(self)} in this map with start "
                 f"{start}: it is none of its places there"
@@ -120,45 +119,26 @@ class Lighthouse(ABC):
 
     def relabelled(self, names: Sequence[Dart]) -> Self:
         """The lighthouse at this place after dart ``d`` has been renamed to ``names[d]``."""
-        told = {key: getattr(self, key) for key in self.keys if hasattr(self, key)}
         renamed: dict[str, Any] = {}
-        if "dart" in told:
-            renamed["dart"] = names[told["dart"]]
-        if "darts" in told:
-            renamed["darts"] = tuple(names[dart] for dart in told["darts"])
+        if hasattr(self, "dart"):
+            renamed["dart"] = names[self.dart]
+        if hasattr(self, "darts"):
+            renamed["darts"] = tuple(names[dart] for dart in self.darts)
         return replace(self, **renamed) if renamed else self  # type: ignore[type-var]
 
     def to_json(self) -> dict[str, Any]:
-        """``{"kind": ...}`` and the place: the attributes among its keys."""
-        told = {key: getattr(self, key) for key in self.keys if hasattr(self, key)}
-        return {**self._named(), **{key: plain(value) for key, value in told.items()}}
-
-    def _named(self) -> dict[str, Any]:
-        """Its kind; of the user's, the options and by which content the class is known."""
-        if self.code is None:
-            return {"kind": self.kind}
-        return {
-            "kind": self.kind,
-            "options": self.code.arguments,
-            "digest": self.code.digest,
-        }
-
-    @classmethod
-    def from_json(
-        cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart
-    ) -> Lighthouse:
-        """The lighthouse of :meth:`to_json`'s document, which may leave out the place."""
-        where = {key: document[key] for key in cls.keys if key in document}
-        return cls.at(**where) if where else cls.usual(map_, start)
+        """``{"kind": ...}`` with the options and the place, as :mod:`options` says."""
+        return written_as(self)
 
     @classmethod
     def at(cls, **where: Any) -> Lighthouse:
         """The lighthouse at the place that a document names, by its fields."""
-        frozen = {
-            key: tuple(value) if isinstance(value, list) and key != "dart" else value
-            for key, value in where.items()
-        }
-        return cls(**frozen)
+        return cls(
+            **{
+                key: tuple(value) if isinstance(value, list) and key != "dart" else value
+                for key, value in where.items()
+            }
+        )
 
     @classmethod
     def usual(cls, map_: CombinatorialMap, start: Dart) -> Lighthouse:
@@ -169,11 +149,13 @@ class Lighthouse(ABC):
         """
         for place in cls.places(map_, start):
             return place
-        raise no_place(cls.kind, start)
+        raise InvalidWorld(
+            f"the lighthouse {name_of(cls)} has no place in this map with start {start}"
+        )
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
         """The number of this place among the places of the rooted map; 0 if it is none of them."""
-        places = enumerate(type(self).places(map_, start))
+        places = enumerate(self.as_kind.places(map_, start))
         return next((i for i, place in places if place == self), 0)
 
     def believed(
@@ -183,7 +165,7 @@ class Lighthouse(ABC):
 
         None if the answer has no such place.
         """
-        places = type(self).places(walk.map, walk.trail[0])
+        places = self.as_kind.places(walk.map, walk.trail[0])
         return next(islice(places, self.number(map_, start), None), None)
 
     @property
@@ -195,11 +177,12 @@ class Lighthouse(ABC):
         """A sentence about the legal actions if this one is illegal; empty if it is legal.
 
         Args:
-            action: what the robot wants to do.
+            action: what the robot wants to do, besides moving.
             lying: the number of markers at its vertex that have been dropped there.
             hand: the number of markers in its hand.
         """
-        return f"the {self.kind} lighthouse gives no markers"
+        lacks = "has no room for numbers" if type(action) is Write else "gives no markers"
+        return f"the {self.kind} lighthouse {lacks}"
 
     def acted(self, map_: CombinatorialMap, state: State, action: Action) -> State:  # noqa: ARG002
         """The state after an action that is no motion, and that is not refused."""
@@ -242,17 +225,13 @@ class PlacelessLighthouse(ReferenceLighthouse):
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
 
     @classmethod
-    @abstractmethod
-    def with_its_options(cls) -> Lighthouse:
-        """The lighthouse with the options of the kind."""
-
-    @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:  # noqa: ARG003
         """One place."""
-        yield cls.with_its_options()
+        yield cls()
 
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Every map and every start will do."""
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any
+        """Raise InvalidWorld unless its options are legal; every map and every start will do."""
+        ensure_legal(self)
 
     def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # any map
         """The empty tuple: at the start no mark lies anywhere."""
@@ -265,71 +244,3 @@ class PlacelessLighthouse(ReferenceLighthouse):
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Lighthouse:  # noqa: ARG002
         """The lighthouse itself, as it stands nowhere."""
         return self
-
-
-def refuse_other_keys(what: str, document: Mapping[str, Any], legal: Sequence[str]) -> None:
-    """Raise InvalidWorld unless all keys are legal: a misspelt one would have no effect."""
-    for key in document:
-        if key not in legal:
-            raise InvalidWorld(f"{show(key)} is no key of a {what}; legal are {', '.join(legal)}")
-
-
-def check_at_start(what: str, dart: object, map_: CombinatorialMap, start: Dart) -> None:
-    """Raise InvalidWorld unless ``dart`` is a dart of the start's vertex."""
-    try:
-        found = integer(dart)
-    except TypeError:
-        raise InvalidWorld(f"lighthouse.dart = {show(dart)} is not an integer") from None
-    at_start = map_.vertices[map_.vertex_of[start]]
-    if found not in at_start:
-        raise InvalidWorld(
-            f"the lighthouse {what} dart {show(found)}, which is not at the start's vertex; "
-            f"legal are {', '.join(map(str, at_start))}"
-        )
-
-
-def check_leads_away(dart: object, map_: CombinatorialMap, start: Dart) -> None:
-    """Raise InvalidWorld unless ``dart`` leads from the start's vertex to another vertex."""
-    check_at_start("looks along", dart, map_, start)
-    v0 = map_.vertex_of[start]
-    if map_.vertex_of[map_.alpha[integer(dart)]] == v0:
-        legal = [d for d in map_.vertices[v0] if map_.vertex_of[map_.alpha[d]] != v0]
-        raise InvalidWorld(
-            f"lighthouse.dart = {show(dart)} leads back to the start's vertex, not to another one; "
-            f"legal are {', '.join(map(str, legal)) or 'none'}"
-        )
-
-
-def the_darts(values: object) -> tuple[Dart, ...]:
-    """The integers of a list; raise InvalidWorld if it is none."""
-    if not isinstance(values, list | tuple):
-        raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
-    found = []
-    for i, value in enumerate(values):
-        try:
-            found.append(integer(value))
-        except TypeError:
-            raise InvalidWorld(f"lighthouse.darts[{i}] = {show(value)} is not an integer") from None
-    return tuple(found)
-
-
-def check_one_of_each_vertex(darts: Sequence[Dart], map_: CombinatorialMap) -> None:
-    """Raise InvalidWorld unless these are darts, one of each vertex."""
-    for dart in darts:
-        if dart not in map_.darts:
-            raise InvalidWorld(
-                f"lighthouse.darts names {show(dart)}, which is no dart; "
-                f"darts are 0..{len(map_.sigma) - 1}"
-            )
-    chosen = [map_.vertex_of[dart] for dart in darts]
-    for v, vertex in enumerate(map_.vertices):
-        if chosen.count(v) != 1:
-            raise InvalidWorld(
-                f"lighthouse.darts = {show(list(darts))} has {chosen.count(v)} darts of the "
-                f"vertex {show(list(vertex))}; it must have one of each vertex"
-            )
-
-
-def no_place(name: str, start: Dart) -> InvalidWorld:
-    """The error for a lighthouse without a named place in a map that has no place for it."""
-    return InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")

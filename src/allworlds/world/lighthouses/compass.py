@@ -12,10 +12,9 @@ from typing_extensions import override
 from allworlds.document import Some, about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart, numbering
-from allworlds.world.lighthouses.base import (
+from allworlds.world.lighthouses.base import ReferenceLighthouse, WalkInAnswer
+from allworlds.world.lighthouses.place_checks import (
     InvalidWorld,
-    ReferenceLighthouse,
-    WalkInAnswer,
     check_one_of_each_vertex,
     the_darts,
 )
@@ -35,7 +34,6 @@ class Compass(ReferenceLighthouse):
 
     kind: ClassVar[str] = "compass"
     sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE, bearing=True)
-    keys: ClassVar[tuple[str, ...]] = ("darts",)
     every_place_to: ClassVar[int | None] = 3
     beyond: ClassVar[str] = "the compass at the smallest dart of each vertex alone"
 

@@ -13,7 +13,10 @@ from typing_extensions import override
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Percept, Told
-from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, WalkInAnswer
+from allworlds.world.lighthouses.base import Lighthouse, WalkInAnswer
+from allworlds.world.lighthouses.knowledge import Knowledge
+from allworlds.world.lighthouses.options import value_of
+from allworlds.world.lighthouses.place_checks import InvalidWorld
 from allworlds.world.state import State
 
 PLUS = "+"
@@ -32,7 +35,6 @@ class Composed(Lighthouse):
     parts: tuple[Lighthouse, ...]
 
     kinds: ClassVar[tuple[type[Lighthouse], ...]] = ()
-    keys: ClassVar[tuple[str, ...]] = ("parts",)
 
     @property
     def kind(self) -> str:  # type: ignore[override]  # it is that of its parts
@@ -43,6 +45,13 @@ class Composed(Lighthouse):
     def written(self) -> str:
         """The names of the parts."""
         return PLUS.join(part.written for part in self.parts)
+
+    @property
+    def as_kind(self) -> type[Composed]:
+        """The kind of the kinds of the parts."""
+        return composed(
+            tuple(part.written for part in self.parts), tuple(part.as_kind for part in self.parts)
+        )
 
     @property
     def _marking(self) -> Lighthouse:
@@ -69,8 +78,8 @@ class Composed(Lighthouse):
     def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
         """The marks of the part that has them, with the bearing of the part that has one."""
         marks, bearings = (
-            next((part.percepts(map_) for part in self.parts if gives(type(part))), None)
-            for gives in (_gives_marks, _gives_bearings)
+            next((part.percepts(map_) for part in self.parts if getattr(part, gives)), None)
+            for gives in ("gives_marks", "gives_bearings")
         )
         return tuple(
             Percept(
@@ -85,7 +94,7 @@ class Composed(Lighthouse):
         """The number among the combinations; that of the last part changes first."""
         number = 0
         for part in self.parts:
-            places = sum(1 for _ in type(part).places(map_, start))
+            places = sum(1 for _ in part.as_kind.places(map_, start))
             number = number * places + part.number(map_, start)
         return number
 
@@ -129,11 +138,31 @@ def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> typ
         InvalidWorld: if they do not go together, with the reason.
     """
     check_together([*zip(names, kinds, strict=True)])
-    told: dict[str, Any] = {"leaves_marks": any(kind.leaves_marks for kind in kinds)}
+    told: dict[str, Any] = {
+        name: any(getattr(kind, name) for kind in kinds)
+        for name in ("leaves_marks", "gives_marks", "gives_bearings")
+    }
+    # Two worlds that look alike under a marker at one vertex have as many vertices and edges.
+    open_kinds = [kind for kind in kinds if kind.leaves_open]
+    told["leaves_open"] = bool(open_kinds) and all(
+        kind in open_kinds or _adds(kind) <= {"n", "m"} for kind in kinds
+    )
+    told["folds"] = any(
+        kind.folds and all(not _adds(other) for other in kinds if other is not kind)
+        for kind in kinds
+    )
     for kind in kinds:
         if kind.every_place_to is not None:
             told |= {"every_place_to": kind.every_place_to, "beyond": kind.beyond}
     return type(Composed.__name__, (Composed,), {"kinds": kinds, **told})
+
+
+def _adds(kind: type[Lighthouse]) -> set[str]:
+    """The kinds of knowledge that a robot has by a lighthouse, besides degrees."""
+    found = {name for name in ("marks", "bearings") if getattr(kind, f"gives_{name}")}
+    if issubclass(kind, Knowledge):
+        return found | {*value_of(kind, "names")}  # type: ignore[misc]  # words
+    return found | ({"something else"} if _tells(kind) else set())
 
 
 def composed_from_json(parts: object, read: Callable[[object], Lighthouse]) -> Composed:
@@ -152,25 +181,17 @@ def composed_from_json(parts: object, read: Callable[[object], Lighthouse]) -> C
 
 def check_together(parts: Sequence[tuple[str, type[Lighthouse]]]) -> None:
     """Raise InvalidWorld if two of these kinds, with their names, cannot be put together."""
-    for what, gives in (
-        ("have marks", _gives_marks),
-        ("have bearings", _gives_bearings),
+    for what, has in (
+        ("have marks", lambda kind: kind.gives_marks),
+        ("have bearings", lambda kind: kind.gives_bearings),
         ("tell something before the start", _tells),
     ):
-        names = [name for name, kind in parts if gives(kind)]
+        names = [name for name, kind in parts if has(kind)]
         if len(names) > 1:
             raise InvalidWorld(
                 f"the lighthouses {names[0]} and {names[1]} both {what}, and a robot could not "
                 "tell which is which; leave one out"
             )
-
-
-def _gives_marks(kind: type[Lighthouse]) -> bool:
-    return kind.gives_marks
-
-
-def _gives_bearings(kind: type[Lighthouse]) -> bool:
-    return kind.gives_bearings
 
 
 def _tells(kind: type[Lighthouse]) -> bool:

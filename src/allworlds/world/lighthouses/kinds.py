@@ -4,21 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
-from pathlib import Path
-from typing import Annotated, Any, TypeAlias
+from typing import Any, TypeAlias
 
-from allworlds.document import Text, about
-from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, a_text, one_of, show
+from allworlds.inputs import InputError, a_text, show
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import UserCode, find_code
-from allworlds.world.lighthouses.base import (
-    InvalidWorld,
-    Lighthouse,
-    WalkInAnswer,
-    refuse_other_keys,
-)
+from allworlds.protocol import Role, UserCode
+from allworlds.world.lighthouses.base import Lighthouse, WalkInAnswer
 from allworlds.world.lighthouses.cluster import Cluster
 from allworlds.world.lighthouses.compass import Compass
 from allworlds.world.lighthouses.composed import PLUS, Composed, composed, composed_from_json
@@ -28,7 +21,18 @@ from allworlds.world.lighthouses.labels import Labels
 from allworlds.world.lighthouses.movable import Movable
 from allworlds.world.lighthouses.natural import Natural
 from allworlds.world.lighthouses.nothing import Nothing
-from allworlds.world.lighthouses.own_kind import ENTRY_POINTS, own_kind
+from allworlds.world.lighthouses.options import (
+    ensure_options,
+    kind_with,
+    name_of,
+    options_in,
+    options_of,
+    place_keys,
+    value_of,
+    with_arguments,
+)
+from allworlds.world.lighthouses.own_kind import own_kind
+from allworlds.world.lighthouses.place_checks import InvalidWorld, refuse_other_keys
 from allworlds.world.lighthouses.position import Position
 from allworlds.world.lighthouses.sensing import Sensing, Where
 from allworlds.world.lighthouses.written import Ports, Whiteboard
@@ -63,11 +67,6 @@ class LighthouseKind:
         """The kind as a class; one of the user's is loaded once in a process."""
         return _type_of(self)
 
-    @property
-    def files(self) -> tuple[Path, ...]:
-        """The files of the user's that it needs."""
-        return tuple(code.file(ENTRY_POINTS) for code in self.codes)
-
     def __str__(self) -> str:
         return self.name
 
@@ -85,9 +84,9 @@ def lighthouse_kind(given: object) -> LighthouseKind:
     if isinstance(given, LighthouseKind):
         return given
     if isinstance(given, type) and issubclass(given, Lighthouse):
-        given = _name_of_class(given)
-    text = a_text("lighthouse", given)
-    parts = [_part(part) for part in text.split(PLUS)]
+        parts: list[str | UserCode] = [_of_class(given)]
+    else:
+        parts = [_part(part) for part in a_text("lighthouse", given).split(PLUS)]
     found = LighthouseKind(
         PLUS.join(part if isinstance(part, str) else part.name for part in parts),
         tuple(part for part in parts if isinstance(part, UserCode)),
@@ -107,12 +106,27 @@ def lighthouse_named(text: str) -> type[Lighthouse]:
 
 def kind_of(lighthouse: Lighthouse) -> LighthouseKind:
     """The kind of a lighthouse that stands somewhere."""
-    return LighthouseKind(lighthouse.written, tuple(_codes(lighthouse)))
+    codes = [
+        replace(part.code, name=part.written)
+        for part in parts_of(lighthouse)
+        if part.code is not None
+    ]
+    return LighthouseKind(lighthouse.written, tuple(codes))
 
 
-def _codes(lighthouse: Lighthouse) -> list[UserCode]:
-    parts = lighthouse.parts if isinstance(lighthouse, Composed) else (lighthouse,)
-    return [part.code for part in parts if part.code is not None]
+def parts_of(lighthouse: Lighthouse) -> tuple[Lighthouse, ...]:
+    """The lighthouses that it is put together from; itself alone if it is one."""
+    return lighthouse.parts if isinstance(lighthouse, Composed) else (lighthouse,)
+
+
+def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
+    """The names of the numbers that a robot is told by the lighthouses that come with this program.
+
+    They are known before any world is made.
+    """
+    parts = kind.as_class.kinds if issubclass(kind.as_class, Composed) else (kind.as_class,)
+    told = [value_of(part, "names") for part in parts if issubclass(part, Knowledge)]
+    return tuple(name for names in told for name in names)  # type: ignore[union-attr]  # words
 
 
 def _part(text: str) -> str | UserCode:
@@ -120,27 +134,25 @@ def _part(text: str) -> str | UserCode:
     if text.partition(":")[0] in LIGHTHOUSES:
         return text
     options = re.fullmatch(r"([^?]+):([^:?=]+=[^?]*)", text)
-    name = f"{options[1]}?{options[2]}" if options else text
+    return _found(f"{options[1]}?{options[2]}" if options else text)
+
+
+def _found(name: str) -> UserCode:
     try:
-        return find_code("lighthouse", name, ENTRY_POINTS, _KNOWN)
+        return LIGHTHOUSE.find(name)
     except InputError as error:
         raise InvalidWorld(str(error)) from None
 
 
-_KNOWN = tuple(LIGHTHOUSES)
+LIGHTHOUSE = Role("lighthouse", "allworlds.lighthouses", known=tuple(LIGHTHOUSES))
 
 
-def _name_of_class(kind: type[Lighthouse]) -> str:
-    if own := vars(kind).get("code"):
-        return str(own.name)
-    if LIGHTHOUSES.get(getattr(kind, "kind", "")) is kind:
-        return kind.kind
-    if kind.__module__ == "__main__" or "<" in kind.__qualname__:
-        raise InvalidWorld(
-            f"the lighthouse {kind.__qualname__} lives in this process alone, and no other could "
-            "load it; put it into a file of its own"
-        )
-    return f"{kind.__module__}:{kind.__qualname__}"
+def _of_class(kind: type[Lighthouse]) -> str | UserCode:
+    ours = kind.__module__.startswith("allworlds.")
+    if {"code", "chosen"} & {*vars(kind)} or ours:
+        name = name_of(kind)
+        return name if kind.code is None else replace(kind.code, name=name)
+    return LIGHTHOUSE.of(kind)
 
 
 @cache
@@ -155,25 +167,9 @@ def _type_of(kind: LighthouseKind) -> type[Lighthouse]:
 
 
 def _built_in(name: str) -> type[Lighthouse]:
-    kind, colon, rest = name.partition(":")
-    if colon:
-        return LIGHTHOUSES[kind].with_options(_options(name, rest, kind == Knowledge.kind))
-    return LIGHTHOUSES[kind]
-
-
-def _options(text: str, rest: str, alone: bool) -> dict[str, str]:
-    """The options of ``key=value,...``; of the lighthouse told their names stand alone."""
-    options: dict[str, str] = {}
-    for part in rest.split(","):
-        key, equals, value = part.partition("=")
-        if not equals and not alone:
-            raise InvalidWorld(
-                f"{show(part)} in lighthouse {show(text)} is not of the form key=value"
-            )
-        if key in options:
-            raise InvalidWorld(f"lighthouse {show(text)} names {show(key)} twice")
-        options[key] = value
-    return options
+    plain, colon, rest = name.partition(":")
+    kind = LIGHTHOUSES[plain]
+    return kind_with(kind, options_in(kind, plain, rest)) if colon else kind
 
 
 def lighthouse_from_json(
@@ -184,7 +180,7 @@ def lighthouse_from_json(
 ) -> Lighthouse:
     """The lighthouse of a world's JSON; if there is none, one of the kind ``missing``."""
     if document is None:
-        return lighthouse_kind(missing).as_class.from_json({}, map_, start)
+        return lighthouse_kind(missing).as_class.usual(map_, start)
     if not isinstance(document, Mapping) or not isinstance(document.get("kind"), str):
         raise InvalidWorld(f"a lighthouse is an object with a 'kind', not {show(document)}")
     name = document["kind"]
@@ -197,63 +193,45 @@ def lighthouse_from_json(
             raise InvalidWorld(f"lighthouse.kind = {show(name)}, but its parts are {parts.kind}")
         return parts
     if name in LIGHTHOUSES:
-        kind = LIGHTHOUSES[name]
-        refuse_other_keys(f"{name} lighthouse", document, ("kind", *kind.keys))
-        return kind.from_json(document, map_, start)
-    found = lighthouse_kind(name + _as_arguments(document.get("options", {})))
-    kind = found.as_class
-    at: tuple[str, ...] = ("kind",)
-    if found.codes:
-        at = ("kind", "options", "digest")
-        _ensure_digest(found.codes, document.get("digest"))
-    refuse_other_keys(f"{name} lighthouse", document, (*at, *kind.keys))
-    return kind.from_json(document, map_, start)
+        kind, apart = LIGHTHOUSES[name], ["kind"]
+        options = {key: document[key] for key in options_of(kind) if key in document}
+    else:
+        kind, apart = _own_of(document), ["kind", "options", "digest"]
+        made = kind.code is not None and kind.code.arguments  # by a factory, which has taken them
+        options = {} if made else document.get("options", {})
+    refuse_other_keys(f"{name} lighthouse", document, (*apart, *place_keys(kind)))
+    chosen = kind_with(kind, ensure_options(kind, name, options))
+    where = {key: document[key] for key in place_keys(kind) if key in document.keys() - options}
+    place: Lighthouse = chosen.at(**where) if where else chosen.usual(map_, start)
+    return place
 
 
-def _as_arguments(options: Any) -> str:
-    """The options of a document as they stand in a name."""
+def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
+    """The class of the user's in a document, without its options; that of a factory with them.
+
+    Raises:
+        InputError: if there is none, or it has another text than the one in the document.
+    """
+    name, options = document["kind"], document.get("options", {})
     if not isinstance(options, Mapping):
         raise InvalidWorld(f"lighthouse.options = {show(options)} is no object")
-    told = [
-        f"{key}={str(value).lower() if isinstance(value, bool) else value}"
-        for key, value in options.items()
-    ]
-    return "?" + ",".join(told) if told else ""
-
-
-def _ensure_digest(codes: tuple[UserCode, ...], digest: object) -> None:
-    """Raise InvalidWorld if a document is of another text of the class than the one found."""
-    for code in codes:
-        if digest not in (None, code.digest):
-            raise InvalidWorld(
-                f"the lighthouse {show(code.name)} has another text now: its digest is "
-                f"{code.digest[:12]}..., and {show(digest)} is recorded"
-            )
-
-
-def _lighthouse(given: object) -> LighthouseKind | None:
-    return None if given is None else lighthouse_kind(given)
-
-
-class AskedLighthouse(Request):
-    """The part of a request that names the kind of lighthouse."""
-
-    lighthouse: Annotated[
-        Taken[GivenLighthouse | None, LighthouseKind | None],
-        Option(
-            SCOPE,
-            "KIND",
-            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, {OWN}, or several with + between them "
-            "(default: directional, or the one that a built-in explorer is written for).",
-            told=Annotated[Text, about("`KIND[:key=value,...]`")],
-        ),
-    ] = Taken(_lighthouse, None)
+    if PLUS in name:
+        raise InvalidWorld(f"lighthouse.kind = {show(name)} needs the key parts")
+    if name.partition(":")[0] in LIGHTHOUSES or "?" in name or "=" in name:
+        raise InvalidWorld(
+            f"lighthouse.kind = {show(name)} is more than a name; its options are keys beside it, "
+            "or those of the key options if it is your own"
+        )
+    code = _found(name)
+    code.ensure_recorded(document.get("digest"))
+    if options and not isinstance(code.load(), type):
+        code = replace(code, name=with_arguments(name, options))
+    return own_kind(code)
 
 
 __all__ = [
     "LIGHTHOUSES",
     "OWN",
-    "AskedLighthouse",
     "Cluster",
     "Compass",
     "Composed",
@@ -277,5 +255,7 @@ __all__ = [
     "lighthouse_from_json",
     "lighthouse_kind",
     "lighthouse_named",
+    "numbers_told",
+    "parts_of",
     "refuse_other_keys",
 ]

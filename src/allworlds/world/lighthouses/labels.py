@@ -8,14 +8,13 @@ from typing import Annotated, ClassVar
 
 from typing_extensions import override
 
-from allworlds.document import Some, about
+from allworlds.document import Aside, Some, about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart, numbering
 from allworlds.protocol import Percept
-from allworlds.world.lighthouses.base import (
+from allworlds.world.lighthouses.base import ReferenceLighthouse, WalkInAnswer
+from allworlds.world.lighthouses.place_checks import (
     InvalidWorld,
-    ReferenceLighthouse,
-    WalkInAnswer,
     check_one_of_each_vertex,
     the_darts,
 )
@@ -37,11 +36,10 @@ class Labels(ReferenceLighthouse):
     darts: Annotated[
         Some[Dart], about("the reference dart of each vertex, in the order of their numbers")
     ]
-    numbers: tuple[int, ...]
+    numbers: Aside[tuple[int, ...]]
 
     kind: ClassVar[str] = "labels"
     sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE_NUMBERED, bearing=True)
-    keys: ClassVar[tuple[str, ...]] = ("darts",)
 
     @classmethod
     def of(cls, darts: tuple[Dart, ...]) -> Labels:

@@ -9,13 +9,8 @@ from typing import ClassVar
 
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import (
-    InvalidWorld,
-    ReferenceLighthouse,
-    StandsAt,
-    WalkInAnswer,
-    check_leads_away,
-)
+from allworlds.world.lighthouses.base import ReferenceLighthouse, StandsAt, WalkInAnswer
+from allworlds.world.lighthouses.place_checks import InvalidWorld, check_leads_away
 from allworlds.world.lighthouses.sensing import Sensing, Where
 
 

@@ -16,9 +16,3 @@ class Nothing(PlacelessLighthouse):
     """
 
     kind: ClassVar[str] = "none"
-    keys: ClassVar[tuple[str, ...]] = ()
-
-    @classmethod
-    def with_its_options(cls) -> Nothing:
-        """The lighthouse with the options of the kind."""
-        return cls()

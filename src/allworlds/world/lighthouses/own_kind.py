@@ -5,163 +5,243 @@ from __future__ import annotations
 import copyreg
 import inspect
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import MISSING, dataclass, fields
 from functools import cache, wraps
-from typing import Any, TypeVar
+from typing import Any
 
-from allworlds.inputs import InputError, integer, let_users_interrupt, show
+from allworlds.inputs import integer, show
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Argument, Percept, UserCode, called, said
-from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse
+from allworlds.protocol import Action, Percept, Told, UserCode, tried
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.options import kind_with, options_in
+from allworlds.world.lighthouses.place_checks import InvalidWorld
+from allworlds.world.state import State
 
-ENTRY_POINTS = "allworlds.lighthouses"
+SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 
-WATCHED = (
-    *("places", "check", "sensed", "percepts", "relabelled", "told", "believed", "number"),
-    *("usual", "at", "from_json", "refusal", "written_on"),
-)
-"""The methods whose errors are the user's."""
 
-T = TypeVar("T")
+def own_kind(code: UserCode) -> type[Lighthouse]:
+    """The class that the code stands for, with its options, ready to be used as one of ours.
+
+    Raises:
+        InvalidWorld: if there is none, or it has no such options.
+    """
+    if code.arguments and isinstance(code.load(), type):
+        kind = _kind(code.bare)
+        return kind_with(kind, options_in(kind, code.plain, code.name.partition("?")[2]))  # type: ignore[no-any-return]
+    return _kind(code)
 
 
 @cache
-def own_kind(code: UserCode) -> type[Lighthouse]:
-    """The class that the code stands for, ready to be used as one of ours; loaded once a process.
-
-    Raises:
-        InvalidWorld: if there is none.
-    """
-    kind = code.load(ENTRY_POINTS)
-    arguments = code.arguments
-    if isinstance(kind, type):
-        kind = _with_attributes(code.name, kind, arguments)
-    else:
-        kind = called(code.name, kind, arguments)
+def _kind(code: UserCode) -> type[Lighthouse]:
+    """The class, which is loaded once a process; of a factory one for each of its arguments."""
+    kind = code.made()
     if not isinstance(kind, type) or not issubclass(kind, Lighthouse) or inspect.isabstract(kind):
-        raise InvalidWorld(
-            f"{show(code.name)} is no lighthouse, but {show(kind)}; one is a class with the base "
-            "allworlds.Lighthouse and a class method places"
-        )
+        raise InvalidWorld(f"{show(code.name)} is no lighthouse, but {shown(kind)}; one is {SHAPE}")
     if "__dataclass_params__" not in vars(kind):
         kind = dataclass(frozen=True)(kind)
     if not vars(kind)["__dataclass_params__"].frozen or "__hash__" not in vars(kind):
         raise InvalidWorld(
             f"{show(code.name)} is no frozen dataclass; write @dataclass(frozen=True)"
         )
+    for each in fields(kind):
+        told = vars(kind).get(each.name, each.default)
+        if each.default is not MISSING and told != each.default and not hasattr(told, "__get__"):
+            raise InvalidWorld(
+                f"{show(code.name)} sets {each.name} = {show(told)} without a type, and so the "
+                f"field keeps {show(each.default)}; write {each.name}: {type(told).__name__} = ..."
+            )
     return _watched(kind, code)
 
 
-def _with_attributes(name: str, kind: type[T], arguments: Mapping[str, Argument]) -> type[T]:
-    """The class with these values of its attributes."""
-    own = {
-        key: value
-        for each in reversed(kind.__mro__)
-        if not each.__module__.startswith(("allworlds.", "builtins"))
-        for key, value in vars(each).items()
-        if type(value) in (int, bool, str) and not key.startswith("_")
-    }
-    for key, value in arguments.items():
-        if key not in own:
-            legal = ", ".join(sorted(own)) or "none"
-            raise InvalidWorld(f"{show(name)} has no option {show(key)}; legal are {legal}")
-        if type(value) is not type(own[key]):
-            raise InvalidWorld(
-                f"option {key} = {show(value)} of {show(name)} is of the type "
-                f"{type(value).__name__}, not {type(own[key]).__name__}"
-            )
-    if not arguments:
-        return kind
-    told = {"__doc__": kind.__doc__, "__module__": kind.__module__}
-    return dataclass(frozen=True)(type(kind.__name__, (kind,), {**arguments, **told}))
+def shown(value: object) -> str:
+    """A short text for any object, without the name of the module that its class was loaded as."""
+    if isinstance(value, type):
+        return f"the class {value.__qualname__}"
+    plain = type(value).__repr__ is object.__repr__
+    return f"an object of the class {type(value).__qualname__}" if plain else show(value)
 
 
 def _watched(kind: type[Lighthouse], code: UserCode) -> type[Lighthouse]:
     """The class itself, which from now on names itself in errors, files and pickles."""
     kind.kind, kind.code = code.plain, code
-    if "keys" not in {key for each in kind.__mro__[:-1] if _is_users(each) for key in vars(each)}:
-        kind.keys = tuple(each.name for each in fields(kind)) if is_dataclass(kind) else ()
     for each in kind.__mro__:
-        for name in {*WATCHED} & {*vars(each)} if _is_users(each) else ():
-            _watch(each, name, code.name)
-    places, percepts = kind.places, kind.percepts
-
-    def checked_places(_: object, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:
-        for place in _each(code.name, "places", places(map_, start)):
-            if type(place) is not kind:
-                raise InvalidWorld(
-                    f"places of the lighthouse {show(code.name)} has {show(place)}, which is none "
-                    "of its class; write yield cls(...)"
-                )
-            yield place
-
-    def checked_percepts(self: Lighthouse, map_: CombinatorialMap) -> tuple[Percept, ...]:
-        sensed = tuple(_each(code.name, "percepts", percepts(self, map_)))
-        if len(sensed) != len(map_.darts):
-            raise InvalidWorld(
-                f"the lighthouse {show(code.name)} has {len(sensed)} percepts for "
-                f"{len(map_.darts)} darts"
-            )
-        return tuple(_percept(code.name, map_, d, each) for d, each in enumerate(sensed))
-
-    kind.places = classmethod(checked_places)  # type: ignore[assignment, method-assign]
-    kind.percepts = checked_percepts  # type: ignore[method-assign]
+        if _is_users(each):
+            for name in [name for name in vars(each) if name in WATCHED]:
+                _watch(each, name, code.name)
+    checks = _Checks(code.name, kind)
+    for name in CHECKED:
+        if name == "percepts" or inspect.getattr_static(kind, name) is not vars(Lighthouse)[name]:
+            _let_check(kind, name, getattr(checks, name))
+    _ask_twice(kind, code.name)
     copyreg.pickle(kind, _reduced)
     return kind
 
 
+WATCHED = {name for name in vars(Lighthouse) if not name.startswith("_")} | {"__post_init__"}
+"""The methods whose errors are the user's: all that can be written anew."""
+
+
 def _is_users(kind: type) -> bool:
-    return not kind.__module__.startswith("allworlds.") and kind.__module__ not in (
-        "abc",
-        "builtins",
-    )
+    modules = ("abc", "builtins")
+    return not kind.__module__.startswith("allworlds.") and kind.__module__ not in modules
 
 
 def _watch(kind: type, method: str, name: str) -> None:
     """Let errors of a method name the lighthouse."""
     found = vars(kind)[method]
-    function: Callable[..., Any] = getattr(found, "__func__", found)
+    function = found.fget if isinstance(found, property) else getattr(found, "__func__", found)
     if not inspect.isfunction(function) or hasattr(function, "watched"):
         return
+    what = f"lighthouse {show(name)}: {method}"
 
     @wraps(function)
     def watched(*args: Any, **keywords: Any) -> Any:
-        return _tried(name, method, lambda: function(*args, **keywords))
+        return tried(what, lambda: function(*args, **keywords), InvalidWorld)
 
     watched.watched = True  # type: ignore[attr-defined]
-    setattr(kind, method, type(found)(watched) if found is not function else watched)
+    setattr(kind, method, watched if found is function else type(found)(watched))
 
 
-def _tried(name: str, method: str, act: Callable[[], T]) -> T:
-    try:
-        return act()
-    except InputError:
-        raise
-    except BaseException as error:  # noqa: BLE001  # a class of the user's may raise anything
-        let_users_interrupt(error)
-        raise InvalidWorld(f"lighthouse {show(name)}: {method} raises {said(error)}") from None
+def _let_check(kind: type[Lighthouse], method: str, check: Callable[..., Any]) -> None:
+    """Let what a method returns be checked before it is used."""
+    found = inspect.getattr_static(kind, method)
+    if isinstance(inspect.getattr_static(Lighthouse, method), property) and not isinstance(
+        found, property
+    ):  # a plain value in its place
+        value = found
+        found = property(lambda _self: value)
+    function: Any = found.fget if isinstance(found, property) else getattr(found, "__func__", found)
 
+    @wraps(function)
+    def checked(self: Any, *args: Any) -> Any:
+        return check(function(self, *args), self, *args)
+
+    setattr(kind, method, checked if found is function else type(found)(checked))
+
+
+def _ask_twice(kind: type[Lighthouse], name: str) -> None:
+    """Let each place be asked twice, as it may be random in a few worlds alone."""
+    sensing = kind.percepts
+
+    def percepts(self: Lighthouse, map_: CombinatorialMap) -> tuple[Percept, ...]:
+        sensed = sensing(self, map_)
+        if sensing(self, map_) != sensed:
+            raise InvalidWorld(
+                f"the lighthouse {show(name)} is no function of the world: asked twice, {self} "
+                f"senses something else in {map_}"
+            )
+        return sensed
+
+    kind.percepts = percepts  # type: ignore[method-assign]
+
+
+class _Checks:
+    """Checks of the values that the methods of these names return.
+
+    Args:
+        name: of the lighthouse, for messages.
+        kind: its class.
+    """
+
+    def __init__(self, name: str, kind: type[Lighthouse]) -> None:
+        self.name, self.kind = name, kind
+
+    def places(
+        self, places: Any, kind: type[Lighthouse], _map: CombinatorialMap, _start: Dart
+    ) -> Iterator[Lighthouse]:
+        """Places of the class, with the options that were asked for."""
+        what = f"lighthouse {show(self.name)}: places"
+        every = tried(what, lambda: iter(places), InvalidWorld)
+        while (place := tried(what, lambda: next(every, _END), InvalidWorld)) is not _END:
+            chosen = getattr(kind, "chosen", {})
+            if type(place) is not self.kind or any(
+                getattr(place, key) != value for key, value in chosen.items()
+            ):
+                raise InvalidWorld(
+                    f"places of the lighthouse {show(self.name)} has {shown(place)}, which "
+                    "cls(...) has not made; write yield cls(...)"
+                )
+            yield place
+
+    def percepts(
+        self, percepts: Any, _self: Lighthouse, map_: CombinatorialMap
+    ) -> tuple[Percept, ...]:
+        """A percept for each dart, with its degree, in plain integers."""
+        what = f"lighthouse {show(self.name)}: percepts"
+        sensed = tried(what, lambda: tuple(percepts), InvalidWorld)
+        if len(sensed) != len(map_.darts):
+            raise InvalidWorld(
+                f"the lighthouse {show(self.name)} has {len(sensed)} percepts for "
+                f"{len(map_.darts)} darts"
+            )
+        return tuple(self._percept(map_, dart, each) for dart, each in enumerate(sensed))
+
+    def _percept(self, map_: CombinatorialMap, dart: Dart, percept: object) -> Percept:
+        plain = _plain(percept) if type(percept) is Percept else None
+        if plain is None or plain.degree != map_.degree_at[dart]:
+            raise InvalidWorld(
+                f"the lighthouse {show(self.name)} senses {show(percept)} at a dart of degree "
+                f"{map_.degree_at[dart]}; legal is Percept(degree, marks, bearing) with that "
+                "degree, marks from 0 on, and a bearing from 0 on or None"
+            )
+        return plain
+
+    def told(self, told: Any, _self: Lighthouse, _map: CombinatorialMap) -> Told:
+        """An integer, integers by their names, or None."""
+        try:
+            if isinstance(told, Mapping):
+                if all(isinstance(key, str) for key in told):
+                    return {str(key): integer(value) for key, value in told.items()}
+            else:
+                return None if told is None else integer(told)
+        except TypeError:
+            pass
+        raise self._wrong("told", told, "an integer, a dict of integers by their names, or None")
+
+    def in_hand(self, number: Any, _self: Lighthouse) -> int:
+        """A number of markers."""
+        return self._natural("in_hand", number)
+
+    def left_marks(self, marks: Any, _self: Lighthouse, *_asked: object) -> int:
+        """A number of marks."""
+        return self._natural("left_marks", marks)
+
+    def refusal(
+        self, text: Any, _self: Lighthouse, _action: object, _lying: int, _hand: int
+    ) -> str:
+        """A text."""
+        if not isinstance(text, str):
+            raise self._wrong("refusal", text, "a text, empty if the action is legal")
+        return text
+
+    def acted(
+        self, after: Any, _self: Lighthouse, _map: object, state: State, _action: Action
+    ) -> State:
+        """A state in which the robot has not moved."""
+        if type(after) is not State or after.dart != state.dart or not after.is_plain:
+            raise self._wrong("acted", after, "a State with the dart of the one before")
+        return after
+
+    def _natural(self, method: str, number: object) -> int:
+        try:
+            found = integer(number)
+        except TypeError:
+            found = -1
+        if found < 0:
+            raise self._wrong(method, number, "an integer from 0 on")
+        return found
+
+    def _wrong(self, method: str, value: object, legal: str) -> InvalidWorld:
+        return InvalidWorld(
+            f"{method} of the lighthouse {show(self.name)} gives {shown(value)}; legal is {legal}"
+        )
+
+
+CHECKED = [name for name in vars(_Checks) if name in WATCHED]
+"""The methods of which what they return is checked."""
 
 _END = object()
-
-
-def _each(name: str, method: str, values: Any) -> Iterator[Any]:
-    """The values, with the errors that only come while they are asked for."""
-    every = _tried(name, method, lambda: iter(values))
-    while (value := _tried(name, method, lambda: next(every, _END))) is not _END:
-        yield value
-
-
-def _percept(name: str, map_: CombinatorialMap, dart: Dart, percept: object) -> Percept:
-    """The percept at a dart, as plain integers."""
-    plain = _plain(percept) if type(percept) is Percept else None
-    if plain is None or plain.degree != map_.degree_at[dart]:
-        raise InvalidWorld(
-            f"the lighthouse {show(name)} senses {show(percept)} at a dart of degree "
-            f"{map_.degree_at[dart]}; legal is Percept(degree, marks, bearing) with that degree, "
-            "marks from 0 on, and a bearing from 0 on or None"
-        )
-    return plain
 
 
 def _plain(percept: Percept) -> Percept | None:
@@ -180,4 +260,4 @@ def _reduced(place: Lighthouse) -> tuple[Any, ...]:
 
 
 def _placed(code: UserCode, state: Mapping[str, Any]) -> Lighthouse:
-    return own_kind(code)(**state)
+    return _kind(code)(**state)

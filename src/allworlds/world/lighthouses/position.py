@@ -9,7 +9,8 @@ from typing import ClassVar
 from typing_extensions import override
 
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import ReferenceLighthouse, StandsAt, check_at_start
+from allworlds.world.lighthouses.base import ReferenceLighthouse, StandsAt
+from allworlds.world.lighthouses.place_checks import check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
 
 

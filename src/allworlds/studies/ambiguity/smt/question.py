@@ -224,7 +224,10 @@ def question_of(request: SearchRequest) -> Question:
     """
     if request.lighthouse not in SEARCHED:
         legal = ", ".join(SEARCHED)
-        raise InputError(f"lighthouse {show(request.lighthouse)} is not one of {legal}")
+        raise InputError(
+            f"lighthouse {show(request.lighthouse)} is not one of {legal}, of which there are "
+            "formulas; 'ambiguity census' takes every lighthouse, and makes all small worlds"
+        )
     motions, percepts = _listed("motions", request.motions), _listed("percepts", request.percepts)
     return Question(
         request.lighthouse,

@@ -1,0 +1,112 @@
+"""The prints of an explorer, escaped and limited: for one run, and never for a verdict."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from typing import Any, Protocol
+
+KEPT = 4096
+"""The largest number of bytes of the text; of longer prints it has the beginning and the end."""
+
+SIGN = "\n[... {} bytes more ...]\n"
+"""The line between the two; the number has at most :data:`DIGITS` digits."""
+
+DIGITS = 15
+
+
+class Sink(Protocol):
+    """A receiver of bytes."""
+
+    def add(self, printed: bytes) -> None:
+        """Take bytes."""
+
+
+class Prints:
+    """A record of bytes of limited size, and its text."""
+
+    def __init__(self) -> None:
+        self._first, self._last, self._size = bytearray(), bytearray(), 0
+
+    def add(self, printed: bytes) -> None:
+        """Add bytes to the record; drop bytes from its middle if it is full."""
+        self._size += len(printed)
+        room = KEPT - len(self._first)
+        self._first += printed[:room]
+        self._last += printed[room:]
+        del self._last[: max(0, len(self._last) - KEPT)]
+
+    @property
+    def text(self) -> str:
+        """The prints with control characters escaped, in at most :data:`KEPT` bytes."""
+        if self._size <= KEPT:
+            whole = "".join(shown for _, shown in _letters(self._first))
+            if len(whole.encode()) <= KEPT:
+                return whole
+        room = (KEPT - len(SIGN.format("9" * DIGITS))) // 2
+        end = (self._first + self._last)[-KEPT:]
+        first, before = _fitting(_letters(self._first), room)
+        last, after = _fitting(reversed(list(_letters(end))), room)
+        return "".join(first) + SIGN.format(self._size - before - after) + "".join(last[::-1])
+
+
+def _letters(printed: bytes | bytearray) -> Iterator[tuple[int, str]]:
+    """The letters of the text, each with the number of bytes that it is made of."""
+    for letter in printed.decode(errors="surrogateescape").replace("\r\n", "\n"):
+        raw = letter.encode(errors="surrogateescape")
+        if letter in "\n\t" or letter.isprintable():
+            yield len(raw), letter
+        elif 0xDC80 <= ord(letter) <= 0xDCFF:
+            yield 1, f"\\x{raw[0]:02x}"
+        else:
+            yield len(raw), ascii(letter)[1:-1]
+
+
+def _fitting(letters: Iterable[tuple[int, str]], room: int) -> tuple[list[str], int]:
+    """The letters that fit into so many bytes, and the number of bytes that they are made of."""
+    fitting: list[str] = []
+    made_of = 0
+    for size, shown in letters:
+        room -= len(shown.encode())
+        if room < 0:
+            break
+        fitting.append(shown)
+        made_of += size
+    return fitting, made_of
+
+
+class Silence:
+    """A sink that drops everything."""
+
+    def add(self, _: bytes) -> None:
+        """Drop the bytes."""
+
+
+class _PrintStream(io.BufferedIOBase):
+    """A stream of bytes that ends in a sink."""
+
+    name = "<the explorer's prints>"
+
+    def __init__(self, sink: Sink) -> None:
+        self._sink = sink
+
+    def writable(self) -> bool:
+        """Return that it is."""
+        return True
+
+    def write(self, printed: Any, /) -> int:
+        """Give the bytes to the sink."""
+        taken = bytes(printed)
+        self._sink.add(taken)
+        return len(taken)
+
+
+@contextmanager
+def printing_to(sink: Sink) -> Iterator[None]:
+    """Send what Python prints in this process to a sink; other prints go where they did."""
+    written = io.TextIOWrapper(
+        _PrintStream(sink), "utf-8", "backslashreplace", newline="", write_through=True
+    )
+    with redirect_stdout(written), redirect_stderr(written):
+        yield
