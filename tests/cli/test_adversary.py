@@ -134,6 +134,14 @@ def test_what_was_played_is_told_in_a_line_and_also_where_a_law_is_broken(cli):
     assert "made by    adversary:corridor:1 with seed 1: 56 pairs" in out
 
 
+def test_a_walk_that_is_left_out_is_in_the_rows_of_a_file(cli, tmp_path):
+    files = [tmp_path / "with.csv", tmp_path / "without.csv"]
+    for file, words in zip(files, ([], ["--no-walk"]), strict=True):
+        assert cli("run", "greedy", "theta", "--csv", file, *words)[0] == 0
+    assert files[0].read_text() == files[1].read_text()
+    assert len(files[0].read_text().splitlines()) > 2
+
+
 def test_the_walk_can_be_left_out(cli):
     words = "run", "algorithm1", "adversary:corridor:1", "--seed", "1"
     _, with_walk, _ = cli(*words)

@@ -231,7 +231,7 @@ def corridors() -> Iterator[str]:
     """A row a size: the mean costs in corridors with a drawn far matching, divided by m^2 n."""
     yield f"| n | m | worlds | {COLUMNS} | (1)+(2) |"
     yield f"|---:|---:|---:|{'---:|' * len(FOUR)}---:|"
-    rows = dict(_families())["corridor"]
+    rows = dict(_families())["corridor"] + growth().read(FIGURES / "corridors.csv")
     for edges, same in growth().costs(rows, FOUR[0]).items():
         (vertices,) = {int(row["vertices"]) for row in rows if int(row["edges"]) == edges}
         means = [growth().costs(rows, name)[edges] for name in FOUR]
