@@ -28,7 +28,7 @@ DEFAULTS = {
     allworlds.compare: MANY,
     allworlds.replay: PATIENCE,
     allworlds.mutants: {"edges": 4},
-    allworlds.optimum: {"edges": 3},
+    allworlds.optimum: {},
     allworlds.count: {"map_class": "maps", **CLUSTER},
     allworlds.worst: {
         "explore": "algorithm1",
