@@ -18,7 +18,7 @@ from allworlds.world.lighthouses.kinds import (
     LighthouseKind,
     lighthouse_kind,
 )
-from allworlds.world.lighthouses.place_checks import InvalidWorld
+from allworlds.world.lighthouses.place_checks import InvalidWorld, Unsteady
 from allworlds.world.world import IllegalAction, World
 
 TRIED_EDGES = 3
@@ -71,7 +71,11 @@ def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
         for map_ in rooted_maps(level):
             other = [*map_.darts]
             names.shuffle(other)
-            if wrong := _flaw(kind.as_class, map_, other):
+            try:
+                wrong = _flaw(kind.as_class, map_, other)
+            except Unsteady as error:
+                wrong = str(error)
+            if wrong:
                 yield f"the lighthouse {kind} in {map_}: {wrong}"
 
 

@@ -14,7 +14,7 @@ from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Percept, Told, UserCode, tried
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.options import kind_with, options_in
-from allworlds.world.lighthouses.place_checks import InvalidWorld
+from allworlds.world.lighthouses.place_checks import InvalidWorld, Unsteady
 from allworlds.world.state import State
 
 SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
@@ -127,7 +127,7 @@ def _ask_twice(kind: type[Lighthouse], name: str) -> None:
     def percepts(self: Lighthouse, map_: CombinatorialMap) -> tuple[Percept, ...]:
         sensed = sensing(self, map_)
         if sensing(self, map_) != sensed:
-            raise InvalidWorld(
+            raise Unsteady(
                 f"the lighthouse {show(name)} is no function of the world: asked twice, {self} "
                 f"senses something else in {map_}"
             )
