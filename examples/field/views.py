@@ -11,7 +11,8 @@ of graphs: isomorphism to depth n-1 implies isomorphism to all depths (1995).
 Lighthouse: ``told:n``.  Task: ``judges.py:kinds``, the number of kinds of darts that motions tell
 apart.  Expected: ``to_n``, which looks to depth n, HOLDS as far as it was tried (4 edges).  Less is
 REFUTED: depth n - 1 (``norris``: the theorem is about vertices whose darts have numbers) in the
-smallest case with 3 edges, depths 0, 1 and 2 with 2, 3 and 4 edges::
+smallest case with 3 edges, depths 0, 1 and 2 with 2, 3 and 4 edges. Counted are kinds of darts;
+kinds of vertices are fewer, and need 3 edges to refute depth 0::
 
     allworlds check 'views.py:looks?depth=1' --lighthouse told:n --task judges.py:kinds
         --step-budget 100000 --edges 3

@@ -1,4 +1,4 @@
-"""What is meant where an option is left out, written down a second time."""
+"""The default of each option, written down a second time."""
 
 import inspect
 
@@ -33,6 +33,7 @@ DEFAULTS = {
     allworlds.worst: {
         "explore": "algorithm1",
         "map_class": "maps",
+        "task": "map",
         "workers": 1,
         **PATIENCE,
         **CLUSTER,

@@ -55,14 +55,14 @@ PROOFS = Path(__file__).parents[2] / "proofs"
 
 @dataclass(frozen=True)
 class Mutant:
-    """What is changed, and where the claim is then looked at.
+    """A change, and the scope in which the claim is then checked.
 
     Attributes:
         claim: its id.
-        what: what is wrong.
-        patches: (module or class, name, what stands there instead).
-        bounds: of the scope in which it is looked at; left out: those of the quick one.
-        changed: bounds that make the false cousin, beside the others.
+        what: the fault, in words.
+        patches: (module or class, name, replacement).
+        bounds: of the scope in which it is checked; if left out, those of the quick scope.
+        changed: bounds of the false cousin that differ from these.
         folder: makes the folder of proofs, right or damaged.
         slow: takes more than a few seconds.
     """
@@ -142,7 +142,7 @@ class RetracesTwice(Algorithm1):
 
 
 class WatchedRetracesTwice(passes.Watched, RetracesTwice):
-    """The same, watched."""
+    """``RetracesTwice`` with its passes watched."""
 
 
 class WatchedWasteful(passes.Watched):
@@ -242,7 +242,7 @@ def directional(wrong: Callable[..., Any], right: Callable[..., Any]) -> Callabl
 
 
 def in_section(write: Callable[..., Any]) -> Callable[..., Any]:
-    """What writes clauses, with a contradiction among them where worlds have directions."""
+    """A function like ``write`` that adds a contradiction if worlds have directions."""
 
     def wrong(formula: Any, *asked: Any) -> Any:
         written = write(formula, *asked)

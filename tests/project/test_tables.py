@@ -211,7 +211,7 @@ ONLY_PYTHON = {
 
 
 def keywords_of(function):
-    """What a function takes."""
+    """The parameters of a function, but for its listener."""
     return {*inspect.signature(function).parameters} - {"listener"}
 
 

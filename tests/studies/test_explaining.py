@@ -1,11 +1,11 @@
 """Explaining where the world of a finding is its own mirror image: another world decides."""
 
 import json
-from dataclasses import replace
 
 import pytest
 
 from allworlds import explain, replay
+from allworlds.document import replace
 from allworlds.engines import finding_from_record, finding_to_record
 from allworlds.judging import (
     Finding,

@@ -76,6 +76,12 @@ def test_an_explorer_in_the_file_of_its_model_can_make_the_verdict_and_the_scope
 
 
 @pytest.mark.slow
+def test_a_model_that_only_imports_from_the_file_of_the_explorer_is_as_dangerous(folder, tmp_path):
+    (tmp_path / "models.py").write_text("from attack import judge\n")
+    assert checked("attack", "task", "models.py:judge")[:2] == ("holds", "attack.py")
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(("option", "name"), MODELS.items())
 def test_a_model_in_a_file_of_its_own_judges_as_it_should(folder, option, name):
     assert checked("explorers", option, f"models.py:{name}")[:2] == ("refuted", "")
@@ -120,3 +126,15 @@ def test_every_verb_that_judges_runs_names_the_shared_file_and_no_other_file(mod
     assert "trust shared_walker.py holds" in " ".join(text("compare", compared, 100).split())
     apart = allworlds.worst("shared_walker.py:explore", edges=1, task="shared_alone.py:judge")
     assert apart.scope.shared_file == ""
+
+
+def test_a_merge_elsewhere_names_the_shared_file_and_loads_no_file(modules, tmp_path, monkeypatch):
+    job = {"edges": 1, "task": "shared_judge.py:judge"}
+    for i in range(2):
+        allworlds.check("shared_walker.py:explore", shard=(i, 2), run=f"run-{i}", **job)
+    runs = [tmp_path / f"run-{i}" for i in range(2)]
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    monkeypatch.chdir(elsewhere)
+    monkeypatch.setattr(sys, "path", [each for each in sys.path if each != str(tmp_path)])
+    assert allworlds.merge(*runs).scope.shared_file == "shared_walker.py"

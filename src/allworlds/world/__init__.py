@@ -93,7 +93,7 @@ if TYPE_CHECKING:
     )
     from allworlds.world.lighthouses.knowledge import TOLD as TOLD
     from allworlds.world.lighthouses.options import place_keys as place_keys
-    from allworlds.world.lighthouses.written import Written as Written
+    from allworlds.world.lighthouses.written import NumberRoom as NumberRoom
     from allworlds.world.named import (
         HOLES as HOLES,
         LIGHTHOUSE as LIGHTHOUSE,

@@ -31,7 +31,7 @@ from allworlds.judging.episode import default_step_budget
 from allworlds.judging.laws.bounds import NO_BOUND, Bound, bound_named, paper_bound
 from allworlds.judging.laws.law_table import LAWS, TASK, JudgedLaw, Setting
 from allworlds.judging.tasks import MAP, TASKS, Judge, Task, task_named
-from allworlds.maps import CombinatorialMap, Condition
+from allworlds.maps import AND, CombinatorialMap, Condition
 from allworlds.protocol import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
 from allworlds.world import (
     Directional,
@@ -208,7 +208,8 @@ class Among(NamedTuple):
         """The condition of a request."""
         if where is None:
             return None
-        return cls(where.name, next((code.digest for code in getattr(where, "codes", ())), None))
+        digests = [code.digest for code in getattr(where, "codes", ())]
+        return cls(where.name, AND.join(digests) or None)
 
 
 class Rules(AskedRules, kw_only=False):
@@ -222,6 +223,8 @@ class Rules(AskedRules, kw_only=False):
             right without folding.
         own_bound: the explorer's own bound for this lighthouse; None if it has none.
         among: the condition on the maps, for findings; runs do not depend on it.
+        shared_file: the name of the explorer's file, if code that judges it is loaded from it, for
+            reports.
     """
 
     lighthouse: Taken[GivenLighthouse, LighthouseKind] = Taken(lighthouse_kind, Directional.kind)
@@ -229,6 +232,7 @@ class Rules(AskedRules, kw_only=False):
     promised: bool = False
     own_bound: Taken[str | Bound | None, Bound | None] = Taken(_bound, None)
     among: Among | None = None
+    shared_file: str = ""
 
     def __post_init__(self) -> None:
         for law in self.laws or ():
@@ -357,7 +361,8 @@ class RecordedRules(Document, of=AskedRules, forbid_unknown_fields=False):
         IfAny[Text | None], about("the condition on the maps among which it is minimal, if any")
     ] = None
     where_digest: Annotated[
-        IfAny[Text | None], about("SHA-256 of the predicate's file, where it is the user's")
+        IfAny[Text | None],
+        about("SHA-256 of the predicate's file, where it is the user's; of each of several"),
     ] = None
 
     def rules(self, world: World, own_bound: str | None = None) -> Rules:

@@ -16,7 +16,7 @@ from allworlds.reports.html.viewer import figure
 from allworlds.reports.markup import record, tag
 from allworlds.reports.tellings.played import LEAST, NAMES
 from allworlds.studies.play import Play
-from allworlds.world import Movable, World, Written, parts_of
+from allworlds.world import Movable, NumberRoom, World, parts_of
 
 HOW = (
     "Click a number, or press its key, to leave by that edge: 0 is the way back, the others "
@@ -65,7 +65,7 @@ def world_data(world: World) -> dict[str, Any]:
             f"under the lighthouse {world.lighthouse.written} the robot leaves marks in a way of "
             "your own, which a page cannot do; leave --html out to play in the terminal"
         )
-    written = marking if isinstance(marking, Written) else None
+    written = marking if isinstance(marking, NumberRoom) else None
     spots: list[int] | None = None
     if written:
         spots = [written.place_of_number(map_, dart) for dart in map_.darts]

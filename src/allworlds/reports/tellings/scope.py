@@ -60,7 +60,7 @@ def explorers_told(report: ContestReport) -> list[tuple[str, str]]:
         how = f"lighthouse {rules.lighthouse}, policy {rules.policy}, bound {rules.the_bound}"
         words.append(("explorer", f"{one.name}: {how}"))
         words += places_told(tried_places(rules.lighthouse, report.extent))
-        words += trust_told(report.shared_file(one))
+        words += trust_told(rules.shared_file)
     return words
 
 

@@ -1,4 +1,4 @@
-"""What a census brings: worlds, parted by what a robot could ever sense in them."""
+"""Results of a census: worlds, parted by all that a robot could ever sense in them."""
 
 from __future__ import annotations
 

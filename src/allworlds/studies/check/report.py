@@ -43,7 +43,7 @@ from allworlds.outcome import Completed, Verdict
 from allworlds.studies.check.gate import GateCell
 from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
 from allworlds.studies.check.requests import CheckRequest
-from allworlds.studies.check.shared_files import SharedFile, shared_file
+from allworlds.studies.check.shared_files import SharedFile
 
 
 class SampleReport(Document):
@@ -219,7 +219,7 @@ class CheckReport(EndedReport):
             rules,
             edges=extent.edges,
             places=tried_places(rules.lighthouse, extent),
-            shared_file=shared_file(self.explorer, rules, extent.where),
+            shared_file=rules.shared_file,
             shard=str(self.portion),
             sample=sample,
             given=len(coverage.worlds) if isinstance(coverage, Given) else None,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -29,6 +30,7 @@ from allworlds.inputs import (
 from allworlds.judging import Among, AskedRules, Rules
 from allworlds.maps import DEFAULT_EDGES, AskedClass, AskedExtent, Extent
 from allworlds.protocol import Schedule, a_schedule
+from allworlds.studies.check.shared_files import shared_file
 from allworlds.world import AskedLighthouse, AskedWhere, World
 
 
@@ -42,8 +44,11 @@ class ManyWorlds(AskedListener, Limits, AskedRules, AskedLighthouse, AskedClass)
             InputError: naming the offending option and what would be legal.
         """
         lighthouse = self.lighthouse or subject.lighthouse
-        among = Among.of(getattr(self, "where", None))
-        return self.rules_of(subject, lighthouse, promised=self.map_class.promises, among=among)
+        where = getattr(self, "where", None)
+        rules = self.rules_of(
+            subject, lighthouse, promised=self.map_class.promises, among=Among.of(where)
+        )
+        return replace(rules, shared_file=shared_file(subject.name, rules, where))
 
 
 class ManyRuns(ManyWorlds, AskedExplorer):

@@ -18,7 +18,7 @@ def parameters_of(request: object, rules: Rules) -> dict[str, Any]:
 
 def rules_record(rules: Rules) -> dict[str, Any]:
     """Record of those rules that may come from the explorer."""
-    names = ("lighthouse", "step_budget", "promised", "own_bound")
+    names = ("lighthouse", "step_budget", "promised", "own_bound", "shared_file")
     return {name: as_json(getattr(rules, name)) for name in names}
 
 
@@ -27,9 +27,9 @@ def rules_known(request: object, told: Mapping[str, Any]) -> Rules:
     names = [field.name for field in fields(AskedRules)]
     asked = {name: getattr(request, name) for name in names if hasattr(request, name)}
     asked["step_budget"] = told["step_budget"]
-    promised, own_bound = told["promised"], told["own_bound"]
+    kept = {name: told[name] for name in ("promised", "own_bound", "shared_file")}
     among = Among.of(getattr(request, "where", None))
-    return Rules(told["lighthouse"], promised=promised, own_bound=own_bound, among=among, **asked)
+    return Rules(told["lighthouse"], among=among, **kept, **asked)
 
 
 def record_of(subject: Subject) -> dict[str, Any]:

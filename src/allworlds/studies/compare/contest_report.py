@@ -28,7 +28,7 @@ from allworlds.engines import (
 )
 from allworlds.judging import AskedRules, Finding
 from allworlds.outcome import Verdict
-from allworlds.studies.check import SharedFile, shared_file
+from allworlds.studies.check import SharedFile
 from allworlds.studies.compare.compare_request import AskedContestWorlds
 from allworlds.studies.compare.contestants import Contestant
 from allworlds.world import AskedLighthouse
@@ -103,15 +103,11 @@ class ContestReport(SweptReport):
         found = self if by is None else replace(self, by=by_named(by))
         return super(ContestReport, found).records()
 
-    def shared_file(self, one: Contestant) -> str:
-        """The file of an explorer from which code that judges it is loaded; else empty."""
-        return shared_file(one.subject.name, one.rules, self.extent.where)
-
     def compared_one(self, one: Contestant) -> Compared:
         """The part of the document that tells of an explorer."""
         return Compared(
             name=one.name,
             **one.rules.told,
             places=tried_places(one.rules.lighthouse, self.extent),
-            shared_file=self.shared_file(one),
+            shared_file=one.rules.shared_file,
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from typing_extensions import override
@@ -29,7 +29,7 @@ from allworlds.engines import (
     why_not_compiled,
 )
 from allworlds.explorers import Subject
-from allworlds.judging import Finding
+from allworlds.judging import Among, Finding
 from allworlds.maps import Extent, source_of
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped
 from allworlds.protocol import Schedule
@@ -37,6 +37,7 @@ from allworlds.studies.check import (
     ManyWorlds,
     TallySweep,
     rules_known,
+    shared_file,
     subject_of_record,
     world_at,
 )
@@ -209,5 +210,8 @@ def runs_asked(request: WorstRequest, extent: Extent) -> RunsSweep:
         map_class=request.map_class, lighthouse=request.lighthouse, task=request.task
     )
     schedules: Schedule = "all" if subject.takes_choices else "one"
-    scope = Scope(extent, asked.rules(subject), schedules, request.shard)
+    rules = asked.rules(subject)
+    shared = shared_file(subject.name, rules, extent.where)
+    rules = replace(rules, among=Among.of(extent.where), shared_file=shared)
+    scope = Scope(extent, rules, schedules, request.shard)
     return RunsSweep(request, scope, subject)

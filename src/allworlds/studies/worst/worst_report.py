@@ -35,7 +35,7 @@ from allworlds.engines import (
 from allworlds.explorers import Subject
 from allworlds.judging import AskedRules, Finding, Rules
 from allworlds.protocol import Schedule
-from allworlds.studies.check import SharedFile, shared_file
+from allworlds.studies.check import SharedFile
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.studies.worst.worst_request import WorstRequest
 from allworlds.world import World
@@ -116,7 +116,7 @@ class WorstReport(SweptReport):
             schedules=r.schedules,
             symmetry=r.symmetry,
             shard=str(r.portion),
-            shared_file=shared_file(r.explorer, r.rules, r.extent.where),
+            shared_file=r.rules.shared_file,
         )
     )
     gate: ToldGate = GATE

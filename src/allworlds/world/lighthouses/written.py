@@ -18,7 +18,7 @@ LEAST, MOST = 2, 2**31
 """The numbers of numbers that there can be room for."""
 
 
-class Written(PlacelessLighthouse):
+class NumberRoom(PlacelessLighthouse):
     """A lighthouse under which ``Write(k)`` is legal, with k from 0 to states - 1.
 
     Attributes:
@@ -55,7 +55,7 @@ HowMany = Annotated[int, Meta(ge=LEAST, le=MOST), about("how many numbers there 
 
 
 @dataclass(frozen=True, slots=True)
-class Whiteboard(Written):
+class Whiteboard(NumberRoom):
     """At every vertex room for one number, which the robot writes there and reads there.
 
     Sensed at a vertex: the number that was last written there (0 at first) as marks, and the
@@ -72,7 +72,7 @@ class Whiteboard(Written):
 
 
 @dataclass(frozen=True, slots=True)
-class Ports(Written):
+class Ports(NumberRoom):
     """At every dart room for one number, which the robot writes and reads when it comes by it.
 
     Sensed: the number that was last written on the dart by which the robot has arrived (0 at
