@@ -1,13 +1,12 @@
-"""What two workers of a Dask cluster are worth of two threads, or processes, of this machine.
+"""The speed of two workers of a Dask cluster, compared with two threads or processes.
 
     python benchmarks/cluster.py [--rounds N] [--engine kernel|python]
 
-The same check is done here and on a cluster of this machine, in turns, so that whatever else the
-machine does falls on both; the first turn of each is not counted, since it starts what stays: the
-compiler, a guardian, and on the workers what they import.  The cluster is there beforehand.
-A ratio above 1 means that the cluster is faster, or takes less processor time; this time is that of
-all processes together, and so that of the scheduler is in it.  Nothing is asserted but that the
-reports are equal.
+The same check is done without a cluster and on a cluster of this machine, in turns, so that other
+work of the machine slows both.  The first turn of each is not counted: there the compiler and a
+guardian start, and the workers import their modules.  The cluster is started before.  A ratio above
+1 means that the cluster is faster, or takes less processor time; this is the time of all processes
+together, the scheduler included.  The program requires only that the reports are equal.
 """
 
 from __future__ import annotations
@@ -57,7 +56,7 @@ def _cpu_of_each() -> Iterator[float]:
 
 
 def taken(**options: Any) -> tuple[Taken, Any]:
-    """What a check takes, and its document."""
+    """The time that a check takes, and its document."""
     wall, cpu = time.perf_counter(), cpu_of_all()
     document = check(workers=WORKERS, **options).uninterrupted().to_json()
     return Taken(time.perf_counter() - wall, cpu_of_all() - cpu), document

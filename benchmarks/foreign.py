@@ -1,11 +1,11 @@
-"""What the judgement of an explorer of one's own costs, beside the explorer itself.
+"""The cost of checking a user's explorer, compared with the cost of the explorer itself.
 
     python benchmarks/foreign.py [--repeats N] [--edges M] [--kind python|pipe]
 
-The explorer is Algorithm 1, in Python and as a program behind a pipe.  Measured is CPU time,
-that of child processes included, so that it does not matter how many cores there are or what
-else they do.  In each repeat stand side by side: two plays of every run and nothing else, which
-is what a check cannot do without, and the check.  Printed are median, least and largest ratio.
+The explorer is Algorithm 1, in Python and as a program behind a pipe.  The program measures CPU
+time, child processes included, so that the number of cores and their other work do not matter.
+Each repeat compares the check with two plays of every run and nothing else, which no check can
+do without.  The program prints the median, the least and the largest ratio.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def explore(first: Percept):  # noqa: ANN201  # a generator, as users write them
 
 
 def program() -> None:
-    """The same as a program: JSON lines."""
+    """Play Algorithm 1 as a program, over JSON lines."""
     for line in sys.stdin:
         message = json.loads(line)
         percept = Percept(**message["percept"])

@@ -1,11 +1,11 @@
-"""What a check holds in memory at most.
+"""The most memory that a check holds.
 
     python benchmarks/memory.py [--kind KIND] [--edges M...] [--workers W]
 
-Each check is a command of its own; the largest resident set that it and each of its workers ever
-had (the high-water mark that Linux keeps of a process) is read until it ends.  Printed are both in
-MB, without and with a run directory.  What several processes share, as the interpreter's own code,
-counts for each.  Nothing is asserted but that the checks hold.
+Each check is a command of its own.  Until it ends, the program reads the largest resident set that
+the command and each of its workers ever had: the high-water mark that Linux keeps of a process.  It
+prints these in MB, without and with a run directory.  Memory that several processes share, as that
+of the interpreter's own code, counts for each.  The program requires only that the checks hold.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def high_water(pid: int) -> int:
 
 
 def peaks(words: list[str]) -> tuple[float, list[float]]:
-    """What the command, and each process that it started, held at most, in MB.
+    """The most memory that the command and each process that it started held, in MB.
 
     Raises:
         SystemExit: if the check does not hold.

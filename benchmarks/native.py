@@ -1,16 +1,17 @@
-"""What a run of a native explorer costs in the compiled engine, part by part.
+"""The cost of a run of a native explorer in the compiled engine, part by part.
 
     python benchmarks/native.py LIBRARY [--edges M] [--units N] [--explore PROGRAM]
 
-Laid out, played, judged, played again and compared: all in this process; messages and processes
-come on top.  Beside it stand, in the same units of work: the explorer played twice by a loop in C
-and nothing else, which is what no judge can do without, and the Python engine with the built-in
-explorer, which plays once; so the whole is also told without the second play.  PROGRAM is a
-yardstick that is called with ``0 M`` and prints how many worlds there are (``leaves``).  Printed
-is processor time, in microseconds a run.
+Runs are laid out, played, judged, played again and compared, all in this process; a check also
+needs messages and processes.  In the same units of work, two other costs are measured.  A loop in C
+plays the explorer twice and does nothing else, which no judge can do without.  The Python engine
+plays the built-in explorer once; so the whole is also told without the second play.  PROGRAM is a
+yardstick: it is called with ``0 M`` and prints the number of worlds (``leaves``).  All times are
+processor times, in microseconds a run, or for the yardstick a world.
 
-A library with ``allworlds_clone`` is also walked as a tree, in the same units; the number of its
-actions (motions, checkpoints, answers) is told both ways: that is what an explorer costs.
+A library with ``allworlds_clone`` is also walked as a tree, in the same units.  The number of its
+actions (motions, checkpoints, answers) is told for both ways, since the explorer's own cost grows
+with it.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
-"""What a check pays for its run directory.
+"""The cost of a run directory for a check.
 
     python benchmarks/run_directory.py [--edges M] [--workers W] [--rounds N] [--in DIR]
 
-The same check is done without and with a new directory, in turns, and the directory is looked at
-from inside: the seconds of this thread between the moment when a result is handed over, or asked
-for, and the moment when the loop goes on.  The first is what a user sees, and as noisy as the
-machine; the second is the cost itself, as a share of the processor time of the checks without one.
-Nothing is asserted but that the reports are equal.
+The same check is done without and with a new directory, in turns.  Their ratio is what a user sees,
+and as noisy as the machine.  The directory is also measured from inside: the seconds of this thread
+from the moment when a result is handed over, or asked for, to the moment when the loop goes on.
+These are the cost itself, told as a share of the processor time of the checks without a directory.
+The program requires only that the reports are equal.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from allworlds.engines.run_directory import finished_units as records
 
 @dataclass(slots=True)
 class Meter:
-    """What is done with a directory: how often, and the seconds of the clock and the processor."""
+    """A counter of calls, with their seconds of the clock and of the processor."""
 
     times: int = 0
     wall: float = 0.0
@@ -89,7 +89,7 @@ class Turn:
 
 
 def turn(**options: Any) -> tuple[Turn, Any]:
-    """What a check takes, and its document."""
+    """The time that a check takes, and its document."""
     wall, cpu = perf_counter(), process_time()
     document = check(engine="kernel", **options).uninterrupted().to_json()
     return Turn(perf_counter() - wall, process_time() - cpu), document

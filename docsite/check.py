@@ -21,7 +21,7 @@ NAMED_ONLY = {"canonical", "alternate", "license", "author", "next", "prev"}
 
 
 class Reader(HTMLParser):
-    """What a page loads from other hosts, and where it leads."""
+    """The addresses on other hosts that a page loads, and those that it links to."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -53,7 +53,7 @@ class Reader(HTMLParser):
 
 
 def read(text: str) -> Reader:
-    """What a page refers to."""
+    """The addresses on other hosts that are in a page."""
     reader = Reader()
     reader.feed(text)
     return reader

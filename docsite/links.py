@@ -1,8 +1,8 @@
-"""What a page refers to outside of its folder: pages of the repository, files, other hosts.
+"""The links of a page out of its folder: to pages of the repository, to files, to other hosts.
 
 Pages of the repository that lie outside of ``docs`` are brought into the site.  A link to any other
-file of the repository becomes its name, for no address of the repository is known here.  What leads
-to another host is listed on a page of its own.
+file of the repository becomes its name, for no address of the repository is known here.  Addresses
+of other hosts are listed on a page of their own.
 """
 
 from __future__ import annotations

@@ -58,7 +58,7 @@ def drawing(*scenes: Scene, caption: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """What a figure shows: scenes side by side, and the sentence below them."""
+    """A figure: scenes side by side, and the sentence below them."""
 
     caption: str
     scenes: Callable[[], list[Scene]]
@@ -177,7 +177,7 @@ class Live:
 
 
 def _about(kind: str) -> str:
-    """What a mutant does wrong."""
+    """The fault of a mutant, in one line."""
     (wrong,) = (wrong for wrong in WRONG_EXPLORERS if wrong.name == kind)
     return wrong.breaks.partition("\n")[0]
 

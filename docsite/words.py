@@ -34,7 +34,7 @@ def words(text: str) -> int:
 
 
 def prose(text: str) -> int:
-    """The same without blocks of code."""
+    """The number of words written by hand, without those in blocks of code."""
     return words(BLOCK.sub("", text))
 
 

@@ -1,4 +1,4 @@
-"""What is extracted from the Coq proofs: a verdict on a program; and all held against Python's.
+"""The programs extracted from the Coq proofs: they judge a program, or are compared with Python's.
 
     python proofs/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
 
@@ -7,7 +7,7 @@ asks the certified checker whether a program is right (``certified_checker.py``)
     python proofs/certified.py [--edges 4] [--walked-edges 3] [--judged-edges 3]
                                [--checked-edges 3] [--folded-edges 3]
 
-compares.
+compares the extracted programs with the package.
 
     python proofs/certified.py --certificate FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4]
                                [--limit paper] [--universe all]
@@ -15,14 +15,14 @@ compares.
 writes what a program does into a file that Coq's kernel checks (``certified_trees.py``).  The first
 two need the programs that ``make -C proofs/coq explorer`` builds, and the package.
 
-The certified explorers, one a lighthouse, are checked like anybody's, and the traversals of each
-must equal, row by row, those of the built-in Algorithm 1, in the Python engine and, where it has
-one, in the kernel.  Under each policy, in every run, their transcripts and answers must be the
-built-in one's: motion by motion, percept by percept, dart by dart.  The certified judge gets the
-answer of every mutant and of Algorithm 1 on every world, and must give the Python judge's verdict.
-The certified checker gets all of these explorers, and the certified folding their logs
-(``certified_checker.py``, ``certified_folding.py``).  ``nox -s full`` goes to 5 edges for the costs
-and to 4 for the rest.  Exit code 1: they disagree; 2: a program is missing.
+The certified explorers, one for each lighthouse, are checked as any explorer is.  The traversals of
+each must equal, row by row, those of the built-in Algorithm 1 in the Python engine and, if the
+kernel has that explorer, in the kernel.  Under each policy, in every run, their transcripts and
+answers must equal those of the built-in one: motion by motion, percept by percept, dart by dart.
+The certified judge gets the answer of every mutant and of Algorithm 1 on every world, and must give
+the Python judge's verdict.  The certified checker gets all of these explorers, and the certified
+folding their logs (``certified_checker.py``, ``certified_folding.py``).  ``nox -s full`` goes to 5
+edges for the costs and to 4 for the rest.  Exit code 1: they disagree; 2: a program is missing.
 """
 
 from __future__ import annotations

@@ -219,11 +219,11 @@ def _vertices(sigma: tuple[int, ...]) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What a checker says of an explorer.
+    """The verdict of a checker on an explorer.
 
     Attributes:
         verdict: ``holds``, ``refuted`` or ``no function``.
-        edges: where refuted, of the smallest world.
+        edges: the size of the smallest world that refutes the explorer, if there is one.
         world: that world.
     """
 
@@ -240,7 +240,7 @@ def certified_outcome(answer: dict[str, Any]) -> Outcome:
 
 
 def package_outcome(mutant: WrongExplorer, edges: int) -> Outcome:
-    """What ``allworlds check`` says of a mutant with the laws that both decide."""
+    """The outcome of ``allworlds check`` for a mutant, with the laws that both checkers decide."""
     findings = check(mutant.explorer(), edges=edges, laws=LAWS).uninterrupted().findings
     if not findings:
         return Outcome("holds")

@@ -346,7 +346,7 @@ def write_certificate(arguments: Sequence[str]) -> int:
 
 
 def verdict_of(subject: Subject, name: str, edges: int, folder: Path) -> str:
-    """What coqc says of an explorer's certificate; ``no function`` if there is none."""
+    """The verdict of coqc on an explorer's certificate; ``no function`` if there is none."""
     try:
         tree = tree_of(subject, edges)[0]
     except NoFunction:

@@ -45,10 +45,10 @@ def checker(claim: str) -> Callable[[Path], list[str]]:
 
 
 def require_committed(claim: str) -> None:
-    """Nothing, if the claim's certificates are those in the manifest, digest by digest.
+    """Raise Refused unless the claim's certificates are those of the manifest, digest by digest.
 
     Raises:
-        Refused: naming a file that is another, or in only one of the two places.
+        Refused: naming a file that differs, or is in only one of the two places.
     """
     manifest = read_json(HERE / "manifest.json")
     if not isinstance(manifest, dict):

@@ -101,9 +101,9 @@ class Clauses:
 
 
 def require_comments(wanted: Clauses, text: str) -> None:
-    """Nothing, if the comments of a DIMACS text that name variables name the right ones.
+    """Raise Refused unless the comments of a DIMACS text that name variables name the right ones.
 
-    They are for readers; a formula without them says the same.
+    Comments are for readers; a formula means the same without them.
 
     Raises:
         Refused: naming the comment.
@@ -114,7 +114,7 @@ def require_comments(wanted: Clauses, text: str) -> None:
 
 
 def require_same(wanted: Clauses, variables: int, clauses: Sequence[Sequence[int]]) -> None:
-    """Nothing, if a formula has exactly these variables and, as a set, exactly these clauses.
+    """Raise Refused unless a formula has exactly these variables and, as a set, these clauses.
 
     Order and repetition make no difference; every other difference does.
 

@@ -21,7 +21,7 @@ Begin = Callable[[Percept, int | None], Generator[Any, Any, Any]]
 
 
 def explorer_named(name: str, policy: str) -> Begin:
-    """What begins an episode from its first percept and what is told."""
+    """A function that begins an episode from its first percept and the number told, if any."""
     for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS):
         if mutant.name == name:
             explore = mutant.explorer()
@@ -43,7 +43,7 @@ def say(action: object) -> dict[str, Any]:
 
 
 def answer(estimate: object) -> dict[str, Any]:
-    """What the explorer has returned as a line; anything but an estimate as null."""
+    """The explorer's answer as a line; null for anything but an estimate."""
     if not isinstance(estimate, Estimate):
         return {"estimate": None}
     return {"estimate": {**estimate.map.to_json(), "here": estimate.here}}

@@ -125,7 +125,7 @@ def _numbers(words: list[str]) -> list[int]:
 def _contradiction(
     known: dict[int, Sequence[int]], clause: Sequence[int], hints: Sequence[int]
 ) -> None:
-    """Nothing, if the hints refute the clause's negation."""
+    """Raise Refused unless the hints refute the clause's negation."""
     true = {-literal for literal in clause}
     if any(literal in true for literal in clause):
         raise Refused("the clause is always true")

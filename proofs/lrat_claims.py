@@ -1,4 +1,4 @@
-"""What several claims have in common: a file's formula is the one meant, and it is refuted."""
+"""The part that several claims share: a file's formula is the one meant, and it is refuted."""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ def cycle_count(permutation: Sequence[int]) -> int:
 
 
 def require_map(sigma: Sequence[int], alpha: Sequence[int]) -> None:
-    """Nothing, if the two lists are a connected map; else an error that says why not."""
+    """Raise Refused, saying why, unless the two lists are a connected map."""
     darts = list(range(len(sigma)))
     if not darts or sorted(sigma) != darts or sorted(alpha) != darts:
         raise Refused("sigma or alpha is no permutation of the darts")
@@ -229,7 +229,7 @@ def quotient_code(world: World) -> tuple[Any, ...]:
 
 
 def require_bisimulation(pair: Sequence[World], classes: Sequence[Sequence[int]]) -> None:
-    """Nothing, if the classes show that no motion tells the two worlds apart.
+    """Raise Refused unless the classes show that no motion tells the two worlds apart.
 
     The starts are in one class, sigma and alpha take each class to one class, and the darts
     of a class sense the same.
@@ -275,7 +275,7 @@ def moved(map_: Map, dart: int, motion: int) -> int:
 
 
 def replay(world: World, start: int, motions: Sequence[int]) -> list[tuple[Any, ...]]:
-    """What is sensed after each motion of a walk from a dart."""
+    """The percepts after each motion of a walk from a dart."""
     sensed, dart, seen = percepts(world), start, []
     for motion in motions:
         dart = moved(world.map, dart, motion)

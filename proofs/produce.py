@@ -61,7 +61,7 @@ def write(path: Path, document: Any) -> None:
 
 
 def no_twins_directional(solver: str | None) -> None:
-    """None up to five edges."""
+    """The proofs that no two worlds up to five edges look alike with a directional lighthouse."""
     folder = HERE / "no-twins-directional"
     if searched(folder, "", solver, lighthouse="directional", vertices=6, edges=5):
         raise SystemExit("a pair with a directional lighthouse")

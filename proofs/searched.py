@@ -55,7 +55,7 @@ def file_name(sizes: tuple[Size, Size]) -> str:
 
 
 def check(folder: Path, asked: Asked, vertices: int, edges: int) -> str:
-    """What is verified, in one sentence.
+    """Verify the files of a search, and return in one sentence what holds.
 
     Raises:
         Refused: saying what is wrong.

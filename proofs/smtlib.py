@@ -60,7 +60,7 @@ def commands(text: str) -> list[list[Any]]:
 
 
 def assertions(script: Sequence[list[Any]]) -> list[Term]:
-    """What the script asserts, in its order."""
+    """The assertions of a script, in its order."""
     return [command[1] for command in script if command[0] == "assert"]
 
 
@@ -124,7 +124,7 @@ class Definitions:
 
 
 def definitions(script: Sequence[list[Any]]) -> Definitions:
-    """What a script defines; what it only declares has no value."""
+    """The definitions of a script; symbols that it only declares have no value."""
     found = Definitions()
     for command in script:
         match command:

@@ -1,12 +1,13 @@
-"""What a search formula says: two different worlds that no motion tells apart.
+"""The clauses of a search: there are two different worlds that no motion tells apart.
 
 The checkers write every formula themselves, here, from this statement, and accept a file only
-if it has exactly these clauses.  So nothing about a formula is taken on trust but this text;
+if it has exactly these clauses.  So this module is all that has to be trusted about a formula;
 it shares no code with the package that wrote the files.
 
-Two worlds *look alike* if there is a relation between their darts that holds between the starts,
-that sigma and alpha keep, and whose darts sense the same: a motion is a number of sigmas and one
-alpha.  The relation meant is 'some way leads the one robot to x and the other to y'.
+Two worlds *look alike* if there is a relation between their darts with three properties: it holds
+between the starts; sigma and alpha keep it; related darts have equal percepts.  This suffices,
+since a motion is a number of sigmas and one alpha.  The relation meant is 'some walk, made in both
+worlds, leads the robot of world 1 to x and that of world 2 to y'.
 
 ===========================  ==========================================================
 ``related[x][y]``            dart x of world 1 and dart y of world 2 are related

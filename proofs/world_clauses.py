@@ -1,9 +1,9 @@
-"""What the clauses about one world say: it is a rooted map of a class, in canonical numbers.
+"""The clauses about one world: it is a rooted map of a class, in canonical numbers.
 
 Its darts are ``0 .. N-1``; dart 0 is the root.  Ask for sigma(0), alpha(0), sigma(1), alpha(1)
 and so on, and number the darts in the order in which they are answered: these are the canonical
 numbers, and two rooted maps are the same exactly if they get the same answers.  So a model is a
-rooted map, and each rooted map of the class is one model.  That is tested by counting them.
+rooted map, and each rooted map of the class is one model.  A test counts the models.
 
 ========================  =====================================================
 ``sigma[x][y]``           sigma(x) = y
@@ -81,7 +81,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Size:
-    """So many edges, and at least and at most so many vertices."""
+    """The number of edges, and the least and the largest number of vertices."""
 
     edges: int
     fewest: int

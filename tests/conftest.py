@@ -1,4 +1,4 @@
-"""What all tests share: drawn examples that are the same every time, and the command line."""
+"""Fixtures and settings of all tests: the same drawn examples each time, the command line."""
 
 import fcntl
 import importlib
@@ -76,7 +76,10 @@ def pytest_collection(session):
 
 @pytest.fixture(scope="session", autouse=True)
 def temporary(tmp_path_factory):
-    """What is left in temporary directories, as by ``search``, goes with those of the tests."""
+    """Put all temporary directories, as those of ``search``, into the one of the tests.
+
+    So they are removed with it.
+    """
     place = str(tmp_path_factory.mktemp("temporary"))
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TMPDIR", place)
@@ -150,9 +153,10 @@ def needs_kernel(item):
 
 
 def pytest_collection_modifyitems(items):
-    """What needs no compiled code goes first, beside the compiler; early tests before others.
+    """Put tests without compiled code first, and among equals early tests before others.
 
-    Slow tests, and those that wait for the compiler, have more time before they count as hanging.
+    So the compiler works while the first tests run.  Slow tests, and those that wait for the
+    compiler, have more time before they count as hanging.
     """
     for item in items:
         slow = item.get_closest_marker("slow") or needs_kernel(item)

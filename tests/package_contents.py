@@ -1,4 +1,4 @@
-"""What a wheel and a source distribution must hold, and must not: ``package_contents.py DIR``."""
+"""Files that a wheel or an sdist must hold, and that it must not: ``package_contents.py DIR``."""
 
 import re
 import sys
@@ -48,7 +48,7 @@ REMAINS = re.compile(
 
 
 def flaws(kind, names):
-    """What is wrong with the list of files of a ``wheel`` or an ``sdist``: a line each."""
+    """The faults in the list of files of a ``wheel`` or an ``sdist``, a line each."""
     names = list(names)
     found = [f"{name} is missing" for name in NEEDED[kind] if name not in names]
     found += [f"{name} is a remainder" for name in names if REMAINS.search(name)]

@@ -45,7 +45,7 @@ def without_comments(text: str) -> str:
 
 
 def sentences(text: str) -> list[str]:
-    """What stands between the full stops of a Coq file, comments left out."""
+    """The sentences of a Coq file, each up to its full stop, without comments."""
     return [s.strip() for s in re.split(r"\.(?=\s|$)", without_comments(text)) if s.strip()]
 
 

@@ -48,7 +48,7 @@ for found in rooted_maps(int(sys.argv[1])):
 
 
 def printed_by_coq(edges: int) -> str:
-    """What Coq prints for ``rooted_maps edges``.
+    """The output of Coq for ``rooted_maps edges``.
 
     Raises:
         subprocess.CalledProcessError: if Coq refuses; Enumeration.vo must have been built.

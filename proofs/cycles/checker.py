@@ -64,7 +64,7 @@ SHORTEST = 9
 
 
 def check(folder: Path) -> list[str]:
-    """What has been checked, sentence by sentence."""
+    """Check the claim, and return in sentences what holds."""
     points = sum(_require_condition(name, read(folder / name)) for name in CONDITIONS)
     pairs = 0
     worlds = {n: cycle(n, "compass") for n in range(3, LARGEST + 1)}
@@ -155,7 +155,10 @@ def _text(term: Term | None) -> str:
 
 
 def _require_cycles(defined: Definitions) -> None:
-    """Nothing, if what is defined is a cycle's sigma, alpha and percepts; dart 2i + s is (i, s)."""
+    """Raise Refused unless the definitions give a cycle's sigma, alpha and percepts.
+
+    Dart 2i + s is the pair (i, s).
+    """
     for n in range(3, DECIDING + 1):
         world = cycle(n, "compass")
         for d, percept in enumerate(percepts(world)):

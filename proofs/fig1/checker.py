@@ -34,7 +34,7 @@ SMALLER = [(8, 5), (11, 7)]
 
 
 def check(folder: Path) -> list[str]:
-    """What has been checked, sentence by sentence."""
+    """Check the claim, and return in sentences what holds."""
     codes = require_pairs(read_json(folder / "pairs.json"))
     said = [
         f"{name}: n = {vertices}, m = {edges}; caption holds from all 4 starts"

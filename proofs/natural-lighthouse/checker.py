@@ -26,7 +26,7 @@ DEGREES = (2, 6)
 
 
 def check(folder: Path) -> list[str]:
-    """What has been checked, sentence by sentence."""
+    """Check the claim, and return in sentences what holds."""
     require_pairs(read_json(folder / "pair.json"))
     count, twins = twins_among(_worlds(EDGES - 1))
     if twins:
@@ -38,10 +38,10 @@ def check(folder: Path) -> list[str]:
 
 
 def require_pairs(document: Any) -> None:
-    """Nothing, if the pair is as README.md says.
+    """Raise Refused unless the pair is as README.md says.
 
     Raises:
-        Refused: saying what is amiss.
+        Refused: saying what is wrong.
     """
     pair, classes = pair_of(document, "natural")
     require_bisimulation(pair, classes)

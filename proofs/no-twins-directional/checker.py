@@ -16,7 +16,7 @@ ROOTED = [2, 10, 74, 706, 8162]
 
 
 def check(folder: Path) -> list[str]:
-    """What has been checked, sentence by sentence."""
+    """Check the claim, and return in sentences what holds."""
     said = []
     worlds: list[World] = []
     for edges in range(1, EDGES + 1):

@@ -29,7 +29,10 @@ HOW_CVC5_ANSWERS = {"unsat": "enum-inst=true", "sat": "finite-model-find=true"}
 
 @dataclass(frozen=True)
 class Opinion:
-    """What a solver said (``sat``, ``unsat``, ``unknown``, ``timeout`` or an error), and when."""
+    """The answer of a solver, and the seconds that it took.
+
+    The answer is ``sat``, ``unsat``, ``unknown``, ``timeout``, or an error.
+    """
 
     answer: str
     seconds: float

@@ -11,14 +11,14 @@ from pathlib import Path
 
 
 def z3_answer(text: str) -> str:
-    """What z3 prints when it executes the script."""
+    """The output of z3 for the script."""
     import z3
 
     return str(z3.Z3_eval_smtlib2_string(z3.main_ctx().ref(), text)).strip()
 
 
 def cvc5_answer(text: str, options: list[str]) -> str:
-    """What cvc5 prints when it executes the script."""
+    """The output of cvc5 for the script."""
     import cvc5
 
     solver = cvc5.Solver(cvc5.TermManager())

@@ -35,7 +35,7 @@ PAIR = {"maps": (2, 1), "simple": (6, 4), "planar-simple": (8, 7)}
 
 
 def check(folder: Path) -> list[str]:
-    """What has been checked, sentence by sentence."""
+    """Check the claim, and return in sentences what holds."""
     said = []
     require_pairs(read_json(folder / "pairs.json"))
     for name, levels in BELOW.items():
@@ -70,10 +70,10 @@ def _members(name: str, edges: int, most: int | None) -> Iterator[Map]:
 
 
 def require_pairs(document: Any) -> None:
-    """Nothing, if the pairs are as README.md says.
+    """Raise Refused unless the pairs are as README.md says.
 
     Raises:
-        Refused: saying what is amiss.
+        Refused: saying what is wrong.
     """
     for name, entry in members(document, set(BELOW), "pairs.json").items():
         pair, classes = pair_of(entry, "position")

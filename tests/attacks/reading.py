@@ -56,7 +56,7 @@ class Attack:
 
 
 def attack_of(file):
-    """What a file says of itself."""
+    """The attack that a file describes."""
     said = _said(file.read_text(encoding="utf-8"), in_c=file.suffix == ".c")
     *_, last = said.split("\n\n")
     lines = dict(re.fullmatch(r"([\w. ]+): (.*)", line).groups() for line in last.splitlines())

@@ -1,4 +1,4 @@
-"""What is meant where an option is left out, written down a second time."""
+"""The default of each option, written down a second time."""
 
 import inspect
 
@@ -28,7 +28,7 @@ DEFAULTS = {
     allworlds.compare: MANY,
     allworlds.replay: PATIENCE,
     allworlds.mutants: {"edges": 4},
-    allworlds.optimum: {"edges": 3},
+    allworlds.optimum: {},
     allworlds.count: {"map_class": "maps", **CLUSTER},
     allworlds.worst: {
         "explore": "algorithm1",

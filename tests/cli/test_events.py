@@ -1,4 +1,4 @@
-"""Whoever watches a long job is told how it gets on."""
+"""Events that tell how far a long job is."""
 
 import inspect
 import json
@@ -21,7 +21,7 @@ pytestmark = pytest.mark.usefixtures("compiled")
 
 
 class Adds(Silent):
-    """What was promised, and what was done."""
+    """A listener that notes each stage with its announced total, and adds up the work done."""
 
     def __init__(self):
         self.stages, self.done = [], []

@@ -1,4 +1,4 @@
-"""Whoever interrupts gets what is finished, in one line on stderr the word, and code 130."""
+"""Interrupted commands: the finished part, one line on stderr, and exit code 130."""
 
 import builtins
 import json

@@ -1,4 +1,4 @@
-"""What stands on stderr: one line, never too long, and a word before what takes long."""
+"""Lines on stderr: one for each message, never too long, and a notice before a long job."""
 
 import io
 import sys
@@ -106,7 +106,7 @@ def test_who_asks_for_little_is_told_nothing():
 
 
 class Enough(Exception):
-    """What was to be seen has been seen."""
+    """The exception that ends a job as soon as it gives its notice."""
 
 
 class Once(Silent):

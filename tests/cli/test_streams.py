@@ -13,7 +13,7 @@ from small import slow
 
 
 def shell(words):
-    """What a command does whose streams the shell has redirected."""
+    """The exit code, stdout and stderr of a command whose streams the shell redirects."""
     done = subprocess.run(
         ["/bin/sh", "-c", f"{sys.executable} -m allworlds {words}"],
         capture_output=True,

@@ -115,3 +115,16 @@ BAD = [
 @pytest.mark.parametrize(("arguments", "named"), BAD, ids=lambda value: str(value)[:60])
 def test_bad_input_is_one_line_that_names_it(refused, arguments, named):
     assert named in refused(*arguments)
+
+
+def test_worlds_that_tell_different_numbers_are_told_apart_before_the_first_motion(cli):
+    # v0 of degree 2 between vertices of degrees 1 and 3: the robot is told which is v1.
+    worlds = [
+        '{"sigma":[1,0,2,4,5,3],"alpha":[2,3,0,1,5,4],'
+        f'"lighthouse":{{"kind":"natural","dart":{dart}}}}}'
+        for dart in (0, 1)
+    ]
+    code, said, _ = cli("ambiguity", "twins", *worlds)
+    assert code == 0
+    assert said.startswith("TOLD APART")
+    assert "0 motions" in said

@@ -22,7 +22,7 @@ def file(tmp_path, monkeypatch):
 
 @pytest.fixture
 def meanwhile(monkeypatch, file):
-    """What happens between two looks at the file: a text is saved, it is removed, or an end."""
+    """A function that plans the events between looks at the file: saved text, removal, the end."""
 
     def happens(*events):
         left = iter(events)

@@ -1,4 +1,4 @@
-"""What the site of the documents is made of; it is built by ``nox -s docs``, and in CI."""
+"""The parts of the site of the documents; ``nox -s docs`` and CI build the site itself."""
 
 import importlib.util
 import re

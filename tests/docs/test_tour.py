@@ -12,7 +12,7 @@ SVG = "image/svg+xml"
 
 
 def outputs(notebook):
-    """What each cell of code puts out."""
+    """The outputs of each cell of code."""
     return [cell["outputs"] for cell in notebook["cells"] if cell["cell_type"] == "code"]
 
 

@@ -1,4 +1,4 @@
-"""What is packed, what is said of it, and what is loaded of it."""
+"""The files of the package, its metadata, and the modules that it loads."""
 
 import os
 import re

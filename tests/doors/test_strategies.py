@@ -34,7 +34,7 @@ CLASSES = pytest.mark.parametrize("map_class", list(OF_CLASS))
 
 
 def drawn(strategy, examples=300):
-    """So many examples, the same every time."""
+    """At most ``examples`` examples of a strategy, the same every time."""
     found = []
 
     @settings(max_examples=examples)
@@ -220,7 +220,7 @@ def test_a_lighthouse_that_is_none_is_refused_at_once():
 
 
 def asked(choices, *widths):
-    """What the choices answer where there are so many options."""
+    """The answers of the choices to questions with these numbers of options."""
     return [choices.pick(range(width), of="edge") for width in widths]
 
 

@@ -1,4 +1,4 @@
-"""What was compiled once is used again as long as the sources are the same."""
+"""Compiled code is kept, and used again as long as the sources are the same."""
 
 import os
 from pathlib import Path

@@ -81,7 +81,7 @@ def test_a_directory_on_a_disk_that_is_full_already_is_refused(tmp_path):
 
 
 def test_a_file_that_may_not_grow_loses_nothing_that_was_finished(tmp_path):
-    """The same without a file system of its own."""
+    """A limit on the size of files takes the place of a small file system."""
     whole = check(edges=EDGES).to_json()
     run = tmp_path / "run"
 

@@ -163,9 +163,10 @@ def told(judged):
 
 
 def judge(sequence, map_):
-    """What is said after each S, by who remembers and by who does not; how often the one did.
+    """The judgement after each S, how often memory was used, and the law that the answer breaks.
 
-    What consists of bytes is shown as bytes, too.
+    Four judges must agree: with memory and without, each with S as a list of integers and, if its
+    numbers fit into bytes, as bytes.
     """
     world = new(WORLD)
     world.darts = len(map_.sigma)

@@ -1,4 +1,4 @@
-"""What the compiled engine does to embed an S, done wrong: the tests of it find each out."""
+"""Mutants of the code by which the compiled engine embeds an S: its tests find each of them."""
 
 import os
 import shutil

@@ -79,7 +79,7 @@ def log_of(explore, world=None, budget=BUDGET):
 
 
 def meaning(log):
-    """What stands in a log, as the episode says it; a fault by what a log can say of it."""
+    """The motions, checkpoints and ending of a log; of a fault, as much as a log records."""
     motions, shown, ending = read_log(log)
     checkpoints = tuple((steps, *published) for steps, published in shown)
     return motions, checkpoints, ending if isinstance(ending, LogEnd) else UncheckedAnswer(*ending)
@@ -315,7 +315,7 @@ def engine_of(explore, edges):
 
 
 def first_unit(explore, edges):
-    """What comes of the first unit of a level, and the engine."""
+    """The tally of the first unit of a level, and the engine."""
     engine, tally = engine_of(explore, edges), Tally(1)
     for _, part in engine.parts(next(iter(scope_of(edges).units(edges)))):
         tally.add(part)

@@ -209,7 +209,7 @@ EDGES = (1, 2, 3)
 
 @pytest.fixture(autouse=True, scope="module")
 def guess_compiled():
-    """What compiled code calls has to be compiled too; in Python it is called by nobody."""
+    """Compile ``guess``, which only compiled code calls."""
     from numba import njit
 
     in_python = guess

@@ -1,4 +1,4 @@
-"""What a run directory keeps of a result follows from the types of its fields."""
+"""The form of a result in a run directory, which follows from the types of its fields."""
 
 import json
 from collections import Counter

@@ -1,4 +1,4 @@
-"""What a check holds does not grow with its units."""
+"""The memory of a check does not grow with its units."""
 
 import gc
 import tracemalloc

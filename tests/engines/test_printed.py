@@ -1,4 +1,4 @@
-"""What an explorer prints in the run that is told: shown by run, and kept in findings."""
+"""Output of an explorer in the run that is told: ``run`` shows it, and findings keep it."""
 
 import json
 import os

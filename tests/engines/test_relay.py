@@ -1,4 +1,4 @@
-"""What explorers write to stderr, on its way there."""
+"""The relay, which takes the text of explorers to stderr."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""What is finished is kept: a job that was ended goes on, and ends as if nothing had been."""
+"""Finished units are kept: a job that was ended goes on, and reports as if it had not been."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""What processes do for stretches, looked at without processes."""
+"""The work of processes for stretches, tested without processes."""
 
 import gc
 import socket

@@ -77,7 +77,10 @@ class Interrupts(Silent):
 
 
 def assert_finished_rows(told, whole):
-    """What is told is what was finished, and the rest is not made up."""
+    """Require that an unfinished report has the first rows of the whole, and is not complete.
+
+    The report of a sample must have fewer runs.
+    """
     told, whole = json.loads(told), json.loads(whole)
     if told.get("scope", {}).get("sample"):
         assert told["runs"] < whole["runs"]

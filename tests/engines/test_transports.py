@@ -141,7 +141,7 @@ def test_the_first_unit_of_a_level_tells_where_all_of_them_are_done():
 
 
 class Wrong(Exception):
-    """What an engine may raise."""
+    """An error that an engine raises."""
 
 
 def test_of_several_errors_the_one_in_the_first_unit_is_raised_whichever_comes_first(monkeypatch):

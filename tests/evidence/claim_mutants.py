@@ -10,11 +10,12 @@ import json
 import lzma
 import re
 import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from math import factorial
 from pathlib import Path
+from random import Random
 from types import SimpleNamespace
 from typing import Any
 
@@ -24,6 +25,7 @@ from allworlds.evidence.claims import (
     ambiguous,
     complexity,
     correctness,
+    corridors,
     folds,
     lighthouses,
     limits,
@@ -38,7 +40,8 @@ from allworlds.evidence.mutants import explorers as wrong, learners
 from allworlds.evidence.mutants.enumerators import map_doubled, mirror_images_merged
 from allworlds.explorers import BUILT_IN, Algorithm1
 from allworlds.judging import paper_bound
-from allworlds.maps import CombinatorialMap, named_map, rooted_code
+from allworlds.maps import CombinatorialMap, CorridorShape, named_map, rooted_code
+from allworlds.maps.corridor import corridor_skeleton
 from allworlds.protocol import Choices, Move
 from allworlds.studies.ambiguity import class_of, search
 from allworlds.studies.ambiguity.smt import pair, twin_search
@@ -52,14 +55,14 @@ PROOFS = Path(__file__).parents[2] / "proofs"
 
 @dataclass(frozen=True)
 class Mutant:
-    """What is changed, and where the claim is then looked at.
+    """A change, and the scope in which the claim is then checked.
 
     Attributes:
         claim: its id.
-        what: what is wrong.
-        patches: (module or class, name, what stands there instead).
-        bounds: of the scope in which it is looked at; left out: those of the quick one.
-        changed: bounds that make the false cousin, beside the others.
+        what: the fault, in words.
+        patches: (module or class, name, replacement).
+        bounds: of the scope in which it is checked; if left out, those of the quick scope.
+        changed: bounds of the false cousin that differ from these.
         folder: makes the folder of proofs, right or damaged.
         slow: takes more than a few seconds.
     """
@@ -139,7 +142,7 @@ class RetracesTwice(Algorithm1):
 
 
 class WatchedRetracesTwice(passes.Watched, RetracesTwice):
-    """The same, watched."""
+    """``RetracesTwice`` with its passes watched."""
 
 
 class WatchedWasteful(passes.Watched):
@@ -239,7 +242,7 @@ def directional(wrong: Callable[..., Any], right: Callable[..., Any]) -> Callabl
 
 
 def in_section(write: Callable[..., Any]) -> Callable[..., Any]:
-    """What writes clauses, with a contradiction among them where worlds have directions."""
+    """A function like ``write`` that adds a contradiction if worlds have directions."""
 
     def wrong(formula: Any, *asked: Any) -> Any:
         written = write(formula, *asked)
@@ -260,10 +263,37 @@ right_census, right_compare, right_optimum = position.census, complexity.compare
 
 
 def one_more(**asked: Any) -> Any:
-    """The optimum with a traversal more."""
-    report = right_optimum(**asked)
-    rows = [SimpleNamespace(edges=r.edges, optimum=r.optimum + 1, runs=r.runs) for r in report.rows]
-    return SimpleNamespace(complete=True, exit_code=report.exit_code, rows=rows)
+    """The optimum with a traversal more in each row."""
+    report = right_optimum(**asked).uninterrupted()
+    keys = ("edges", "runs", "information", "cautious")
+    rows = [
+        SimpleNamespace(optimum=row.optimum + 1, **{key: getattr(row, key) for key in keys})
+        for row in report.rows
+    ]
+    wrong = SimpleNamespace(exit_code=report.exit_code, rows=rows)
+    wrong.uninterrupted = lambda: wrong
+    return wrong
+
+
+right_corridors, right_walk = corridors._corridors, corridors._walked
+
+
+def not_apart(_text: str, _holes: None, seed: int) -> CombinatorialMap:
+    """A corridor in which two out-darts lie side by side, as the in-darts do."""
+    outs = corridor_skeleton(CorridorShape(1, 18), Random(seed), lambda c: (-4 * c, -4 * c - 1))
+    return outs.matched(list(zip(outs.free[::2], outs.free[1::2], strict=True)))
+
+
+def first_twice(skeleton: Any) -> Iterator[World]:
+    """The corridors without the last one, and the first one once more."""
+    every = [*right_corridors(skeleton)]
+    yield from [*every[:-1], every[0]] if len(skeleton.free) == 6 else every
+
+
+def timeless(name: str, world: World) -> Any:
+    """A walk whose far returns all have the same time."""
+    sensed, far = right_walk(name, world)
+    return sensed, tuple((0, bearing) for _, bearing in far)
 
 
 # ---------------------------------------------------------------- maps and sentences that are wrong
@@ -626,6 +656,18 @@ MUTANTS = (
     Mutant("path-lower-bound", "a path that is shorter",
            ((folds, "complete_behind_a_path", shorter),)),
     Mutant("optimum", "a traversal more in each row", ((limits, "optimum", one_more),), slow=True),
+    Mutant("order-exact", "said of an explorer that is no tester",
+           changed={"explorers": ["folding-oldest"]}),
+    Mutant("order-exact", "a bound that is not (1)+(2)",
+           ((corridors, "paper_bound", lambda n, m: m * n),)),
+    Mutant("order-exact", "the motions from out-darts to in-darts are not all different",
+           ((corridors, "map_of_family", not_apart),)),
+    Mutant("every-explorer-mn-log", "one world comes twice, and another one is missing",
+           ((corridors, "_corridors", first_twice),)),
+    Mutant("every-explorer-mn-log", "returns are told without their times",
+           ((corridors, "_walked", timeless),)),
+    Mutant("bouquet-minimax", "a traversal more in each row",
+           ((corridors, "optimum", one_more),)),
     Mutant("remembering-never-more", "said of greedy", changed={"one": "greedy"}),
     Mutant("greedy-never-more", "said of remembering", changed={"one": "remembering"}),
     Mutant("never-forgetting-in-bound", "lingers at its last edge",

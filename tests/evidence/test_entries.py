@@ -27,7 +27,7 @@ CHEAP = ["fig1", "fig1-caption", "printed-3", "lower-bound-2m", "pass-kinds", "p
 
 
 def as_expected(claim, budget="quick"):
-    """What must be found, as if it had been."""
+    """The result that a claim expects, as if it had been found."""
     scope = claim.scopes[budget]
     return Found(claim.expected, scope.witnesses, scope.figures)
 
@@ -60,7 +60,7 @@ def ledger_of(*entries, required=(), ending=COMPLETED):
 
 
 def fails_when_changed(entry):
-    """So many expected things, each of which makes the claim fail when it alone is changed."""
+    """Require that each change of one expected thing makes the claim fail; return their number."""
     assert entry.standing == "as-expected"
     changed = list(changes(entry))
     for what, one in changed:

@@ -1,4 +1,4 @@
-"""What is claimed, and that the pages say the same."""
+"""The list of claims, and its agreement with the pages."""
 
 import re
 from pathlib import Path

@@ -169,7 +169,7 @@ def test_a_bound_that_is_too_small_shows_in_the_survivors(small):
 
 
 class Right(explorers.Algorithm1):
-    """Nothing is wrong with it."""
+    """Algorithm 1 without a fault."""
 
 
 def only(monkeypatch, wrong, equivalent=(), judges=()):

@@ -18,10 +18,12 @@ from evidence.write import (
     FOUR,
     PAPER,
     PLACES,
+    against_the_adversary,
     beside_algorithm_1,
     beside_the_bound,
     between,
     claims_page,
+    corridors,
     exponents,
     growth,
     large_worlds,
@@ -31,6 +33,7 @@ from evidence.write import (
     six_edges,
     small_worlds,
 )
+from small import slow
 
 
 def rows(page, name):
@@ -48,6 +51,12 @@ def test_every_table_that_a_page_marks_is_written():
         assert marked == [name for where, name, _ in PLACES if where == page]
 
 
+@pytest.mark.parametrize("far", [1, slow(2)])
+def test_the_table_of_the_adversary_is_that_of_its_runs(far):
+    *_, row = against_the_adversary(far, far)
+    assert rows(EXPLORERS, "adversary")[far + 1] == row
+
+
 @pytest.mark.parametrize(
     ("page", "name", "lines"),
     [
@@ -55,6 +64,7 @@ def test_every_table_that_a_page_marks_is_written():
         (EXPLORERS, "large worlds", large_worlds),
         (EXPLORERS, "ratios", ratios),
         (EXPLORERS, "exponents", exponents),
+        (EXPLORERS, "corridors", corridors),
     ],
 )
 def test_a_table_of_kept_data_is_that_of_its_data(page, name, lines):

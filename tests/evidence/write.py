@@ -1,7 +1,7 @@
 """Write the tables of the pages that are made from results.
 
 ``python tests/evidence/write.py`` writes ``docs/claims.md``, the table of worst cases in
-``docs/paper.md`` and the tables of ``docs/explorers.md``; it takes three minutes.  With the name
+``docs/paper.md`` and the tables of ``docs/explorers.md``; it takes five minutes.  With the name
 of a table it writes that one: ``six edges`` takes a quarter of an hour, and is written only so.
 ``test_manifest.py`` and ``test_tables_of_pages.py`` compare, of six edges what is quick, and
 ``nox -s exhaustive`` the rest.
@@ -19,12 +19,14 @@ from math import fsum
 from pathlib import Path
 from typing import Any
 
-from allworlds import check, compare
+from allworlds import check, compare, run
 from allworlds.evidence.claims.manifest import SECTIONS, Claim, manifest
 from allworlds.judging import paper_bound
+from allworlds.maps import CorridorShape, usual_degree
 from allworlds.outcome import Verdict
 from allworlds.studies.compare.comparison import Comparison
 from allworlds.studies.compare.intervals import geometric_mean, mean_interval, power_law
+from allworlds.world import Adversary
 
 ROOT = Path(__file__).parents[2]
 CLAIMS, PAPER, EXPLORERS = (
@@ -225,6 +227,33 @@ def exponents() -> Iterator[str]:
         yield f"| {family} | {least}..{_largest(rows)} | {' | '.join(told)} |"
 
 
+def corridors() -> Iterator[str]:
+    """A row a size: the mean costs in corridors with a drawn far matching, divided by m^2 n."""
+    yield f"| n | m | worlds | {COLUMNS} | (1)+(2) |"
+    yield f"|---:|---:|---:|{'---:|' * len(FOUR)}---:|"
+    rows = dict(_families())["corridor"] + growth().read(FIGURES / "corridors.csv")
+    for edges, same in growth().costs(rows, FOUR[0]).items():
+        (vertices,) = {int(row["vertices"]) for row in rows if int(row["edges"]) == edges}
+        means = [growth().costs(rows, name)[edges] for name in FOUR]
+        scale = edges**2 * vertices
+        told = " | ".join(f"{fsum(some) / len(some) / scale:.3f}" for some in means)
+        bound = paper_bound(vertices, edges) / scale
+        yield f"| {vertices} | {edges} | {len(same)} | {told} | {bound:.2f} |"
+
+
+def against_the_adversary(least: int = 1, most: int = 3) -> Iterator[str]:
+    """A row a size: what the explorers walk against the adversary of corridors, with the seed 1."""
+    yield f"| F | n | m | {COLUMNS} | at least | pairs excluded |"
+    yield f"|---|---:|---:|{'---:|' * len(FOUR)}---:|---:|"
+    for far in range(least, most + 1):
+        shape = CorridorShape(far, usual_degree(far))
+        made = [run(name, Adversary(shape, 1)).adversary for name in FOUR]
+        (excluded,) = {decided.excluded for decided in made if decided}
+        costs = " | ".join(f"{decided.cost:,}" for decided in made if decided)
+        sizes = f"{far} | {shape.hubs + 1} | {shape.edges}"
+        yield f"| {sizes} | {costs} | {shape.bound_of_testers:,} | {excluded:,} |"
+
+
 def _families() -> Iterator[tuple[str, list[dict[str, str]]]]:
     yield from growth().by_family(growth().read()).items()
 
@@ -294,6 +323,8 @@ PLACES: tuple[tuple[Path, str, Callable[[], Iterator[str]]], ...] = (
     (EXPLORERS, "large worlds", large_worlds),
     (EXPLORERS, "ratios", ratios),
     (EXPLORERS, "exponents", exponents),
+    (EXPLORERS, "corridors", corridors),
+    (EXPLORERS, "adversary", against_the_adversary),
     (EXPLORERS, "shields", shields),
 )
 

@@ -247,7 +247,7 @@ def test_one_explorer_at_a_time(refused):
 
 
 def episode(library, choices=None, told=None, answers=(BEHIND,)):
-    """What a library says in one episode in this process."""
+    """The messages of a library in one episode in this process, and its answer."""
     explorer = NativeExplorer(Library(library))
     said, replies = [], iter(answers)
     going = explorer.explore(FIRST, choices=choices, told=told)

@@ -9,7 +9,7 @@ from small import maps
 
 
 def sensed(world, dart, pointed):
-    """What is sensed at a dart of a world with a directional lighthouse."""
+    """The percept at a dart of a world with a directional lighthouse."""
     if world.vertex_of[dart] != world.vertex_of[pointed]:
         return Percept(world.degree_at[dart])
     return Percept(world.degree_at[dart], 1, world.offset(dart, pointed))

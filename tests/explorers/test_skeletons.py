@@ -56,7 +56,7 @@ def test_the_test_of_a_skeleton_fails_with_the_picture(lang, shell, tmp_path):
 
 
 def test_the_code_that_makes_a_skeleton_right_fits_into_it(shell, tmp_path):
-    """What a reader does next: the skeleton's signature is the one that a right explorer has."""
+    """The next step of a reader: the skeleton has the signature of a right explorer."""
     init(tmp_path / "mine")
     file = tmp_path / "mine" / "explorer.py"
     right = (

@@ -223,6 +223,6 @@ LINES = (
 
 
 def talk(random: Random) -> bytes:
-    """What a program says that does not listen."""
+    """The lines of a program that does not listen."""
     lines = [mutated(random.choice(LINES), random) for _ in range(random.randrange(1, 4))]
     return b"\n".join(lines) + random.choice((b"\n", b"\n", b"", b"\r\n"))

@@ -71,7 +71,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Said:
-    """What came of it."""
+    """The answer of the command line to an input."""
 
     code: int
     out: str
@@ -79,7 +79,7 @@ class Said:
 
 
 def tried(case: Case, folder: Path) -> list[str]:
-    """What is wrong with how an input is treated; the working directory is the folder."""
+    """Breaches of the law with this input; the folder must be the working directory."""
     with written(case.files, folder):
         if not case.arguments:
             return wrong_corpus(folder)
@@ -101,7 +101,7 @@ def written(files: dict[str, bytes], folder: Path):
 
 
 def said(case: Case, entry: Callable[[list[str]], int] = call) -> Said:
-    """What the command line says, with streams like those that it prepares for itself."""
+    """The answer of the command line, with streams like those that it prepares for itself."""
     out, err = _stream(), _stream()
     before, sys.stdin = sys.stdin, io.TextIOWrapper(io.BytesIO(case.stdin), encoding="utf-8")
     try:
@@ -129,7 +129,7 @@ def _text(stream: io.TextIOWrapper) -> str:
 
 
 def wrong(arguments: tuple[str, ...], told: Said) -> list[str]:
-    """What of the law is broken by this answer."""
+    """Breaches of the law by this answer."""
     lines = told.err.split("\n")[:-1] if told.err.endswith("\n") else told.err.split("\n")
     lines = [] if told.err == "" else lines
     found = []
@@ -173,7 +173,10 @@ def _wrong_report(arguments: tuple[str, ...], out: str) -> list[str]:
 
 
 def wrong_corpus(folder: Path) -> list[str]:
-    """The same for a corpus, which only Python loads: refused in one line, or all of it read."""
+    """Breaches of the law by a corpus, which only Python loads.
+
+    The whole corpus must be read, or refused in one line.
+    """
     try:
         corpus = load_corpus(folder)
         for entry in corpus.entries:

@@ -118,7 +118,7 @@ def test_a_copy_of_a_dataclass_is_made_like_one_of_a_document():
 
 
 class Read(Document):
-    """What is read."""
+    """A document that is read."""
 
     name: str
     rows: tuple[Part, ...] = ()

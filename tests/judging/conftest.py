@@ -48,5 +48,5 @@ def answering():
 
 @pytest.fixture
 def explained():
-    """What is told of the explorer in the map with the lighthouse at dart 0."""
+    """A function that explains an explorer's finding in a map with the lighthouse at dart 0."""
     return lambda map_, explore: explain(run(explore, World(map_, Directional(0))).finding)

@@ -1,4 +1,4 @@
-"""What each law tells of a run that breaks it."""
+"""The explanation that each law gives of a run that breaks it."""
 
 import re
 

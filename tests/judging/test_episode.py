@@ -101,7 +101,7 @@ class Wordy:
 
 
 class Number:
-    """What numpy's integers are: no int, but an index."""
+    """An integer like those of numpy: no ``int``, but an index."""
 
     def __init__(self, value):
         self.value = value

@@ -140,7 +140,7 @@ def test_an_answer_before_the_log_determines_the_map_breaks_folding():
 
 
 def checks(*names):
-    """What the laws of these names check, or all laws."""
+    """The checks of the laws of these names; without names, those of all laws."""
     return [LAWS[name].check for name in names or LAWS]
 
 

@@ -1,4 +1,4 @@
-"""What a log tells of the walk."""
+"""The walk as a log tells it: the edges that it discovers."""
 
 from allworlds import Move
 from allworlds.judging import Walked

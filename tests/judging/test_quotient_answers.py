@@ -14,7 +14,7 @@ DEEP = 8
 
 
 def looks(world, dart, depth=DEEP):
-    """What every word of so many sigmas and alphas shows, by trying each of them."""
+    """The percepts after each word of fewer than ``depth`` sigmas and alphas, each word tried."""
     map_ = world.map
     front, seen = [dart], []
     for _ in range(depth):

@@ -99,7 +99,7 @@ NO_MAP = [
 
 @pytest.fixture(scope="module", params=[slow(name) if name in NO_MAP else name for name in WRONG])
 def findings(request, untraced):
-    """What is wrong with an explorer, the smallest first."""
+    """The findings about an explorer, the smallest first."""
     with untraced():
         found = check(WRONG[request.param], edges=3, max_findings=20).findings
     assert any(finding.law in ("map", "pose") for finding in found) == (request.param not in NO_MAP)

@@ -1,4 +1,4 @@
-"""What traversals are spent on: counted on walks that can be counted by hand."""
+"""The purposes of traversals, on walks that can be counted by hand."""
 
 import pytest
 

@@ -32,7 +32,7 @@ def judged(truth, dart, estimate, here):
 
 
 def agreed(truth, dart, estimate, here):
-    """What both say."""
+    """Require that both judges agree, and return their verdict."""
     first = judged(truth, dart, estimate, here)
     assert first == verdict(truth, dart, estimate, here), (truth, dart, estimate, here)
     return first

@@ -24,7 +24,7 @@ NO_CHECKPOINT = (Checkpoint(0, (), 0), Checkpoint((0.5,), (0,), 0), Checkpoint((
 
 
 class Crash(Exception):
-    """What the explorer raises when it is told to."""
+    """An error that the explorer raises when it is told to."""
 
 
 class Machine(RuleBasedStateMachine):
@@ -89,7 +89,7 @@ class Machine(RuleBasedStateMachine):
 
     @rule(k=integers(0, 3))
     def go_on_when_it_is_over(self, k):
-        """What is said after the end is not heard."""
+        """Send a message after the end of the episode, where it is not heard."""
         if self.fault:
             self.say(Move(k))
 

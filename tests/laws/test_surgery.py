@@ -1,4 +1,4 @@
-"""What deleting, contracting and moving do to the counts of a map."""
+"""The effect of deleting, contracting and moving on the counts of a map."""
 
 import pytest
 from hypothesis import assume, find, given, settings

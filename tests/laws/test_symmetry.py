@@ -1,4 +1,4 @@
-"""Nothing depends on the names of the darts, on where a robot looks, or on clockwise."""
+"""Symmetries of runs: other names of the darts, another first direction, the mirror image."""
 
 import pytest
 from hypothesis import find, given, settings
@@ -79,7 +79,7 @@ def test_relabelling_the_world_leaves_the_transcript_and_the_answer_unchanged(ex
 
 
 def without_traceback(ending):
-    """What the ending says."""
+    """The ending of an episode; of a fault, without its traceback."""
     return ending if isinstance(ending, Answered) else replace(ending, detail="")
 
 

@@ -1,4 +1,4 @@
-"""What a partial gluing can become is counted and enumerated alike."""
+"""Counts of the maps that a partial gluing can become, compared with the enumeration."""
 
 import pytest
 

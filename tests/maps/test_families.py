@@ -31,6 +31,9 @@ from allworlds.maps.families import FAMILIES
         ("cover:4", (20, 12)),
         ("corridor:1", (28, 4)),
         ("corridor:3", (190, 10)),
+        ("corridor:1x14", (22, 4)),
+        ("corridor:2x14", (71, 11)),
+        ("corridor:2x40", (121, 7)),
     ],
 )
 def test_the_sizes_of_the_families(text, size):
@@ -59,6 +62,7 @@ def test_a_seed_makes_the_same_map_again():
         ("prism:5", {3: 10}),
         ("thick:6x5", {5: 2, 6: 4}),
         ("corridor:2", {2: 1, 30: 6}),
+        ("corridor:2x14", {2: 1, 14: 10}),
     ],
 )
 @pytest.mark.parametrize("seed", [0, 1, 2])
@@ -89,6 +93,7 @@ def test_a_seed_draws_the_start_in_a_lattice_and_another_map_elsewhere():
         "random:5x9",
         "strip:4",
         "corridor:1",
+        "corridor:1x14",
     ):
         assert len({family(text, seed=seed) for seed in range(1, 9)}) > 1
 
@@ -128,6 +133,8 @@ def test_a_random_map_is_uniform_among_the_rooted_ones():
         "prism:2",
         "cover:0",
         "corridor:0",
+        "corridor:2x12",
+        "corridor:2x15",
         "torus:0x3",
         "torus:400x400",
     ],

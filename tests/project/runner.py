@@ -1,8 +1,8 @@
-"""What a runner of GitHub's does with a job, as far as a job of ours goes.
+"""A model of GitHub's runner, as far as the jobs of this project need it.
 
-Steps that run commands are run in bash as the service runs them, with its variables; the action
-of this project is looked into; other actions are noted and not done.  An expression or a
-condition that is not known here is an error, and never just true.
+Steps with commands are run in bash as the service runs them, with its variables.  So are the steps
+of this project's own action; other actions are noted, and not run.  An expression or a condition
+that is not known here is an error; it never counts as true.
 """
 
 import os

@@ -101,7 +101,7 @@ NO_PATHS = {"application/json", "build/site"}
 
 
 def paths_in(text):
-    """What a page names as a file or a folder: anywhere with its ending, else in backticks."""
+    """Files and folders that a page names: anywhere by their ending, else in backticks."""
     text = re.sub(
         r"^```.*?^```$|\]\([^)]*\)|https?://\S+", "", text, flags=re.MULTILINE | re.DOTALL
     )
@@ -112,7 +112,7 @@ def paths_in(text):
 
 
 def modules_in(text):
-    """What a page names as a part of the package, with all that it is in."""
+    """Parts of the package that a page names, each with its full dotted path."""
     return set(re.findall(r"`(allworlds(?:\.[a-z_]\w*)+)", text)) - {"allworlds.h"}
 
 

@@ -192,7 +192,7 @@ ONLY_CLI = {
     "worst": {"explorer", "command", "native"},
     "check": {"estimate", "explorer", "command", "native", "watch"},
     "fuzz": {"explorer", "command", "native"},
-    "run": {"arguments", "command", "native", "listed"},
+    "run": {"arguments", "command", "native", "listed", "without_walk"},
     "replay": {"explorer", "command", "native", "file", "number"},
     "explain": {"file"},
     "compare": {"command", "native"},
@@ -211,7 +211,7 @@ ONLY_PYTHON = {
 
 
 def keywords_of(function):
-    """What a function takes."""
+    """The parameters of a function, but for its listener."""
     return {*inspect.signature(function).parameters} - {"listener"}
 
 

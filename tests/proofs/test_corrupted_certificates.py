@@ -140,7 +140,7 @@ class Changes:
             branches[percept] = self.trees.Node((node.k + 1) % percept[0], node.after)
 
     def motion_with_a_turn_more(self, branches, percept):
-        """The same motion: of a dart with so many others at its vertex."""
+        """Add one whole turn to the motion, which takes the same edge."""
         if not self.is_leaf(branches, percept):
             node = branches[percept]
             branches[percept] = self.trees.Node(node.k + percept[0], node.after)
@@ -190,7 +190,7 @@ def follower(trees, tree):
 
 
 def by_the_package(trees, tree, edges=EDGES, map_class="maps", bound="paper"):
-    """What coqc has to say, if it is right."""
+    """The answer that coqc must give, by the verdict of the package."""
     found = check(
         follower(trees, tree),
         edges=edges,

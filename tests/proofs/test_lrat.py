@@ -14,7 +14,7 @@ PROOF = ["5 1 0 1 2 0", "6 0 5 3 4 0"]
 
 
 def verdicts(lrat, clauses, proof, variables=2):
-    """What the two checkers say: that of the proofs' folder, and that of the search."""
+    """The verdicts of two checkers: that of the proofs' folder, and that of the search."""
     said = []
     for check in (
         lambda: lrat.check(variables, clauses, proof),

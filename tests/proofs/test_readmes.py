@@ -1,4 +1,4 @@
-"""What the READMEs of the proofs name is there: files, theorems, statements, claims."""
+"""READMEs of the proofs name only files, theorems, statements and claims that exist."""
 
 import json
 import re

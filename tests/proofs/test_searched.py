@@ -1,4 +1,4 @@
-"""What a search writes is read back by programs that share nothing with it."""
+"""Files of a search, read back by programs that share no code with it."""
 
 import json
 import subprocess

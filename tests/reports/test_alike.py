@@ -11,7 +11,7 @@ MAPS = [named_map(name) for name in ("k4", "theta", "theta-torus", "wheel-4", "k
 
 
 def renamed(map_, shift=3):
-    """The same map with other numbers, and for each new dart the old one."""
+    """The map with other numbers for its darts, and for each new dart the old one."""
     size = len(map_.sigma)
     new = [(d + shift) % size for d in range(size)]
     sigma, alpha = [0] * size, [0] * size

@@ -1,4 +1,4 @@
-"""What a picture shows of a world is what can be sensed in it, whatever its lighthouse."""
+"""Pictures of worlds, which show all that can be sensed in them, whatever the lighthouse."""
 
 import re
 
@@ -32,7 +32,7 @@ def worlds(kind, largest=3):
 
 
 def read(map_, marks, pointed):
-    """What is sensed at each dart where these vertices are marked and these darts pointed along."""
+    """The percept at each dart, with these marks of vertices and these pointed darts."""
     percepts = []
     for dart in map_.darts:
         around = [dart]

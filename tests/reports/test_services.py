@@ -1,4 +1,4 @@
-"""What GitHub's runner reads: Markdown, and commands on stderr."""
+"""Output for GitHub's runner: Markdown, and commands on stderr."""
 
 import re
 

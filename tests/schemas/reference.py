@@ -128,7 +128,7 @@ class Reference:
             yield from self.below(option)
 
     def value(self, told: Schema) -> str:
-        """What a value can be, in words."""
+        """The legal values of a schema, in words."""
         match told:
             case {"$ref": _} if name_of(told) in self.headings:
                 return link(self.headings[name_of(told)])
@@ -159,7 +159,7 @@ class Reference:
         return "any value"
 
     def list_value(self, told: Schema) -> str:
-        """What a list can hold."""
+        """The legal items of a list, in words."""
         if "prefixItems" in told:
             first = self.row(told["prefixItems"][0])
             rest = told["items"] and told["items"]["anyOf"]
@@ -204,7 +204,7 @@ def words(value: object) -> str:
 
 
 def plural(text: str) -> str:
-    """The same of several."""
+    """The plural of a description."""
     for one in ("integer", "number", "text", "object", "list"):
         if text == one or text.startswith(f"{one} "):
             return f"{one}s" + text.removeprefix(one)

@@ -1,7 +1,7 @@
-"""What must hold between the keys of a document: a schema says what each of them can be, alone.
+"""Rules between the keys of a document; a schema tells the legal values of each key alone.
 
-Each rule is its words and what a document must satisfy; ``broken`` says which a document, or one
-inside it, breaks.
+Each rule is a sentence and a condition that a document must satisfy; ``broken`` lists the rules
+that a document, or one inside it, breaks.
 """
 
 ROOTED = {"sigma", "alpha", "here"}

@@ -89,7 +89,7 @@ def benched():
 
 
 def kept(verb):
-    """What a verb says of a run directory."""
+    """The document that a verb makes of a run directory."""
     with tempfile.TemporaryDirectory() as directory:
         check(edges=2, run=directory)
         return verb(directory).to_json()
@@ -329,7 +329,7 @@ def test_a_missing_misspelt_or_odd_key_is_refused(name):
 
 
 def wrongs(reference, document):
-    """What is wrong with a document: by its schema, else by the rules between its keys."""
+    """The faults of a document by its schema, or, if there are none, by the rules between keys."""
     name = reference.replace(".schema.json", "").removesuffix("#")
     return complaints(reference, document) or broken(name, document)
 

@@ -23,7 +23,7 @@ def planted():
 
 @pytest.fixture
 def planted_file(tmp_path):
-    """The same as a file that worker processes can import."""
+    """A function that writes ``planted`` to a file that worker processes can import."""
 
     def write(edges, degree):
         path = tmp_path / "planted.py"

@@ -386,7 +386,7 @@ def test_a_family_without_a_size_is_refused_with_both_spellings(family):
 
 
 def test_what_grows_is_asked_for_by_to(refused):
-    assert "worlds = 2 has no effect" in refused("compare", "greedy", "--worlds", 2)
+    assert "worlds = 2 is for worlds that grow" in refused("compare", "greedy", "--worlds", 2)
     assert "--to" in refused("compare", "greedy", "--family", "strip", "--plot", "x.svg")
 
 

@@ -20,7 +20,7 @@ FILE = str(Path(__file__).parents[1] / "support" / "explorers_for_tests" / "mark
 
 
 def in_answer(world, map_, here, transcript):
-    """What the walk that ends at ``here`` makes expect in an answer."""
+    """The percepts to expect in an answer, by the walk that ends at ``here``."""
     trail = [*trail_to(map_, here, transcript)]
     return believed_percepts(world, map_, trail, transcript)
 

@@ -1,4 +1,4 @@
-"""What is sharded and merged is the whole."""
+"""Shards of a job, merged, are equal to the whole job."""
 
 import json
 

@@ -7,13 +7,16 @@ import pytest
 
 import allworlds
 from allworlds.document import replace
-from allworlds.maps import CombinatorialMap, rooted_code
+from allworlds.engines import TimeIsUp
+from allworlds.inputs import InputError
+from allworlds.maps import rooted_code
 from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.protocol import Estimate, Move, Percept
 from allworlds.reports import text
 from allworlds.studies.optimum import OptimumReport, OptimumRow, minimax, optimum_table
+from allworlds.studies.optimum.bracket import Bracket
 from allworlds.studies.optimum.in_every_world import most_expensive
-from allworlds.studies.optimum.optimum_table import Solved
+from allworlds.studies.optimum.minimax_of_worlds import Solved
 from allworlds.studies.optimum.strategy import Branch, Strategy, StrategyLeaf, StrategyStep
 from allworlds.world import Directional, World
 from small import EDGE, LOOP, all_maps, slow
@@ -32,39 +35,12 @@ def given(worlds):
     return [(world.map, world.start, world.lighthouse.dart) for world in worlds]
 
 
-def matchings(darts):
-    if not darts:
-        yield []
-        return
-    first, *others = darts
-    for other in others:
-        rest = [dart for dart in others if dart != other]
-        yield from ([(first, other), *pairs] for pairs in matchings(rest))
-
-
-def bouquets(loops):
-    """v0 of degree 1, joined to a vertex with so many loops, matched in every way."""
-    size = 2 * loops + 2
-    for pairs in matchings(list(range(2, size))):
-        alpha = [1, 0, *[0] * (2 * loops)]
-        for a, b in pairs:
-            alpha[a], alpha[b] = b, a
-        yield World(CombinatorialMap([0, *range(2, size), 1], alpha), Directional(0))
-
-
 # Found by an independent program, too.
 @pytest.mark.parametrize(("edges", "best"), [(1, 0), (2, 1), (3, 4), slow(4, 9)])
 def test_the_optimum_over_all_worlds_is_that_of_its_strategy(edges, best):
     found = minimax(given(worlds(edges)))
     assert found.at_least == best
     assert most_expensive(found.strategy, worlds(edges)) == best
-
-
-@pytest.mark.parametrize(("loops", "best"), [(1, 0), (2, 4), slow(3, 9)])
-def test_bouquets_alone_force_as_much(loops, best):
-    found = minimax(given(bouquets(loops)))
-    assert found.at_least == best
-    assert most_expensive(found.strategy, bouquets(loops)) == best
 
 
 def brute_force(group, most):
@@ -121,7 +97,7 @@ def test_every_spoilt_strategy_is_noticed():
 
 def test_a_strategy_for_fewer_worlds_is_none_for_more():
     found = minimax([(EDGE, 0, 0)])
-    assert found == Solved(0, found.strategy, 0)
+    assert found == Solved(0, 0, found.strategy, 0)
     assert most_expensive(found.strategy, [World(EDGE, Directional(0))]) == 0
     assert most_expensive(found.strategy, worlds(1)) is None
 
@@ -159,7 +135,7 @@ def test_where_the_time_is_up_there_is_a_lower_bound(monkeypatch):
     monkeypatch.setattr(optimum_table, "_in_time", lambda every, _: every)
     report = allworlds.optimum(edges=2, time_limit=1e-9)
     last = report.rows[-1]
-    assert (last.optimum, last.replayed, last.at_least) == (None, None, 1)
+    assert (last.optimum, last.replayed, last.at_least, last.at_most) == (None, None, 1, None)
     assert report.exit_code == Exit.INCONCLUSIVE
     assert "1 or more" in text("optimum", report, 100)
 
@@ -198,6 +174,7 @@ def test_a_replay_that_disagrees_is_an_error(replayed, seen):
         edges=1,
         runs=3,
         at_least=0,
+        at_most=0,
         replayed=replayed,
         states=0,
         explorers={"algorithm1": 1},
@@ -206,6 +183,48 @@ def test_a_replay_that_disagrees_is_an_error(replayed, seen):
     report = OptimumReport(ending=COMPLETED, rows=(row,))
     assert report.exit_code == Exit.DISAGREES
     assert seen in text("optimum", report, 100)
+
+
+def bouquet_rows(to, **more):
+    return allworlds.optimum(family="bouquet", to=to, **more).rows
+
+
+def test_the_table_of_bouquets_has_the_optimum_between_two_known_bounds():
+    rows = bouquet_rows(4)
+    assert [(row.loops, row.edges, row.runs) for row in rows] == [
+        (1, 2, 1),
+        (2, 3, 3),
+        (3, 4, 15),
+        (4, 5, 105),
+    ]
+    # Of information: Coq, bouquet_lower_bound; c(2c+1): theory.md, Theorem 3.
+    assert [row.information for row in rows] == [0, 4, 9, 14]
+    assert [row.optimum for row in rows] == [0, 4, 9, 16]
+    assert [row.cautious for row in rows] == [3, 10, 21, 36]
+    assert all(row.replayed == row.at_most for row in rows)
+
+
+def test_of_bouquets_the_text_has_both_bounds_where_the_time_is_up(monkeypatch):
+    def close(made, tick):
+        turns = made._from_above()
+        while made.at_most is None:
+            next(turns, None)
+        raise TimeIsUp
+
+    monkeypatch.setattr(Bracket, "close", close)
+    report = allworlds.optimum(family="bouquet", to=4, time_limit=1000)
+    last = report.rows[-1]
+    assert last.at_least < 16 <= last.at_most == last.replayed
+    assert report.exit_code == Exit.INCONCLUSIVE
+    told = text("optimum", report, 100)
+    assert f"{last.at_least} to {last.at_most} traversals, with 4" in told
+
+
+def test_a_run_directory_keeps_finished_rows_of_bouquets(tmp_path):
+    first = bouquet_rows(3, run=tmp_path / "kept")
+    assert bouquet_rows(3, run=tmp_path / "kept") == first
+    with pytest.raises(InputError):
+        allworlds.optimum(edges=3, run=tmp_path / "kept")
 
 
 def test_an_interrupt_keeps_the_rows():

@@ -29,7 +29,7 @@ def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
 
 
 def measured(*rates):
-    """What stands in for a sample: rates one after the other."""
+    """A function in place of a sample, which returns these rates one after the other."""
     left = iter(rates)
 
     def estimated(job, engine):

@@ -25,7 +25,7 @@ def stable(text):
 
 
 def reporting(cli):
-    """What runs a command, and tells its exit code, its document, and what it said on stderr."""
+    """A function that runs a command and returns its exit code, its document, and stderr."""
 
     def run(command, *more):
         code, out, err = cli(*command.split(), *more, "--json")

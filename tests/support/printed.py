@@ -1,4 +1,4 @@
-"""What verbs print, as tests compare it."""
+"""The output of verbs, as tests compare it."""
 
 
 def without_made_by(text):

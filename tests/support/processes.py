@@ -30,14 +30,14 @@ def children_of(pid):
 
 
 def workers_of(pid):
-    """What comes from a process and still runs, but for its guardians, which go with it."""
+    """The running descendants of a process, but for its guardians, which end with it."""
     below = _below()
     guardians = guardians_of(pid, below)
     return [one for one in _descendants(below, [pid]) if one not in guardians]
 
 
 def guarded_by(pid):
-    """What the guardians of a process have started and still runs, but for nurseries."""
+    """The running descendants of the guardians of a process, but for nurseries."""
     below = _below()
     guardians = guardians_of(pid, below)
     return [one for one in _descendants(below, guardians) if one not in guardians]
@@ -66,7 +66,7 @@ def _descendants(below, ancestors):
 
 
 def commands(pids):
-    """What these processes are, as far as they still run."""
+    """The command line of each of these processes that still runs."""
     told = {}
     for pid in pids:
         with suppress(OSError):
@@ -100,7 +100,7 @@ def named(word):
 
 
 def wait(until):
-    """What ``until()`` says when it is no longer false, or when patience is at its end."""
+    """Wait until ``until()`` is true, or patience ends; return its last answer."""
     deadline = time.monotonic() + PATIENCE
     while not (told := until()) and time.monotonic() < deadline:
         time.sleep(0.02)

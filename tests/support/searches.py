@@ -1,4 +1,4 @@
-"""What searches are for, in one line."""
+"""The question of a search, made in one line."""
 
 from allworlds.studies.ambiguity import SearchRequest
 from allworlds.studies.ambiguity.smt.question import question_of

@@ -52,7 +52,7 @@ def explorers(monkeypatch):
 
 @pytest.fixture
 def no_orphans():
-    """Nothing that a check has started outlives it."""
+    """Require that the processes that a check has started end with it."""
     before = {*processes.guarded_by(os.getpid())}
     yield
 

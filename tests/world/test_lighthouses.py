@@ -1,4 +1,4 @@
-"""What is sensed of each lighthouse, and where each lighthouse may stand."""
+"""The percepts under each lighthouse, and the places where it may stand."""
 
 from math import prod
 from random import Random

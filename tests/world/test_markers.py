@@ -24,7 +24,7 @@ from small import EDGE, LOLLIPOP, LOOP, PATH, all_maps
 
 
 def actions(world, state):
-    """What the robot may do, said without the lighthouse."""
+    """The legal actions of the robot, found without the code of the lighthouse."""
     here = state.lying.count(world.map.vertex_of[state.dart])
     legal = [Move(k) for k in range(world.map.degree_at[state.dart])]
     legal += [Drop()] * (state.hand > 0)

@@ -8,8 +8,9 @@ import allworlds
 from allworlds.cli.files import Files
 from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit
+from allworlds.document import replace
 from allworlds.explorers import DEFAULT_EXPLORER, ProgramWords, names_explorer
-from allworlds.inputs import SCOPE, Argument, InputError, Option, answer, show, values_of
+from allworlds.inputs import OUTPUT, SCOPE, Argument, InputError, Option, answer, show, values_of
 from allworlds.studies.run import AskedRun, RunRequest, WorldNames
 from allworlds.world import names_of_worlds
 
@@ -24,14 +25,23 @@ class RunWords(ProgramWords):
             "[EXPLORER] WORLD",
             "EXPLORER as in check, also shield:EXPLORER (default: algorithm1). WORLD: inline JSON, "
             "@file, a code of --csv, or a name such as k4, wheel:4, cycle:5; "
-            "adversary:corridor:F makes a world that is bad for the explorer; left out with "
-            "--family.",
+            "adversary:corridor:F (or FxR) makes a world that is bad for the explorer; left out "
+            "with --family.",
             repeated=True,
         ),
     ] = None
     listed: Annotated[
         bool,
         Option(SCOPE, "", "List the names that a WORLD can have, and run no explorer.", "list"),
+    ] = False
+    without_walk: Annotated[
+        bool,
+        Option(
+            OUTPUT,
+            "",
+            "Leave out the walk: the steps in the text, and transcript in the JSON.",
+            "no-walk",
+        ),
     ] = False
 
     def request(self, asked: AskedRun) -> RunRequest:
@@ -55,6 +65,8 @@ def run(words: RunWords, *, asked: AskedRun, files: Files, output: OutputGroup) 
     Run an explorer once in one world, tell it step by step, and judge it.
     """
     told = _listed() if words.listed else answer(allworlds.run, words.request(asked))
+    if words.without_walk and not isinstance(told, WorldNames):
+        told = replace(told, shows_walk=False)
     files.write("run", told)
     return emit(told, "run", output)
 

@@ -26,7 +26,7 @@ from allworlds.engines.isolation.confirm import examine_apart, walk_apart
 from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
 from allworlds.engines.python.prints import Silence, printing_to
 from allworlds.engines.units.effort import Limits
-from allworlds.explorers import Subject
+from allworlds.explorers import BUILT_IN, Subject
 from allworlds.inputs import InputError, show
 from allworlds.judging import (
     Answered,
@@ -39,7 +39,6 @@ from allworlds.judging import (
     place_of,
     play,
 )
-from allworlds.maps import bound_of_testers
 from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol import Ambiguous, Estimate, Transcript
 from allworlds.world import Adversary, Deciding, World
@@ -51,18 +50,31 @@ class Decisions(Document):
     The play against it in which the world came about.
     """
 
-    name: Annotated[Text, about("`adversary:corridor:F`")]
+    name: Annotated[Text, about("`adversary:corridor:F` or `adversary:corridor:FxR`")]
     seed: Annotated[Natural, about("of the loops, and of the matching at first")]
     cost: Annotated[Natural, about("traversals against the adversary")]
-    excluded: Annotated[Natural, about("pairs of far darts that an answer has excluded")]
+    excluded: Annotated[Natural, about("pairs of free darts that an answer has excluded")]
     forced: Annotated[Natural, about("edges that were left as the only ones")]
     settled: Annotated[
-        Natural, about("edges that were fixed before an answer that depended on them")
+        Natural, about("edges that were fixed since the explorer had settled the vertex behind")
+    ]
+    depended: Annotated[
+        Natural, about("edges that were fixed before an answer that depended on two")
     ]
     testers: Annotated[
         Natural, about("traversals that every tester of home words needs against it")
     ]
+    testers_exclude: Annotated[Natural, about("pairs that the tests of each of them exclude")]
+    tester: Annotated[
+        bool, about("whether the explorer is known to be a tester: then it reaches both numbers")
+    ]
     same: Annotated[bool, about("whether the explorer walks in the world as against the adversary")]
+
+    @property
+    def keeps_the_bound(self) -> bool:
+        """Whether a known tester has walked and excluded as much as every tester must."""
+        enough = self.cost >= self.testers and self.excluded >= self.testers_exclude
+        return enough or not self.tester
 
 
 class SingleRun(Report):
@@ -73,10 +85,12 @@ class SingleRun(Report):
 
     verdict: Annotated[
         Verdict,
-        about("about this run alone"),
-        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS),
+        about("about this run alone; `error`: a tester did less than every tester must"),
+        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS, Verdict.ERROR),
     ] = computed(lambda run: run.facts.verdict)
-    exit_code: Annotated[ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.VACUOUS)] = EXIT_CODE
+    exit_code: Annotated[
+        ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.VACUOUS, Exit.INTERNAL)
+    ] = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     world: Annotated[World, about("as it was given")]
     options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
@@ -92,8 +106,8 @@ class SingleRun(Report):
     estimate: Annotated[Estimate | None, about("the answer; null where there is none")] = computed(
         lambda run: run.ending.estimate if isinstance(run.ending, Answered) else None
     )
-    transcript: Annotated[Transcript, about("the log")] = computed(
-        lambda run: run.outcome.episode.transcript
+    transcript: Annotated[Transcript | UnsetType, about("the log; not with `--no-walk`")] = (
+        computed(lambda run: run.outcome.episode.transcript if run.shows_walk else UNSET)
     )
     finding: Annotated[Finding | None, about("null: no law is broken")]
     ambiguous: Annotated[
@@ -107,12 +121,19 @@ class SingleRun(Report):
     )
     rules: Aside[Rules]
     outcome: Aside[Outcome]
+    shows_walk: Aside[bool] = True
 
     @property
     def facts(self) -> Facts:
-        """Whether a law is broken or none was checked, or the adversary saw another walk."""
-        other = self.adversary is not None and not self.adversary.same
-        return Facts(refuted=self.finding is not None or other, vacuous=not self.checked_laws)
+        """Whether a law is broken or none was checked, or the adversary saw another walk.
+
+        A tester that breaks no law and does less than its bounds say refutes the theorem, or the
+        adversary.
+        """
+        made = self.adversary
+        refuted = self.finding is not None or (made is not None and not made.same)
+        less = made is not None and not made.keeps_the_bound
+        return Facts(refuted=refuted, disagrees=less and not refuted, vacuous=not self.checked_laws)
 
     @property
     def checked_laws(self) -> tuple[str, ...]:
@@ -162,7 +183,7 @@ def adversarial_run(
 
     Args:
         subject: plays against the adversary, and then in the world that is left.
-        adversary: gets no more than the actions.
+        adversary: gets the actions and the checkpoints, no more.
         rules: by which the run is played and judged.
         script: answers to the first choices.
         limits: of processes, for a user's explorer.
@@ -175,26 +196,31 @@ def adversarial_run(
     """
     if not rules.task.is_map:
         raise InputError(f"task {show(rules.task.name)} is not for {adversary}; 'map' is")
-    if subject.from_user and subject.importable:
-        walk, choices = walk_apart(subject, rules, adversary, script, limits, hash_seed)
-    else:
-        at_first, heard = adversary.at_first, rules.choices("", script)
-        budget = rules.budget(at_first.map)
-        with printing_to(Silence()) if subject.from_user else nullcontext():
-            episode = play(Deciding(adversary), subject.player(), heard, budget)
-        walk, choices = episode.transcript.actions, tuple(heard.record)
     deciding = Deciding(adversary)
-    for action in walk:
-        deciding.step(deciding.initial, action)
+    if subject.from_user and subject.importable:
+        traced = walk_apart(subject, rules, adversary, script, limits, hash_seed)
+        walk, choices = traced.transcript.actions, traced.choices
+        deciding.repeat(walk, traced.settled)
+    else:
+        heard = rules.choices("", script)
+        budget = rules.budget(adversary.at_first.map)
+        player = subject.player(settled=deciding.hear)
+        with printing_to(Silence()) if subject.from_user else nullcontext():
+            episode = play(deciding, player, heard, budget, watch=deciding.heed)
+        walk, choices = episode.transcript.actions, tuple(heard.record)
     run = single_run(subject, deciding.world(), rules, choices, limits, hash_seed)
+    built_in = None if subject.from_user else BUILT_IN.get(subject.name)
     decisions = Decisions(
         name=str(adversary),
         seed=adversary.seed,
         cost=len(walk),
         excluded=deciding.excluded,
         forced=deciding.forced,
-        settled=deciding.settled,
-        testers=bound_of_testers(adversary.far),
+        settled=len(deciding.settled),
+        depended=deciding.depended,
+        testers=adversary.shape.bound_of_testers,
+        testers_exclude=adversary.shape.excluded_by_testers,
+        tester=built_in is not None and built_in.tests_home_words,
         same=run.outcome.episode.transcript.actions == walk,
     )
     return replace(run, adversary=decisions)

@@ -12,14 +12,22 @@ from contextlib import AbstractContextManager, closing, nullcontext
 from dataclasses import dataclass, replace
 from typing import Any
 
-from allworlds.explorers.builtin.algorithm1 import nobody
+from allworlds.explorers.builtin.algorithm1 import nobody, unseen
 from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
 from allworlds.explorers.builtin.shield import Shield
 from allworlds.explorers.program import Program, ProgramRuns
 from allworlds.explorers.shared_library.native import NativeExplorer
 from allworlds.explorers.stepping import CopyingExplorer, SteppedRuns, SteppingExplorer, stepping
 from allworlds.inputs import InputError, show
-from allworlds.protocol import Choices, Percept, Player, SourceText, Told, points_of
+from allworlds.protocol import (
+    Checkpoint,
+    Choices,
+    Percept,
+    Player,
+    SourceText,
+    Told,
+    points_of,
+)
 
 ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
@@ -48,7 +56,7 @@ class Subject:
             ``path/to/file.py:attribute``, an entry point, each of which may end in ``?key=value``,
             ``exec:COMMAND`` or ``native:PATH``;
             any of them with a shield as ``shield:NAME``.
-        keywords: the ones of ``choices``, ``told`` and ``notice`` that it takes.
+        keywords: the ones of ``choices``, ``told``, ``notice`` and ``settled`` that it takes.
         explore: the generator function; None where another process finds it by its name, so
             that its code never gets into this one.
         own: its entry among the built-in explorers, if it is built in.
@@ -128,10 +136,14 @@ class Subject:
             return self.program.forks
         return self.native is not None and self.native.library.clone is not None
 
-    def player(self, notice: Callable[[str], None] = nobody) -> Player:
+    def player(
+        self,
+        notice: Callable[[str], None] = nobody,
+        settled: Callable[[Checkpoint], None] = unseen,
+    ) -> Player:
         """The explorer with its keywords bound; its code must be in this process."""
         assert self.explore is not None
-        return self._bound(self.explore, notice)
+        return self._bound(self.explore, notice, settled)
 
     def second_player(self) -> Player:
         """The explorer as it is played once more: by copies, if it can be copied."""
@@ -150,11 +162,12 @@ class Subject:
         self,
         explore: Callable[..., Generator[Any, Any, Any]],
         notice: Callable[[str], None] = nobody,
+        settled: Callable[[Checkpoint], None] = unseen,
     ) -> Player:
         keywords = self.keywords
 
         def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
-            offered = {"choices": choices, "told": told, "notice": notice}
+            offered = {"choices": choices, "told": told, "notice": notice, "settled": settled}
             return explore(first, **{key: offered[key] for key in keywords})
 
         return play
@@ -193,7 +206,7 @@ def with_shield(inside: Subject) -> Subject:
     """The explorer with a shield; one shield is enough."""
     if has_shield(inside.name):
         return inside
-    name, keywords = SHIELD + inside.name, inside.keywords - {"notice"}
+    name, keywords = SHIELD + inside.name, inside.keywords - {"notice", "settled"}
     if inside.explore is None:
         return Subject(name, keywords, source=inside.source)
     explore = inside.explore if isinstance(inside.explore, Shield) else Shield(inside.explore)

@@ -140,8 +140,9 @@ if TYPE_CHECKING:
         narrowing as narrowing,
     )
     from allworlds.maps.corridor import (
-        bound_of_testers as bound_of_testers,
+        CorridorShape as CorridorShape,
         drawn_corridor as drawn_corridor,
+        usual_degree as usual_degree,
     )
     from allworlds.maps.count_source import source_name as source_name, source_of as source_of
     from allworlds.maps.counting.sources import source_for as source_for

@@ -1,74 +1,139 @@
 """The corridor family: worlds in which words that lead home must be tried nearly one by one.
 
-Vertex 0 has degree 2. *Hubs* 1 .. 3F follow, all of degree R = 12F + 6: the first N = 2F are
-*near*, the others *far*. Consecutive vertices are joined by two parallel edges, from the
-*out-darts* of one to the *in-darts* of the next. In hub l the in-darts have the numbers 0 and 1,
-the out-darts -4l and -4l - 2 modulo R; so the four motions from an out-dart to an in-dart are the
-*class* {4l, 4l + 1, 4l + 2, 4l + 3} of the hub, and classes of different hubs are disjoint. The
-other darts of near hubs are loops, and the other 2M darts of far hubs, the *open* darts, can be
-matched in any way: n = 3F + 1, m = 18F^2 + 9F + 1, M = 6F^2 + F + 1.
+Vertex 0 has degree 2.  *Hubs* 1, 2, ... follow, all of the even degree R: the first N are *near*,
+the last F are *far*.  Consecutive vertices are joined by two parallel edges, from the *out-darts*
+of one to the *in-darts* of the next.  In each hub the in-darts have the numbers 0 and 1, and the
+out-darts -4c and -4c - 2 modulo R, where c is the *type* of the hub; so the four motions from an
+out-dart to an in-dart are the *class* {4c, 4c + 1, 4c + 2, 4c + 3}, and classes of different types
+are disjoint.  The other darts of near hubs are loops.  The other darts of far hubs, 2M in number,
+are *free*: they can be matched in any way.
 
-Source: ``docs/theory.md``, 'Lower bounds'.
+There are q = floor((R - 6) / 4) types, and the *window* g is the least number for which no g
+consecutive hubs among N = (g + 1)F have the same types as g others: q^g >= N.  For R >= 8F + 6 all
+near hubs differ: g = 1 and N = 2F.  In all
+
+    n = N + F + 1,  m = (N + F)R/2 + 1,  M = F(R - 4)/2 + 1.
+
+Source: ``docs/research/lower-bounds.md``, 'Testers of home words'.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import cycle, islice
 from random import Random
 
 from allworlds.maps.combinatorial import CombinatorialMap
 
+LEAST_DEGREE = 14
+"""The least degree of a hub: with two types, and more free darts than testers get for nothing."""
 
-def corridor_degree(far: int) -> int:
-    """The degree R of every hub."""
+
+def usual_degree(far: int) -> int:
+    """The degree of hubs where none is named: 12F + 6, so that all hubs have different types."""
     return 12 * far + 6
 
 
-def corridor_edges(far: int) -> int:
-    """The number of edges m."""
-    return 18 * far * far + 9 * far + 1
+def apart(kind: int) -> tuple[int, int]:
+    """The out-darts of a hub of some type; classes of different types are disjoint."""
+    return -4 * kind, -4 * kind - 2
 
 
-def apart(hub: int) -> tuple[int, int]:
-    """The out-darts of a hub as motions from its first in-dart; classes of hubs are disjoint."""
-    return -4 * hub, -4 * hub - 2
+@dataclass(frozen=True, slots=True)
+class CorridorShape:
+    """The numbers of a corridor.
+
+    Attributes:
+        far: F, the number of far hubs.
+        degree: R, the degree of every hub.
+
+    Raises:
+        ValueError: for F < 1, an odd R, or R < 14.
+    """
+
+    far: int
+    degree: int
+
+    def __post_init__(self) -> None:
+        """Check the numbers."""
+        if self.far < 1 or self.degree < LEAST_DEGREE or self.degree % 2:
+            raise ValueError(f"F is at least 1, R even and at least {LEAST_DEGREE}")
+
+    @property
+    def types(self) -> int:
+        """The number q of types of hubs."""
+        return (self.degree - 6) // 4
+
+    @property
+    def window(self) -> int:
+        """The number g of consecutive near hubs whose types tell which ones they are."""
+        window = 1
+        while self.types**window < (window + 1) * self.far:
+            window += 1
+        return window
+
+    @property
+    def near(self) -> int:
+        """The number N of near hubs."""
+        return (self.window + 1) * self.far
+
+    @property
+    def hubs(self) -> int:
+        """The number of all hubs."""
+        return self.near + self.far
+
+    @property
+    def edges(self) -> int:
+        """The number m of edges."""
+        return self.hubs * self.degree // 2 + 1
+
+    @property
+    def pairs(self) -> int:
+        """The number M of edges between free darts."""
+        return self.far * (self.degree - 4) // 2 + 1
+
+    @property
+    def excluded_by_testers(self) -> int:
+        """The number of pairs of free darts that the tests of a tester exclude, at least."""
+        return self.pairs * (self.pairs - 1 - 4 * self.far)
+
+    @property
+    def bound_of_testers(self) -> int:
+        """The traversals that every tester needs in the world that the adversary makes of it."""
+        private = self.near - self.far - self.window + 2
+        return 2 * private * self.excluded_by_testers
 
 
 @dataclass(frozen=True, slots=True)
 class Corridor:
-    """A world of the family before its open darts are matched.
+    """A world of the family before its free darts are matched.
 
     Attributes:
-        far: F, the number of far hubs.
+        shape: its numbers.
         sigma: the rotations; vertex 0 has darts 0 and 1, hub l those from 2 + (l - 1)R on.
-        alpha: the fixed edges; ``alpha[d] == d`` marks an open dart.
-        open: the open darts, in the order in which they are matched in pairs at first.
+        alpha: the fixed edges; ``alpha[d] == d`` marks a free dart.
+        free: the free darts, in the order in which they are matched in pairs at first.
     """
 
-    far: int
+    shape: CorridorShape
     sigma: tuple[int, ...]
     alpha: tuple[int, ...]
-    open: tuple[int, ...]
-
-    @property
-    def degree(self) -> int:
-        """The degree R of every hub."""
-        return corridor_degree(self.far)
+    free: tuple[int, ...]
 
     def level(self, dart: int) -> int:
         """The number of the dart's vertex: 0, or that of its hub."""
-        return 0 if dart < 2 else 1 + (dart - 2) // self.degree
+        return 0 if dart < 2 else 1 + (dart - 2) // self.shape.degree
 
     def turned(self, dart: int, motion: int) -> int:
         """The dart that is ``motion`` places on, clockwise, at the same vertex."""
         if dart < 2:
             return (dart + motion) % 2
-        place = (dart - 2) % self.degree
-        return dart - place + (place + motion) % self.degree
+        place = (dart - 2) % self.shape.degree
+        return dart - place + (place + motion) % self.shape.degree
 
     def matched(self, partners: Sequence[tuple[int, int]]) -> CombinatorialMap:
-        """The map with these edges between the open darts."""
+        """The map with these edges between the free darts."""
         alpha = list(self.alpha)
         for d, e in partners:
             alpha[d], alpha[e] = e, d
@@ -76,22 +141,17 @@ class Corridor:
 
 
 def corridor_skeleton(
-    far: int, random: Random, outs: Callable[[int], tuple[int, int]] = apart
+    shape: CorridorShape, random: Random, outs: Callable[[int], tuple[int, int]] = apart
 ) -> Corridor:
-    """A corridor with drawn near loops, and its open darts in a drawn order.
+    """A corridor with drawn near loops, and its free darts in a drawn order.
 
     Args:
-        far: F.
+        shape: its numbers.
         random: the source of all that is drawn.
-        outs: the out-darts of a hub; others than :func:`apart` break the lemmas.
-
-    Raises:
-        ValueError: for F < 1.
+        outs: the out-darts of a hub of some type; others than :func:`apart` break the lemmas.
     """
-    if far < 1:
-        raise ValueError("F is at least 1")
-    degree, hubs = corridor_degree(far), 3 * far
-    sigma, alpha = [1, 0], list(range(2 + hubs * degree))
+    degree = shape.degree
+    sigma, alpha = [1, 0], list(range(2 + shape.hubs * degree))
     free: list[int] = []
 
     def join(d: int, e: int) -> None:
@@ -99,44 +159,65 @@ def corridor_skeleton(
 
     join(0, 2)
     join(1, 3)
-    for hub in range(1, hubs + 1):
+    for hub, kind in enumerate(hub_types(shape), 1):
         base = 2 + (hub - 1) * degree
         sigma += [*range(base + 1, base + degree), base]
         fixed = {base, base + 1}
-        if hub < hubs:
-            for k, out in enumerate(outs(hub)):
+        if hub < shape.hubs:
+            for k, out in enumerate(outs(kind)):
                 dart = base + out % degree
                 fixed.add(dart)
                 join(dart, base + degree + k)
         rest = [d for d in range(base, base + degree) if d not in fixed]
-        if hub <= 2 * far:
+        if hub <= shape.near:
             random.shuffle(rest)
             for d, e in zip(rest[::2], rest[1::2], strict=True):
                 join(d, e)
         else:
             free += rest
     random.shuffle(free)
-    return Corridor(far, tuple(sigma), tuple(alpha), tuple(free))
+    return Corridor(shape, tuple(sigma), tuple(alpha), tuple(free))
 
 
-def drawn_corridor(far: int, seed: int) -> Corridor:
-    """The corridor with F far hubs that a seed draws."""
-    return corridor_skeleton(far, Random(f"corridor/{far}/{seed}"))  # noqa: S311  # reproducible
+def hub_types(shape: CorridorShape) -> Iterator[int]:
+    """The type 1..q of each hub; no g consecutive near hubs have the types of g others."""
+    return islice(cycle(_de_bruijn(shape.types, shape.window)), shape.hubs)
 
 
-def corridor(far: int, seed: int) -> CombinatorialMap:
-    """The world with F far hubs, near loops and far matching drawn."""
-    drawn = drawn_corridor(far, seed)
-    return drawn.matched(list(zip(drawn.open[::2], drawn.open[1::2], strict=True)))
+def _de_bruijn(letters: int, length: int) -> Iterator[int]:
+    """The least word over 1..letters that holds each word of that length once, read as a ring.
 
-
-def bound_of_testers(far: int) -> int:
-    """The traversals that every explorer that tests hypotheses by words that lead home needs.
-
-    Of each such explorer the adversary makes a world of the family in which it does:
-    2(F + 1)(M^2 - M - 4MF).
-
-    Source: ``docs/theory.md``, 'Lower bounds'.
+    Source: H. Fredricksen, J. Maiorana, Necklaces of beads in k colors and k-ary de Bruijn
+    sequences, Discrete Math. 23 (1978): Lyndon words whose lengths divide that length, ascending.
     """
-    half = 6 * far * far + far + 1
-    return 2 * (far + 1) * (half * half - half - 4 * half * far)
+    word = [0]
+    while word:
+        if length % len(word) == 0:
+            yield from (letter + 1 for letter in word)
+        word = list(islice(cycle(word), length))
+        while word and word[-1] == letters - 1:
+            word.pop()
+        if word:
+            word[-1] += 1
+
+
+def drawn_corridor(shape: CorridorShape, seed: int) -> Corridor:
+    """The corridor of that shape that a seed draws."""
+    name = f"corridor/{shape.far}/{seed}"
+    if shape.degree != usual_degree(shape.far):
+        name = f"corridor/{shape.far}x{shape.degree}/{seed}"
+    return corridor_skeleton(shape, Random(name))  # noqa: S311  # reproducible
+
+
+def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
+    """The world with F far hubs of degree R, near loops and far matching drawn."""
+    drawn = drawn_corridor(CorridorShape(far, degree), seed)
+    return drawn.matched(list(zip(drawn.free[::2], drawn.free[1::2], strict=True)))
+
+
+def corridor_edges(far: int, degree: int) -> int:
+    """The number of edges m; 0 where there is no such corridor."""
+    try:
+        return CorridorShape(far, degree).edges
+    except ValueError:
+        return 0

@@ -12,7 +12,7 @@ from allworlds.maps import drawn_families as large
 from allworlds.maps.build import cycle, dense, lattice
 from allworlds.maps.canonical import automorphisms, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.maps.corridor import corridor, corridor_edges
+from allworlds.maps.corridor import corridor, corridor_edges, usual_degree
 
 LARGEST = 100_000
 """Larger maps are refused: a robot would not come to an end in them."""
@@ -181,7 +181,16 @@ FAMILIES = (
     Family("prism:N", lambda n: 3 * n, _drawn(large.switched_prism)),
     Family("thick:DxL", large.thick_edges, _drawn(large.thick)),
     Family("cover:K", lambda k: large.BASE_EDGES * k, _drawn(large.cover)),
-    Family("corridor:F", corridor_edges, lambda size, _holes, seed: corridor(size[0], seed)),
+    Family(
+        "corridor:F",
+        lambda f: corridor_edges(f, usual_degree(f)),
+        lambda size, _holes, seed: corridor(size[0], usual_degree(size[0]), seed),
+    ),
+    Family(
+        "corridor:FxR",
+        corridor_edges,
+        lambda size, _holes, seed: corridor(size[0], size[1], seed),
+    ),
 )
 """Every family."""
 

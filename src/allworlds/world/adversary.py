@@ -1,27 +1,33 @@
-"""An adversary: a corridor that decides as late as possible how its far darts are matched.
+"""An adversary: a corridor that decides as late as possible how its free darts are matched.
 
-It keeps the graph of the pairs that are still *allowed* between open darts, and one perfect
-matching of them. A robot that has left the fixed edges by an open dart e is *lost*: it is in a tree
-of words that are read from the other end of e, the *root* of the tree. All hubs look alike, so an
-answer there says only that the robot is not at vertex 0. Where the edge {e, y} would make this
-untrue, the pair is excluded, and the matching repaired; if that cannot be done, the pair is an
-edge from now on. Where the answer would depend on a second open dart, the edge of one of the two
-in the matching is fixed first. So every answer is true in every perfect matching of the allowed
-pairs, at any time, and in the world that is left at the end.
+A free dart whose edge is not fixed yet is *undecided*.  The adversary keeps the graph of the pairs
+that are still *allowed* between undecided darts, and one perfect matching of them.  A robot that
+has left the fixed edges by an undecided dart e is *lost*: it is in a tree of words that are read
+from the other end of e, the *root* of the tree.  All hubs look alike, so an answer there says only
+that the robot is not at vertex 0.  Where the edge {e, y} would make this untrue, the pair is
+excluded, and the matching repaired; if that cannot be done, the pair is an edge from now on.  So
+every answer is true in every perfect matching of the allowed pairs, at any time, and in the world
+that is left at the end.
 
-Source: ``docs/theory.md``, 'Lower bounds'.
+Where an explorer has settled a root, the edge of e in the matching is fixed at once, as in the
+proof of the bound of testers.  Built-in testers tell what they settle, when they do; any other
+explorer may show it when the robot is there again (:class:`~allworlds.protocol.Checkpoint`).  If
+an answer still depends on a second undecided dart, one of the two edges is fixed, that of the dart
+with fewer allowed pairs: all answers stay true, but the bound is not proved then.
+
+Source: ``docs/research/lower-bounds.md``, 'Testers of home words'.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from allworlds.inputs import InputError, show
-from allworlds.maps import Dart, augmented, drawn_corridor
-from allworlds.protocol import Action, Move, Percept, Told
+from allworlds.maps import CorridorShape, Dart, augmented, drawn_corridor, usual_degree
+from allworlds.protocol import Action, Checkpoint, Move, Percept, Told
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.state import State, without_markers
 from allworlds.world.world import IllegalAction, World
@@ -31,24 +37,27 @@ Word: TypeAlias = tuple[int, ...]
 
 PREFIX = "adversary:"
 FORM = f"{PREFIX}corridor:F"
-MOST_FAR = 20
-"""The largest F: its worlds have 7,381 edges."""
+FORMS_OF_ADVERSARIES = f"{FORM} or {FORM}xR"
+MOST_EDGES = 10_000
+"""The largest number of edges of a world that an adversary makes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Adversary:
-    """The adversary in the corridor with F far hubs.
+    """The adversary in a corridor.
 
     Attributes:
-        far: F.
+        shape: of the corridor.
         seed: of the near loops, and of the matching that is kept at first.
     """
 
-    far: int
+    shape: CorridorShape
     seed: int = 0
 
     def __str__(self) -> str:
-        return f"{PREFIX}corridor:{self.far}"
+        far, degree = self.shape.far, self.shape.degree
+        usual = degree == usual_degree(far)
+        return f"{PREFIX}corridor:{far}" if usual else f"{PREFIX}corridor:{far}x{degree}"
 
     @property
     def at_first(self) -> World:
@@ -57,15 +66,36 @@ class Adversary:
 
 
 def adversary_named(text: str, seed: int = 0) -> Adversary:
-    """The adversary of a text ``adversary:corridor:F``.
+    """The adversary of a text ``adversary:corridor:F`` or ``adversary:corridor:FxR``.
 
     Raises:
-        InputError: for another text, or an F out of range.
+        InputError: for another text, or a corridor that does not exist or is too large.
     """
-    match = re.fullmatch(rf"{PREFIX}corridor:([0-9]{{1,6}})", text)
-    if match is None or not 1 <= int(match[1]) <= MOST_FAR:
-        raise InputError(f"{show(text)} is not {FORM} with 1 <= F <= {MOST_FAR}")
-    return Adversary(int(match[1]), seed)
+    match = re.fullmatch(rf"{PREFIX}corridor:([0-9]{{1,6}})(?:x([0-9]{{1,6}}))?", text)
+    if match is None:
+        raise InputError(f"{show(text)} is not {FORMS_OF_ADVERSARIES}")
+    far = int(match[1])
+    try:
+        shape = CorridorShape(far, int(match[2] or usual_degree(far)))
+    except ValueError as error:
+        raise InputError(f"{show(text)}: {error}") from None
+    if shape.edges > MOST_EDGES:
+        raise InputError(f"{show(text)} has {shape.edges:,} edges, more than {MOST_EDGES:,}")
+    return Adversary(shape, seed)
+
+
+class Spot(NamedTuple):
+    """A place of the robot: at a fixed dart, or in the tree of an undecided one.
+
+    Attributes:
+        dart: the fixed dart; or the undecided dart whose tree it is.
+        word: the word from the root of the tree; None at a fixed dart.
+        turn: in a tree, how far the robot has turned from the dart by which it has come.
+    """
+
+    dart: Dart
+    word: Word | None = None
+    turn: int = 0
 
 
 class Deciding:
@@ -74,32 +104,28 @@ class Deciding:
     Attributes:
         excluded: the number of pairs that an answer has excluded.
         forced: the number of edges that are fixed because nothing else is allowed.
-        settled: the number of edges that were fixed before an answer that depended on them.
+        settled: the undecided darts whose edges were fixed since the explorer had settled the
+            vertex behind, each with the number of motions before.
+        depended: the number of edges that were fixed before an answer that depended on two.
     """
 
     initial = without_markers(0)
+    first = Percept(2, 1, 0)
     told: Told = None
     over = False
 
     def __init__(self, adversary: Adversary) -> None:
-        self._corridor = drawn_corridor(adversary.far, adversary.seed)
-        darts = self._corridor.open
-        self._hub = self._corridor.degree
+        self._corridor = drawn_corridor(adversary.shape, adversary.seed)
+        darts = self._corridor.free
+        self._hub = adversary.shape.degree
         self._partner = {d: e for d, e in enumerate(self._corridor.alpha) if d != e}
         self._allowed = {d: {*darts} - {d} for d in darts}
         self._mate = {d: darts[i ^ 1] for i, d in enumerate(darts)}
         self._trees: dict[Dart, set[Word]] = {}
-        # The robot: at a known dart; or lost below a root, at the end of a word, turned so far.
-        self._dart: Dart = 0
-        self._root: Dart | None = None
-        self._word: Word = ()
-        self._turn = 0
-        self.excluded = self.forced = self.settled = 0
-
-    @property
-    def first(self) -> Percept:
-        """The percept at vertex 0 before any motion."""
-        return self._sensed()
+        self._at = Spot(0)
+        self._motions = 0
+        self.excluded = self.forced = self.depended = 0
+        self.settled: list[tuple[int, Dart]] = []
 
     def step(self, state: State, action: Action) -> tuple[State, Percept]:
         """The percept after a motion; the state stays as it is, and this object decides.
@@ -109,66 +135,109 @@ class Deciding:
         """
         if type(action) is not Move:
             raise IllegalAction("Move: there are no markers, and nothing is written")
+        self._motions += 1
         self._move(action.k)
         return state, self._sensed()
 
+    def heed(self, shown: Checkpoint) -> list[Dart]:
+        """Fix the edges behind which the explorer has settled a vertex, and return their darts."""
+        return self._settle(shown, at_start=False)
+
+    def hear(self, settled: Checkpoint) -> None:
+        """Do the same where the dart that the robot faced at the start stands for its own."""
+        self._settle(settled, at_start=True)
+
+    def _settle(self, shown: Checkpoint, *, at_start: bool) -> list[Dart]:
+        fixed: list[Dart] = []
+        while True:
+            root = self._settled_root(shown, Spot(0) if at_start else self._at)
+            if root is None:
+                return fixed
+            self.settle(root)
+            fixed.append(root)
+
+    def settle(self, root: Dart) -> None:
+        """Fix the edge of a dart behind which the explorer has settled the vertex."""
+        if root in self._allowed:
+            self.settled.append((self._motions, root))
+            self._fix(root)
+
+    def repeat(self, walk: Iterable[Action], settled: Iterable[tuple[int, Dart]]) -> None:
+        """Play again what was played: actions, and what the explorer had settled before each."""
+        waiting = [*settled][::-1]
+        for number, action in enumerate(walk):
+            while waiting and waiting[-1][0] <= number:
+                self.settle(waiting.pop()[1])
+            self.step(self.initial, action)
+        for _, root in reversed(waiting):
+            self.settle(root)
+
     def world(self) -> World:
         """The static world in which all answers up to now are true."""
-        pairs = [(d, self._partner.get(d, self._mate.get(d, d))) for d in self._corridor.open]
+        pairs = [(d, self._partner.get(d, self._mate.get(d, d))) for d in self._corridor.free]
         return World(self._corridor.matched(pairs), Directional(0))
 
     def _sensed(self) -> Percept:
-        if self._root is None and self._dart < 2:
+        at = self._at
+        if at.word is None and at.dart < 2:
             # The offset from the dart of arrival to dart 0, which is the pointed one.
-            return Percept(2, 1, self._dart)
+            return Percept(2, 1, at.dart)
         return Percept(self._hub, 0, None)
 
-    def _move(self, motion: int) -> None:
-        if self._root is None:
-            leaving = self._corridor.turned(self._dart, motion)
-            if leaving in self._partner:
-                self._dart = self._partner[leaving]
-            else:
-                self._root, self._word, self._turn = leaving, (), 0
-            return
-        letter = (self._turn + motion) % self._hub
-        if letter == 0 and self._word:
-            self._turn, self._word = self._word[-1], self._word[:-1]
-        elif letter == 0:
-            self._dart, self._root = self._root, None
-        else:
-            self._decide(motion, letter)
+    def _turned(self, spot: Spot, motion: int) -> Spot:
+        if spot.word is None:
+            return Spot(self._corridor.turned(spot.dart, motion))
+        return spot._replace(turn=(spot.turn + motion) % self._hub)
 
-    def _decide(self, motion: int, letter: int) -> None:
-        """Move on in a tree: to a node where the robot was before, or to a new one."""
-        assert self._root is not None
-        root, word = self._root, (*self._word, letter)
-        if word not in self._trees.setdefault(root, set()):
-            homes = [*self._homes(word)]
-            for dart, before, _ in homes:
-                if before:
-                    self.settled += 1
-                    # A tester has settled one of the two ends: that with few pairs left.
-                    self._fix(min(root, dart, key=lambda d: (len(self._allowed[d]), d)))
-                    self._move(motion)
-                    return
-            wanted = {dart: end for dart, _, end in homes if dart in self._allowed[root]}
-            if not self._exclude(root, wanted):
-                end = wanted[self._mate[root]]
-                self.forced += 1
-                self._fix(root)
-                self._dart, self._root = end, None
+    def _across(self, spot: Spot) -> Spot | None:
+        """The other end of the dart that one faces; None if the robot never went there."""
+        dart, word, turn = spot
+        if word is None:
+            if dart in self._partner:
+                return Spot(self._partner[dart])
+            return Spot(dart, ()) if dart in self._trees else None
+        if turn:
+            longer = (*word, turn)
+            return Spot(dart, longer) if longer in self._trees[dart] else None
+        return Spot(dart, word[:-1], word[-1]) if word else Spot(dart)
+
+    def _move(self, motion: int) -> None:
+        facing = self._turned(self._at, motion)
+        there = self._across(facing)
+        if there is not None:
+            self._at = there
+        elif facing.word is None:
+            self._trees[facing.dart] = set()
+            self._at = Spot(facing.dart, ())
+        else:
+            self._decide(motion, facing.dart, (*facing.word, facing.turn))
+
+    def _decide(self, motion: int, root: Dart, word: Word) -> None:
+        """Move on to a node of a tree where the robot has never been."""
+        homes = [*self._homes(word)]
+        for dart, before, _ in homes:
+            if before:
+                self.depended += 1
+                self._fix(min(root, dart, key=lambda d: (len(self._allowed[d]), d)))
+                self._move(motion)
                 return
+        wanted = {dart: end for dart, _, end in homes if dart in self._allowed[root]}
+        if self._exclude(root, wanted):
             self._trees[root].add(word)
-        self._word, self._turn = word, 0
+            self._at = Spot(root, word)
+            return
+        end = wanted[self._mate[root]]
+        self.forced += 1
+        self._fix(root)
+        self._at = Spot(end)
 
     def _homes(self, word: Word) -> Iterator[tuple[Dart, Word, Dart]]:
-        """The open darts that are met on the way back from vertex 0, against the word.
+        """The undecided darts that are met on the way back from vertex 0, against the word.
 
         Yields:
-            for each of the two arrivals at vertex 0 at most one open dart, the part of the word
-            that is left before it, and the arrival. Where nothing is left, the word leads home if
-            the root is that dart.
+            for each of the two arrivals at vertex 0 at most one undecided dart, the part of the
+            word that is left before it, and the arrival. Where nothing is left, the word leads
+            home if the root is that dart.
         """
         for arrival in (0, 1):
             dart = arrival
@@ -209,31 +278,54 @@ class Deciding:
         return True
 
     def _fix(self, dart: Dart) -> None:
-        """Make the pair of an open dart in the matching an edge, and fold the trees behind it."""
+        """Make the pair of an undecided dart in the matching an edge, and fold the trees behind.
+
+        The other allowed pairs of the two darts go: they are in no perfect matching with this edge.
+        """
         ends = dart, self._mate[dart]
-        trees = [(d, word) for d in ends for word in sorted(self._trees.pop(d, ()))]
+        trees = [(d, self._trees.pop(d)) for d in ends if d in self._trees]
         for d in ends:
             for y in self._allowed.pop(d):
                 self._allowed.get(y, set()).discard(d)
             self._partner[d] = self._mate.pop(d)
-        for root, word in trees:
-            at, left, rest = self._folded(root, word)
-            assert left is not None or at > 1, "an answer was not true"
-            if left is not None and rest:
-                self._trees.setdefault(left, set()).add(rest)
-        if self._root is not None:
-            at, self._root, self._word = self._folded(self._root, self._word)
-            if self._root is None:
-                self._dart = self._corridor.turned(at, self._turn)
+        for root, words in trees:
+            for word in [(), *sorted(words)]:
+                spot = self._folded(Spot(root, word))
+                assert spot.word is not None or spot.dart > 1, "an answer was not true"
+                if spot.word is not None:
+                    tree = self._trees.setdefault(spot.dart, set())
+                    if spot.word:
+                        tree.add(spot.word)
+        self._at = self._folded(self._at)
 
-    def _folded(self, root: Dart, word: Word) -> tuple[Dart, Dart | None, Word]:
-        """The place at the end of a word: a dart, or an open dart and the word behind it."""
-        if root not in self._partner:
-            return -1, root, word
-        dart = self._partner[root]
-        for i, letter in enumerate(word):
+    def _folded(self, spot: Spot) -> Spot:
+        """The spot in the tree in which it lies now, or among the fixed darts."""
+        if spot.word is None or spot.dart not in self._partner:
+            return spot
+        dart = self._partner[spot.dart]
+        for i, letter in enumerate(spot.word):
             leaving = self._corridor.turned(dart, letter)
             if leaving not in self._partner:
-                return -1, leaving, word[i + 1 :]
+                return Spot(leaving, spot.word[i + 1 :], spot.turn)
             dart = self._partner[leaving]
-        return dart, None, ()
+        return Spot(self._corridor.turned(dart, spot.turn))
+
+    def _settled_root(self, shown: Checkpoint, here: Spot) -> Dart | None:
+        """An undecided dart behind which there is a vertex of S, as the explorer shows it."""
+        sigma, alpha, size = shown.sigma, shown.alpha, len(shown.sigma)
+        if len(alpha) != size or not all(0 <= d < size for d in (*sigma, *alpha, shown.here)):
+            return None  # no S; the judge will say so
+        seen: set[int] = set()
+        places = [(shown.here, here)]
+        for entry, spot in places:
+            if spot.word is not None:
+                return spot.dart
+            dart, facing = entry, spot
+            while dart not in seen:
+                seen.add(dart)
+                other = alpha[dart]
+                there = self._across(facing)
+                if other not in (dart, *seen) and there is not None:
+                    places.append((other, there))
+                dart, facing = sigma[dart], self._turned(facing, 1)
+        return None

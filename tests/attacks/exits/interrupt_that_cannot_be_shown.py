@@ -1,4 +1,4 @@
-"""The same with what is no Exception, and with a name that is no text either.
+"""A module whose import raises a BaseException; to show it as text raises KeyboardInterrupt.
 
 verdict: refused
 says: which cannot be shown

@@ -1,4 +1,4 @@
-"""The same with SIGHUP.
+"""A program that runs for ever and ignores signals; the process that checks it gets SIGHUP.
 
 as: exec
 verdict: 130

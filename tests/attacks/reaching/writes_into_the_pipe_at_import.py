@@ -1,4 +1,6 @@
-"""The same when it is imported, while nobody but the process that checks is listening.
+"""A module that, at import, writes into every descriptor a pickle that ends its reader, and exits.
+
+At that time only the process that checks reads the pipe.
 
 verdict: refused
 quick: 1

@@ -1,4 +1,6 @@
-"""The same, but it looks at the first percept: of each degree it knows the worlds in their order.
+"""An explorer that makes no motion: it counts its runs for each degree of the first percept.
+
+Its answers are the worlds that begin with that degree, in the order of the enumeration.
 
 verdict: refuted nondeterministic or map
 options: --edges 2 --lighthouse none --laws map,pose

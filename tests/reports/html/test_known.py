@@ -1,4 +1,4 @@
-"""What an explorer knows, beside the world."""
+"""The knowledge of an explorer, shown beside the world."""
 
 from allworlds import run
 from allworlds.document import replace

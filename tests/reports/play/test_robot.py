@@ -118,7 +118,7 @@ def home_again(transcript):
 
 
 def notes_of(ask, world, log, dart):
-    """What the page's notes say after this log, where the reader claims to be at ``dart``."""
+    """The notes of the page after this log, if the reader claims to be at ``dart``."""
     return ask(
         what="notes",
         first=log.first.to_json(),

@@ -1,4 +1,4 @@
-"""What shim.c asks for: a generator of Python behind the functions of allworlds.h."""
+"""The Python part of shim.c: a generator behind the functions of allworlds.h."""
 
 import ctypes
 
@@ -21,7 +21,7 @@ class Shim:
         return self.go_on(None, action)
 
     def step(self, percept, action):
-        """What it is sent, or after a checkpoint nothing."""
+        """Send the generator the percept, or None after a checkpoint."""
         return self.go_on(None if self.shown else percept_at(percept), action)
 
     def go_on(self, reply, action):
@@ -42,7 +42,7 @@ class Shim:
         return 0
 
     def answer(self, capacity, sigma, alpha, here):
-        """What it has shown or returned; no darts where that is no map."""
+        """Write the map shown or returned; return the number of its darts, 0 if it is no map."""
         shown = self.shown
         if isinstance(shown, Estimate):
             shown = Checkpoint(shown.map.sigma, shown.map.alpha, shown.here)

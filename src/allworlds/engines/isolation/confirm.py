@@ -7,6 +7,7 @@ import secrets
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from random import Random
+from typing import NamedTuple
 
 from allworlds.document import replace
 from allworlds.engines.isolation.jobs import PlayerSetup, PlayRecords, Trace
@@ -41,16 +42,8 @@ from allworlds.judging import (
     canonical_world,
     place_of,
 )
-from allworlds.maps import CombinatorialMap, Extent, MapClass
-from allworlds.protocol import (
-    Action,
-    Estimate,
-    Percept,
-    Schedule,
-    Transcript,
-    action_numbered,
-    number_of,
-)
+from allworlds.maps import CombinatorialMap, Dart, Extent, MapClass
+from allworlds.protocol import Estimate, Percept, Schedule, Transcript, action_numbered, number_of
 from allworlds.world import Adversary, World
 
 REPEATED = 2
@@ -58,6 +51,23 @@ REPEATED = 2
 
 MOST_CHOICES = 1000
 """The number of choices that are kept of the turn in which a run was lost: there may be no end."""
+
+
+class Traced(NamedTuple):
+    """A walk that was sent step by step.
+
+    Attributes:
+        transcript: the walk.
+        choices: the index taken at each choice.
+        settled: the darts behind which an explorer has settled a vertex, against an adversary,
+            each with the number of actions before.
+        lost: the way the player was lost; None if it was not.
+    """
+
+    transcript: Transcript
+    choices: tuple[int, ...]
+    settled: tuple[tuple[int, Dart], ...]
+    lost: PlayerLost | None
 
 
 def examine_apart(
@@ -88,12 +98,12 @@ def examine_apart(
             record = _record_of(rules, canonical, outcome.episode.transcript, outcome.choices)
             _logs_of((record,), rules.policy, setup, (hash_seed or 0, 0))
         else:
-            log, _ = _traced(Trace(rules, canonical, "one", script), setup, hash_seed)
+            traced = _traced(Trace(rules, canonical, "one", script), setup, hash_seed)
             outcome = Outcome(
-                Episode(log[0], (), outcome),
+                Episode(traced.transcript, (), outcome),
                 Violation(outcome.law, outcome.expected, outcome.seen),
                 "",
-                log[1],
+                traced.choices,
                 rules.the_bound.of(world.map, world.start),
                 hash_seed,
             )
@@ -107,15 +117,13 @@ def walk_apart(
     script: tuple[int, ...],
     limits: Limits,
     hash_seed: int | None,
-) -> tuple[tuple[Action, ...], tuple[int, ...]]:
-    """The actions and choices of an explorer in a process of its own, against an adversary.
+) -> Traced:
+    """The walk of an explorer in a process of its own, against an adversary.
 
-    Of a lost player they are those before.
+    Of a lost player it is what was before.
     """
     job = Trace(rules, adversary.at_first, "one", script, adversary)
-    setup = PlayerSetup.of(subject, limits)
-    (transcript, choices), _ = _traced(job, setup, hash_seed)
-    return transcript.actions, choices
+    return _traced(job, PlayerSetup.of(subject, limits), hash_seed)
 
 
 @contextmanager
@@ -277,17 +285,22 @@ def trace(finding: Finding, setup: PlayerSetup, schedules: Schedule) -> Finding:
     The run is played in a fresh process that sends every step before it can be lost.
     """
     job = Trace(finding.rules, finding.world, schedules)
-    (transcript, choices), end = _traced(job, setup, finding.hash_seed)
-    again = isinstance(end, PlayerLost) and end.law == finding.law
-    return replace(finding, choices=choices, transcript=transcript, confirmed=again, traced=True)
+    told = _traced(job, setup, finding.hash_seed)
+    again = told.lost is not None and told.lost.law == finding.law
+    return replace(
+        finding,
+        choices=told.choices,
+        transcript=told.transcript,
+        confirmed=again,
+        traced=True,
+    )
 
 
-def _traced(
-    job: Trace, setup: PlayerSetup, hash_seed: int | None
-) -> tuple[tuple[Transcript, tuple[int, ...]], PlayerLost | None]:
-    """The walk and the choices, as far as they are known, and the way the player was lost."""
+def _traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
+    """The walk, as far as it is known."""
     steps: list[tuple[int, Percept]] = []
     choices: list[int] = []
+    vertices: list[tuple[int, Dart]] = []
     settled = 0
     lost: PlayerLost | None = None
     try:
@@ -296,7 +309,9 @@ def _traced(
             while isinstance(message := receive(player, setup), TraceEvent):
                 match message.what:
                     case None:
-                        steps, choices, settled = [], [], 0
+                        steps, choices, vertices, settled = [], [], [], 0
+                    case int() as dart if message.settled:
+                        vertices.append((len(steps), dart))
                     case int() as index:
                         choices.append(index)
                     case tuple() as step:
@@ -308,7 +323,7 @@ def _traced(
         lost = error
     kept = choices if lost is None else choices[: settled + MOST_CHOICES]
     walk = tuple((action_numbered(number), percept) for number, percept in steps)
-    return (Transcript(job.world.first, walk), tuple(kept)), lost
+    return Traced(Transcript(job.world.first, walk), tuple(kept), tuple(vertices), lost)
 
 
 @contextmanager

@@ -59,9 +59,13 @@ class StretchResult(_Message, frozen=True):
 
 
 class TraceEvent(_Message, frozen=True):
-    """A part of a trace: a new schedule (None), a choice, or an action and its percept."""
+    """A part of a trace: a new schedule (None), a choice, or an action and its percept.
+
+    Against an adversary also a dart behind which the explorer has settled a vertex.
+    """
 
     what: int | tuple[int, Percept] | None
+    settled: bool = False
 
 
 class Refusal(_Message, frozen=True):

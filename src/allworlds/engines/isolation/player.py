@@ -10,6 +10,7 @@ import time
 import traceback
 from collections.abc import Callable, MutableSequence, Sequence
 from contextlib import suppress
+from functools import partial
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -40,9 +41,10 @@ from allworlds.engines.python.examiner import name_run
 from allworlds.engines.python.play import ExplorerRunner, ending_maker
 from allworlds.explorers import Shield, Subject, is_program, load
 from allworlds.inputs import InputError
-from allworlds.judging import Environment, Log, perform
+from allworlds.judging import Environment, Log, perform, unwatched
 from allworlds.protocol import (
     Action,
+    Checkpoint,
     Choices,
     Kind,
     Percept,
@@ -197,8 +199,10 @@ class PlayerProcess:
         for choices in Schedules() if every else [rules.choices(name, job.script)]:
             self._send(TraceEvent(None))
             world: Environment = rules.task.environment(job.world)
+            watch: Callable[[Checkpoint], object] = unwatched
             if job.adversary:
-                world = Deciding(job.adversary)
+                world = deciding = Deciding(job.adversary)
+                watch = partial(self._settled, deciding)
             log = perform(
                 TracedWorld(world, self._send),
                 subject.player(),
@@ -206,9 +210,14 @@ class PlayerProcess:
                 rules.budget(job.world.map),
                 self._beat,
                 ended=ending_maker(any_answer=not rules.task.is_map),
+                watch=watch,
             )
             self._intact()
         self._send(RecordLogs([log]))
+
+    def _settled(self, deciding: Deciding, shown: Checkpoint) -> None:
+        for dart in deciding.heed(shown):
+            self._send(TraceEvent(dart, settled=True))
 
     def _send(self, message: Message) -> None:
         self._connection.send_bytes(write_message(message))

@@ -9,7 +9,7 @@
     what decides the sentences of Sections II to VIII, one small function a claim;
 ``passes``
     Algorithm 1 taken apart, pass by pass;
-``folds``, ``ambiguous``, ``limits``
+``folds``, ``ambiguous``, ``limits``, ``corridors``
     what decides our own;
 ``machine``
     certificates and proofs in Coq, where they are at hand;

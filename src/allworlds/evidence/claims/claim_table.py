@@ -7,6 +7,7 @@ from allworlds.evidence.claims import (
     ambiguous,
     complexity,
     correctness,
+    corridors,
     folds,
     lighthouses,
     limits,
@@ -28,6 +29,7 @@ CHECKS: Checks = {
     **folds.CHECKS,
     **ambiguous.CHECKS,
     **limits.CHECKS,
+    **corridors.CHECKS,
     **machine.CHECKS,
 }
 """Each takes the means and the bounds of a scope, and says what it has found."""

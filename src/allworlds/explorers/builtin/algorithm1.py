@@ -39,6 +39,10 @@ def nobody(_event: str) -> None:
     """Ignore an event."""
 
 
+def unseen(_shown: Checkpoint) -> None:
+    """Ignore what is settled."""
+
+
 def algorithm1(
     first: Percept,
     *,

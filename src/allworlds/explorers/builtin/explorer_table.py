@@ -54,6 +54,8 @@ class BuiltIn:
             the lighthouse's own.
         step_budget: the largest legal number of traversals, where the usual budget is too small
             for it.
+        tests_home_words: whether it crosses unknown edges only as a *tester* does:
+            docs/research/lower-bounds.md, 'Testers of home words'.
         about: a description, for a sentence of the page on the protocol.
     """
 
@@ -62,6 +64,7 @@ class BuiltIn:
     witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
     bound: str | None = None
     step_budget: int | None = None
+    tests_home_words: bool = False
     about: str = ""
 
 
@@ -88,6 +91,7 @@ BUILT_IN: dict[str, BuiltIn] = {
             # no dart of v0 is open when the robot comes back to it.
             "v0-hypothesis": ((1, 1), None),
         },
+        tests_home_words=True,
         about="Algorithm 1 of the paper; the default",
     ),
     "algorithm1-cluster": BuiltIn(
@@ -125,6 +129,7 @@ BUILT_IN: dict[str, BuiltIn] = {
         remembering,
         "directional",
         _NEVER_FORGETS,
+        tests_home_words=True,
         about="Algorithm 1 on the folded log of its whole walk: what contradicts anything that "
         "was ever seen is not tested; oldest dart, oldest hypothesis",
     ),
@@ -132,12 +137,14 @@ BUILT_IN: dict[str, BuiltIn] = {
         greedy,
         "directional",
         _NEVER_FORGETS,
+        tests_home_words=True,
         about="as `remembering`, but the nearest dart, and the test that is finished first",
     ),
     "prudent": BuiltIn(
         prudent,
         "directional",
         _NEVER_FORGETS,
+        tests_home_words=True,
         about="as `greedy` while the settled part is round, nearest to v0 first while it is long",
     ),
     "dudek91": BuiltIn(

@@ -6,12 +6,21 @@ from collections import defaultdict
 from collections.abc import Callable
 from heapq import heapify, heappop, heappush
 
-from allworlds.explorers.builtin.algorithm1 import nobody
-from allworlds.explorers.builtin.unforgetting import Hypotheses, Spread, Test, Unforgetting, Walk
+from allworlds.explorers.builtin.algorithm1 import nobody, unseen
+from allworlds.explorers.builtin.unforgetting import (
+    Hypotheses,
+    Settled,
+    Spread,
+    Test,
+    Unforgetting,
+    Walk,
+)
 from allworlds.protocol import Estimate, Percept
 
 
-def greedy(first: Percept, *, notice: Callable[[str], None] = nobody) -> Walk[Estimate]:
+def greedy(
+    first: Percept, *, notice: Callable[[str], None] = nobody, settled: Settled = unseen
+) -> Walk[Estimate]:
     """Explore from a directional lighthouse; return an estimate equal to the world, pose included.
 
     The next dart is the one nearest to the robot, the next test the one that is finished first.
@@ -20,10 +29,11 @@ def greedy(first: Percept, *, notice: Callable[[str], None] = nobody) -> Walk[Es
         first: the percept at v0 before any motion; it has a bearing.
         notice: told of the events of
             :func:`allworlds.explorers.builtin.remembering.remembering`.
+        settled: told of S when it grows.
 
     Cost: at most (1) + (2) of Section VI traversals.
     """
-    return (yield from Greedy(first, notice).explore())
+    return (yield from Greedy(first, notice, settled).explore())
 
 
 class Greedy(Unforgetting):

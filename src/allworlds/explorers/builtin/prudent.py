@@ -12,16 +12,18 @@ from collections import defaultdict
 from collections.abc import Callable
 from math import inf
 
-from allworlds.explorers.builtin.algorithm1 import nobody
+from allworlds.explorers.builtin.algorithm1 import nobody, unseen
 from allworlds.explorers.builtin.greedy import Greedy
-from allworlds.explorers.builtin.unforgetting import Spread, Walk
+from allworlds.explorers.builtin.unforgetting import Settled, Spread, Walk
 from allworlds.protocol import Estimate, Percept
 
 HOME = 4
 """The weight of a step between a dart and v0 in a long world, in steps of the robot."""
 
 
-def prudent(first: Percept, *, notice: Callable[[str], None] = nobody) -> Walk[Estimate]:
+def prudent(
+    first: Percept, *, notice: Callable[[str], None] = nobody, settled: Settled = unseen
+) -> Walk[Estimate]:
     """Explore from a directional lighthouse; return an estimate equal to the world, pose included.
 
     While the settled part is round this is :func:`allworlds.explorers.builtin.greedy.greedy`.
@@ -32,10 +34,11 @@ def prudent(first: Percept, *, notice: Callable[[str], None] = nobody) -> Walk[E
         first: the percept at v0 before any motion; it has a bearing.
         notice: told of the events of
             :func:`allworlds.explorers.builtin.remembering.remembering`.
+        settled: told of S when it grows.
 
     Cost: at most (1) + (2) of Section VI traversals.
     """
-    return (yield from _Prudent(first, notice).explore())
+    return (yield from _Prudent(first, notice, settled).explore())
 
 
 class _Prudent(Greedy):

@@ -5,9 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import overload
 
-from allworlds.explorers.builtin.algorithm1 import nobody
+from allworlds.explorers.builtin.algorithm1 import nobody, unseen
 from allworlds.explorers.builtin.paths import Lazy
-from allworlds.explorers.builtin.unforgetting import Hypotheses, Spread, Test, Unforgetting, Walk
+from allworlds.explorers.builtin.unforgetting import (
+    Hypotheses,
+    Settled,
+    Spread,
+    Test,
+    Unforgetting,
+    Walk,
+)
 from allworlds.protocol import Choices, Estimate, Percept
 
 
@@ -16,6 +23,7 @@ def remembering(
     *,
     choices: Choices | None = None,
     notice: Callable[[str], None] = nobody,
+    settled: Settled = unseen,
 ) -> Walk[Estimate]:
     """Explore from a directional lighthouse; return an estimate equal to the world, pose included.
 
@@ -28,15 +36,22 @@ def remembering(
         notice: told of ``empty-H`` (no dart of U has the degree), ``case-1`` (a test that ends
             short of v0, or does not find it at its end), ``case-2`` (a test that comes to v0),
             ``loop`` and ``non-loop`` (how a pass ends).
+        settled: told of S when it grows.
 
     Cost: at most (1) + (2) of Section VI traversals, for all choices.
     """
-    return (yield from _Remembering(first, choices or Choices(), notice).explore())
+    return (yield from _Remembering(first, choices or Choices(), notice, settled).explore())
 
 
 class _Remembering(Unforgetting):
-    def __init__(self, first: Percept, choices: Choices, notice: Callable[[str], None]) -> None:
-        super().__init__(first, notice)
+    def __init__(
+        self,
+        first: Percept,
+        choices: Choices,
+        notice: Callable[[str], None],
+        settled: Settled = unseen,
+    ) -> None:
+        super().__init__(first, notice, settled)
         self.choices = choices
 
     def next_dart(self, unexplored: list[int]) -> int:

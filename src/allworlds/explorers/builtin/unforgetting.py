@@ -22,6 +22,7 @@ from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias, TypeVar
 
+from allworlds.explorers.builtin.algorithm1 import unseen
 from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import Checkpoint, Estimate, Move, Percept
@@ -29,6 +30,9 @@ from allworlds.protocol import Checkpoint, Estimate, Move, Percept
 R = TypeVar("R")
 Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]
 """A part of the exploration that ends with a value of type R."""
+Settled: TypeAlias = Callable[[Checkpoint], None]
+"""Told of S and U whenever a vertex is settled, wherever the robot is then: in place of the robot's
+dart stands the one that it faced at the start.  It changes nothing."""
 
 
 class Hypotheses(ABC):
@@ -109,18 +113,23 @@ class Unforgetting(ABC):
         here: the canonical dart by which the robot has come; at the start the one it faces.
         home: for each settled vertex the dart by which a shortest way in S to v0 leaves it.
         distance: for each settled vertex the length of that way.
+        notice: told of events.
+        settled: see :data:`Settled`.
         rank, entry: for each settled vertex its number in the order of settling, and its dart of
             entry.
     """
 
-    def __init__(self, first: Percept, notice: Callable[[str], None]) -> None:
+    def __init__(
+        self, first: Percept, notice: Callable[[str], None], settled: Settled = unseen
+    ) -> None:
         self.log = FoldedLog(first)
-        self.here = -(first.bearing or 0) % first.degree
+        self.here = self._start = -(first.bearing or 0) % first.degree
         self.rank = {0: 0}
         self.entry = {0: self.here}
         self.home: dict[int, int] = {}
         self.distance: dict[int, int] = {}
         self.notice = notice
+        self.settled = settled
         self._shown = 0
         self._look_home()
 
@@ -265,6 +274,8 @@ class Unforgetting(ABC):
         vertex = log.node[entry]
         log.settled[vertex] = True
         self.rank[vertex], self.entry[vertex] = len(self.rank), entry
+        if self.settled is not unseen:
+            self.settled(self._checkpoint(self._start, {*self.unexplored()}))
 
     def _do(self, test: Test) -> Walk[None]:
         """Go to the end of the log, and on with the home word to a mismatch or v0."""
@@ -290,10 +301,10 @@ class Unforgetting(ABC):
         size = sum(log.degree[v] for v in self.rank)
         if size - len(unexplored) > self._shown:
             self._shown = size - len(unexplored)
-            yield Checkpoint(*self._numbered(unexplored))
+            yield self._checkpoint(self.here, unexplored)
 
-    def _numbered(self, unexplored: set[int]) -> tuple[tuple[int, ...], tuple[int, ...], int]:
-        """S with its darts numbered from 0, and the robot's among them."""
+    def _checkpoint(self, here: int, unexplored: set[int]) -> Checkpoint:
+        """S with its darts numbered from 0, and one of them."""
         log = self.log
         sigma: list[int] = []
         number: dict[int, int] = {}
@@ -304,11 +315,11 @@ class Unforgetting(ABC):
         alpha = [
             i if dart in unexplored else number[log.beyond(dart)] for dart, i in number.items()
         ]
-        return tuple(sigma), tuple(alpha), number[self.here]
+        return Checkpoint(tuple(sigma), tuple(alpha), number[here])
 
     def _answer(self) -> Estimate:
-        sigma, alpha, here = self._numbered(set())
-        return Estimate(CombinatorialMap(sigma, alpha), here)
+        done = self._checkpoint(self.here, set())
+        return Estimate(CombinatorialMap(done.sigma, done.alpha), done.here)
 
 
-__all__ = ["Hypotheses", "Spread", "Test", "Unforgetting", "Walk"]
+__all__ = ["Hypotheses", "Settled", "Spread", "Test", "Unforgetting", "Walk"]

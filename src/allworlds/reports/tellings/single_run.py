@@ -44,17 +44,34 @@ def run_telling(run: SingleRun | WorldNames) -> ToldResult:
         )
         section = Section("names", "", [facts])
         return ToldResult("allworlds run", "names", run, None, [section], rows=lambda: rows)
-    said = f"{cost_words(run)}: no law is broken"
-    if not run.checked_laws:
-        said = f"{nothing_checked(run.rules)}; {cost_words(run)}"
-    if run.adversary and not run.adversary.same:
-        said = f"{run.explorer} did not walk as against {run.adversary.name}: not deterministic"
-    if run.finding:
-        said = f"law {run.finding.law} is broken"
-    headline = Headline(run.verdict.value.upper(), said, run.verdict.value)
-    return ToldResult(
+    headline = Headline(run.verdict.value.upper(), _said(run), run.verdict.value)
+    told = ToldResult(
         "allworlds run", run.explorer, run, headline, [_section(run)], apart=frozenset({"finding"})
     )
+    if run.shows_walk or run.finding:
+        return told
+    walk = next(b for b in run_section(run, "walk-1").blocks if isinstance(b, ToldWalk))
+    return replace(told, rows=lambda: rows_of_walk(walk))
+
+
+def _said(run: SingleRun) -> str:
+    """The result in a sentence: the first thing that is wrong, or that nothing is."""
+    made = run.adversary
+    if run.finding:
+        return f"law {run.finding.law} is broken"
+    if made is not None and not made.same:
+        return f"{run.explorer} did not walk as against {made.name}: not deterministic"
+    if not run.checked_laws:
+        return f"{nothing_checked(run.rules)}; {cost_words(run)}"
+    if made is None:
+        return f"{cost_words(run)}: no law is broken"
+    if not made.keeps_the_bound:
+        return (
+            f"{cost_words(run)} and {plural(made.excluded, 'pair')} excluded, less than every "
+            f"tester of home words must ({number(made.testers)} and "
+            f"{number(made.testers_exclude)}): the theorem or the adversary is wrong"
+        )
+    return f"{cost_words(run)}, the same walk as against {made.name}: no law is broken"
 
 
 def replay_telling(replay: Replay) -> ToldResult:
@@ -97,23 +114,43 @@ def cost_words(run: SingleRun) -> str:
 
 def _section(run: SingleRun) -> Section:
     if run.finding:
-        return finding_section(run.finding, checked=False)
+        told = finding_section(run.finding, checked=False)
+        return replace(told, blocks=[*told.blocks, *_decided(run)])
     told = run_section(run, "walk-1")
+    if not run.shows_walk:
+        told = replace(told, blocks=[b for b in told.blocks if not isinstance(b, ToldWalk)])
     laws = fact("laws", ", ".join(run.checked_laws) or nothing_checked(run.rules))
     return replace(told, blocks=[*told.blocks, *_decided(run), *printed(run.outcome.output), laws])
 
 
 def _decided(run: SingleRun) -> list[Block]:
     """The play against an adversary that has made the world."""
-    if run.adversary is None:
-        return []
     made = run.adversary
-    said = (
-        f"{made.name} with seed {made.seed} made this world: {plural(made.excluded, 'pair')} of "
-        f"far darts excluded, {plural(made.forced, 'edge')} forced. Testers of home words walk at "
-        f"least {number(made.testers)}; this explorer, against it, {number(made.cost)}."
+    if made is None:
+        return []
+    fixed = f"{plural(made.excluded, 'pair')} of free darts excluded, {made.forced} edges forced"
+    if made.settled:
+        fixed += f", {made.settled} fixed since the vertex behind was settled"
+    if made.depended:
+        fixed += f", {made.depended} fixed since an answer depended on two"
+    every = (
+        f"every tester of home words excludes at least {plural(made.testers_exclude, 'pair')} and "
+        f"walks at least {plural(made.testers, 'edge')}"
     )
-    return [fact("made by", said)]
+    who = f"{run.explorer} is one, and walked {number(made.cost)}"
+    if not made.tester:
+        who = (
+            f"whether {run.explorer} is one is not known, so that its {number(made.cost)} are a "
+            "measurement"
+        )
+    return [
+        ToldFacts(
+            [
+                ("made by", f"{made.name} with seed {made.seed}: {fixed}"),
+                ("testers", f"{every}; {who}"),
+            ]
+        )
+    ]
 
 
 def run_section(run: SingleRun, name: str, title: str = "") -> Section:

@@ -95,7 +95,10 @@ def _contest(
         return growing(contestants, request, request.to)
     for name in ("worlds", "places"):
         if (given := getattr(request, name)) is not None:
-            raise InputError(f"{name} = {show(given)} has no effect without to")
+            raise InputError(
+                f"{name} = {show(given)} is for worlds that grow: with --to M worlds of each size "
+                "up to M edges are drawn from a family without a size, as in --family corridor"
+            )
     if len(contestants) < 2:
         only = show(contestants[0].name) if contestants else "none"
         raise InputError(f"compare takes two explorers at least, not {only}")

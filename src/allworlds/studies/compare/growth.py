@@ -176,8 +176,9 @@ class Exponent(Document):
 class Growth(ContestReport):
     """Report of 'compare --to'.
 
-    Explorers in worlds that grow. ``begun`` holds the worlds that were finished of a size that was
-    not, as rows for programs have them.
+    Explorers in worlds that grow.
+
+    ``begun`` holds the worlds that were finished of a size that was not, for rows for programs.
     """
 
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]

@@ -1,17 +1,13 @@
-"""Minimax over a robot's knowledge: the fewest traversals that suffice in every world.
+"""Minimax over a robot's knowledge: the readable twin of the compiled search.
 
 Iterative deepening: whether t traversals are enough, for t = 0, 1, ... Bounds found for a state of
-knowledge, from above and from below, are kept.
+knowledge, from above and from below, are kept.  Tests compare it with the search of
+:mod:`allworlds.engines.kernel.minimax`, which gives states up earlier.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import Estimate
 from allworlds.studies.optimum.knowledge import Known, Places, SensedKnowledge
-from allworlds.studies.optimum.strategy import Branch, Strategy, StrategyLeaf, StrategyStep
 
 
 class Search:
@@ -23,13 +19,11 @@ class Search:
 
     Args:
         places: see above.
-        tick: called for each state; it may raise, and the search can be asked again.
     """
 
-    def __init__(self, places: Places, tick: Callable[[], None] = lambda: None) -> None:
+    def __init__(self, places: Places) -> None:
         self.places = places
         self.states = 0
-        self._tick = tick
         self._at_least: dict[Known, int] = {}
         self._enough: dict[Known, tuple[int, int]] = {}
         self._ways: dict[Known, list[tuple[int, list[SensedKnowledge]]]] = {}
@@ -56,7 +50,6 @@ class Search:
         if known in self._enough and self._enough[known][0] <= most:
             return True
         self.states += 1
-        self._tick()
         for k, parts in self._ways_from(known):
             if all(self.at_least(part.known) < most for part in parts) and all(
                 self.within(part.known, most - 1) for part in parts
@@ -85,33 +78,6 @@ class Search:
             self._ways[known] = ways
         return ways
 
-    def strategy(self, starts: Sequence[SensedKnowledge]) -> Strategy:
-        """A strategy from these states on, whose values have been found."""
-        nodes: list[StrategyStep | StrategyLeaf] = []
-        numbers: dict[tuple[Known, int], int] = {}
-
-        def branches(parts: Sequence[SensedKnowledge]) -> tuple[Branch, ...]:
-            return tuple(Branch(percept=part.percept, node=node_of(part)) for part in parts)
-
-        def node_of(part: SensedKnowledge) -> int:
-            key = part.known, part.turned
-            if key not in numbers:
-                nodes.append(self._node(part, branches))
-                numbers[key] = len(nodes) - 1
-            return numbers[key]
-
-        return Strategy(start=branches(starts), nodes=tuple(nodes))
-
-    def _node(
-        self,
-        part: SensedKnowledge,
-        branches: Callable[[Sequence[SensedKnowledge]], tuple[Branch, ...]],
-    ) -> StrategyStep | StrategyLeaf:
-        """A node seen from the dart that the robot has come by, not the one it has turned to."""
-        known, turned, places = part.known, part.turned, self.places
-        if places.settled(known):
-            map_ = CombinatorialMap.trusted(*places.places[known[0]].code)
-            return StrategyLeaf(answer=Estimate(map_, map_.turn(0, -turned)))
-        _, k = self._enough[known]
-        then = branches(places.moved(known, k))
-        return StrategyStep(move=(k + turned) % places.degree(known), then=then)
+    def motion(self, known: Known, most: int) -> tuple[int, int] | None:
+        """A number of traversals that is enough, at most ``most``, and a first motion; or None."""
+        return self._enough[known] if self.within(known, most) else None

@@ -81,6 +81,14 @@ class Places:
         self.answer.append(self._answers.setdefault(place.code, len(self._answers)))
         return number
 
+    def percept(self, number: int) -> Percept:
+        """The percept at a place."""
+        return self._percepts[number]
+
+    def mirrored(self, number: int) -> int:
+        """The number of the mirror image of a place."""
+        return self.number(self._map(number).mirrored(), 0, self.places[number].pointed)
+
     def degree(self, known: Known) -> int:
         """The degree of the robot's vertex."""
         return self._percepts[known[0]].degree

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import partial
 from typing import Annotated
 
 from typing_extensions import override
@@ -17,6 +16,7 @@ from allworlds.document import (
     Why,
     about,
     computed,
+    replace,
 )
 from allworlds.engines import (
     STOPPED,
@@ -33,68 +33,48 @@ from allworlds.engines import (
     time_until,
 )
 from allworlds.explorers import BUILT_IN
-from allworlds.inputs import InputError, an_integer, answers, show
+from allworlds.inputs import answers
 from allworlds.maps import CombinatorialMap, Dart, Extent, MapClass
 from allworlds.outcome import Ending
 from allworlds.studies.check import check
-from allworlds.studies.optimum.fewest_traversals import Search
+from allworlds.studies.optimum.bouquets import (
+    bound_of_information,
+    bouquets,
+    cautious_cost,
+    number_of_bouquets,
+    told_apart,
+)
 from allworlds.studies.optimum.in_every_world import most_expensive
-from allworlds.studies.optimum.knowledge import Places
-from allworlds.studies.optimum.optimum_request import MOST_EDGES, OptimumRequest
+from allworlds.studies.optimum.minimax_of_worlds import BeforeSearch, Solved, minimax
+from allworlds.studies.optimum.optimum_request import OptimumRequest
 from allworlds.studies.optimum.strategy import Strategy
 from allworlds.world import Directional, World, worlds
 
 
-@dataclass(frozen=True, slots=True)
-class Solved:
-    """Minimax over some worlds.
-
-    Attributes:
-        at_least: no explorer needs less at its worst.
-        strategy: one that needs no more; None where the time was up before it was found.
-        states: the number of states of knowledge that were examined.
-    """
-
-    at_least: int
-    strategy: Strategy | None
-    states: int
-
-
-def minimax(
-    given: Iterable[tuple[CombinatorialMap, Dart, Dart]], deadline: float | None = None
-) -> Solved:
-    """Find the fewest traversals that suffice in all these worlds, and a strategy for them.
-
-    The explorer knows which worlds there are.
-
-    Args:
-        given: of each the map, the dart that the robot faces, and the dart of its vertex that
-            the marker points at; at least one.
-        deadline: of the search, on the monotonic clock; then what is known by then is told.
-
-    Cost: seconds for all worlds with 4 edges; it grows faster than any power.
-    """
-    places = Places()
-    starts = places.parted([places.number(*world) for world in given])
-    search = Search(places, partial(check_deadline, deadline))
-    try:
-        value = max(search.value(part.known) for part in starts)
-    except TimeIsUp:
-        at_least = max(search.at_least(part.known) for part in starts)
-        return Solved(at_least, None, search.states)
-    return Solved(value, search.strategy(starts), search.states)
-
-
 class OptimumRow(Document):
-    """The worlds with one number of edges, which the explorer knows."""
+    """Worlds of one number of edges, all or those of a family, which the explorer knows."""
 
     edges: Edges
+    loops: Annotated[
+        Positive | None, about("the number of loops; of bouquets; null: all worlds")
+    ] = None
     runs: Annotated[Positive, about("worlds with every bearing")]
     optimum: Annotated[
         Natural | None,
         about("the fewest traversals that suffice in every world; null: the time was up"),
-    ] = computed(lambda row: row.at_least if row.strategy else None)
+    ] = computed(lambda row: row.at_least if row.at_least == row.at_most else None)
     at_least: Annotated[Natural, about("no explorer needs less in its worst world")]
+    at_most: Annotated[
+        Natural | None, about("the strategy needs no more; null: there was no time to find one")
+    ]
+    information: Annotated[
+        Natural | None,
+        about("with less the worlds cannot be told apart, as counting says; null: not known"),
+    ] = None
+    cautious: Annotated[
+        Natural | None,
+        about("the worst cost of cautious explorers; null: not known"),
+    ] = None
     replayed: Annotated[
         Natural | None,
         about(
@@ -107,12 +87,19 @@ class OptimumRow(Document):
         dict[str, Natural],
         about("the worst cost of each built-in explorer; of none for which there was no time"),
     ]
-    strategy: Annotated[Strategy | None, about("a strategy that attains the optimum")]
+    strategy: Annotated[Strategy | None, about("a strategy that needs no more than `at_most`")]
 
     @property
     def agrees(self) -> bool:
         """Whether the strategy costs exactly as much as the search says."""
-        return self.replayed == self.optimum
+        return self.replayed == self.at_most
+
+    @property
+    def worlds(self) -> int:
+        """The number of worlds, without their bearings."""
+        if self.loops:
+            return self.runs
+        return level_size(Extent(MapClass.MAPS, self.edges), self.edges)
 
 
 class OptimumReport(RowsReport):
@@ -132,17 +119,15 @@ class OptimumReport(RowsReport):
 
 @answers(OptimumRequest)
 def optimum(request: OptimumRequest) -> OptimumReport:
-    """Find the best worst case of any explorer in worlds with this number of edges.
+    """Find the best worst case of any explorer in worlds with this number of edges, or loops.
 
-    The explorer has a directional lighthouse, and knows the number of edges.  Of the row in which
-    the time is up a lower bound is told.
+    The explorer has a directional lighthouse, and knows that number.  Of the row in which the
+    time is up the bounds found are told.
 
     Raises:
-        InputError: for a number of edges, or a limit, that is not legal.
+        InputError: for a number of edges or loops, a family, or a limit, that is not legal.
     """
-    edges = request.edges
-    if not 1 <= an_integer("edges", edges) <= MOST_EDGES:
-        raise InputError(f"edges = {show(edges)}; the optimum is searched for 1..{MOST_EDGES}")
+    assert request.largest
     return OptimumSweep(request).answer(request.run)
 
 
@@ -157,13 +142,18 @@ class OptimumSweep(Sweep["OptimumRows", OptimumReport]):
 
     @override
     def levels(self) -> Iterator[SweptLevel]:
-        for edges in range(1, self.request.edges + 1):
-            size = level_size(Extent(MapClass.MAPS, edges), edges)
+        for number in range(1, self.request.largest + 1):
+            edges, size = number, 0
+            if self.request.family:
+                edges, size = number + 1, number_of_bouquets(number)
+            else:
+                size = level_size(Extent(MapClass.MAPS, edges), edges)
             yield SweptLevel(edges, size, [LevelUnit(edges, ())])
 
     @override
     def ready(self) -> ReadyEngine:
-        return ReadyEngine(ThisThread(), _Minimax(self.deadline))
+        engine = _MinimaxOfBouquets if self.request.family else _MinimaxOfAll
+        return ReadyEngine(ThisThread(), engine(self.deadline))
 
     @override
     def finish(self, level: SweptLevel, total: OptimumRows) -> None:
@@ -185,8 +175,7 @@ class OptimumRows:
     @property
     def worlds(self) -> int:
         """The number of rooted maps."""
-        extents = (Extent(MapClass.MAPS, row.edges) for row in self.rows)
-        return sum(level_size(extent, extent.levels[-1]) for extent in extents)
+        return sum(row.worlds for row in self.rows)
 
     def add(self, other: OptimumRows) -> None:
         """Add the rows of another part."""
@@ -197,7 +186,7 @@ OptimumSweep.result = OptimumRows
 
 
 @dataclass(frozen=True, slots=True)
-class _Minimax:
+class _MinimaxOfAll:
     """The engine, which solves a whole level, and runs other explorers in it."""
 
     deadline: float | None
@@ -211,26 +200,60 @@ class _Minimax:
         edges, deadline = unit.edges, self.deadline
         every = [*_in_time(_worlds(edges), deadline)]
         solved = minimax(map(_given, _in_time(every, deadline)), deadline)
-        strategy, explorers = solved.strategy, dict[str, int]()
-        late: TimeIsUp | None = None if strategy else TimeIsUp()
+        explorers = dict[str, int]()
+        late = not solved.closed
         try:
             for name in _explorers():
                 explorers[name] = _worst(name, edges, deadline)
-        except TimeIsUp as error:
-            late = error
-        row = OptimumRow(
-            edges=edges,
-            runs=len(every),
-            at_least=solved.at_least,
-            replayed=most_expensive(strategy, every) if strategy else None,
-            states=solved.states,
-            explorers=explorers,
-            strategy=strategy,
+        except TimeIsUp:
+            late = True
+        yield from _handed_over(_row(edges, every, solved, explorers), late=late)
+
+
+@dataclass(frozen=True, slots=True)
+class _MinimaxOfBouquets:
+    """The engine for bouquets."""
+
+    deadline: float | None
+
+    def parts(self, unit: LevelUnit) -> Iterator[OptimumRows]:
+        """The row of the level, as above."""
+        loops = unit.edges - 1
+        every = [*_in_time(bouquets(loops), self.deadline)]
+        least = bound_of_information(len(every))
+        before = BeforeSearch(least, cautious_cost(loops), told_apart)
+        solved = minimax(map(_given, every), self.deadline, before)
+        row = replace(
+            _row(unit.edges, every, solved, {}),
+            loops=loops,
+            information=least,
+            cautious=cautious_cost(loops),
         )
-        yield OptimumRows([row])
-        if late:
-            yield OptimumRows()  # so that the one before is handed over
-            raise late
+        yield from _handed_over(row, late=not solved.closed)
+
+
+def _row(
+    edges: int, every: Sequence[World], solved: Solved, explorers: dict[str, int]
+) -> OptimumRow:
+    """The row, with the strategy followed in every world."""
+    strategy = solved.strategy
+    return OptimumRow(
+        edges=edges,
+        runs=len(every),
+        at_least=solved.at_least,
+        at_most=solved.at_most,
+        replayed=most_expensive(strategy, every) if strategy else None,
+        states=solved.states,
+        explorers=explorers,
+        strategy=strategy,
+    )
+
+
+def _handed_over(row: OptimumRow, *, late: bool) -> Iterator[OptimumRows]:
+    yield OptimumRows([row])
+    if late:
+        yield OptimumRows()  # so that the one before is handed over
+        raise TimeIsUp
 
 
 def _explorers() -> list[str]:

@@ -46,8 +46,8 @@ class RunRequest(AskedRun, kw_only=False):
     world: Annotated[
         World | Adversary | str | None,
         "map, lighthouse and start; or what :func:`allworlds.world.named.world_named` reads; or "
-        "``adversary:corridor:F``, which makes a world that is bad for this explorer; None: the "
-        "one of ``family``",
+        "``adversary:corridor:F`` (or ``FxR``), which makes a world that is bad for this explorer; "
+        "None: the one of ``family``",
     ] = None
 
     @property
