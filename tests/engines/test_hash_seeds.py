@@ -173,19 +173,21 @@ def test_a_sample_of_an_explorer_that_goes_by_hashes_is_shrunk_with_every_seed(t
     assert found.hash_seed is not None
 
 
-NOT_THE_SAME = """
-import os
+EVERY_OTHER_TIME = """
+from pathlib import Path
 from allworlds.explorers import algorithm1
 
 def explore(first):
     estimate = yield from algorithm1(first)
-    return 7 if os.urandom(1)[0] % 2 else estimate
+    with Path(__file__).with_suffix(".calls").open("a") as calls:
+        calls.write(".")
+        return 7 if calls.tell() % 2 else estimate
 """
 
 
 def test_the_finding_of_a_play_that_another_does_not_repeat_has_both(tmp_path):
     module = tmp_path / "chance.py"
-    module.write_text(NOT_THE_SAME)
+    module.write_text(EVERY_OTHER_TIME)
     laws = set()
     for _ in range(3):
         report = check(f"{module}:explore", edges=1)

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         UncheckedAnswer as UncheckedAnswer,
         UncheckedValue as UncheckedValue,
         Undecided as Undecided,
+        answered as answered,
         any_ending_of as any_ending_of,
         ending_of as ending_of,
         integers as integers,
