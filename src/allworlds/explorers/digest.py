@@ -14,7 +14,7 @@ from allworlds.explorers.program import Program
 from allworlds.explorers.subject import (
     Subject,
     command_of,
-    entry_points,
+    entry_point,
     is_library,
     path_of,
     unshielded,
@@ -92,8 +92,9 @@ def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
 
 
 def _module_of(name: str) -> str:
-    points, (plain, _) = entry_points(), arguments_of(name)
-    return points[plain].module if plain in points else present_name(plain.rpartition(":")[0])
+    plain, _ = arguments_of(name)
+    point = entry_point(plain)
+    return point.module if point else present_name(plain.rpartition(":")[0])
 
 
 def _files_of(command: str) -> list[Path]:

@@ -17,6 +17,7 @@ from allworlds.explorers.subject import (
     Subject,
     built_in,
     command_of,
+    entry_point,
     entry_points,
     has_shield,
     is_library,
@@ -62,7 +63,7 @@ def source_of(name: str) -> SourceText | None:
     plain, arguments = arguments_of(name)
     if plain in BUILT_IN and arguments:
         raise InputError(f"the built-in explorer {plain} takes no arguments, not {show(name)}")
-    if plain in BUILT_IN or plain in entry_points():
+    if plain in BUILT_IN or entry_point(plain):
         return None
     place, colon, attribute = plain.rpartition(":")
     if not colon:
@@ -99,9 +100,8 @@ def load(
         native = NativeExplorer(Library(path_of(name)))
         return Subject(name, native.keywords, native.explore, native=native)
     plain, arguments = arguments_of(name)
-    points = entry_points()
-    if plain in points:
-        return _subject(name, imported(plain, points[plain].load), arguments)
+    if point := entry_point(plain):
+        return _subject(name, imported(plain, point.load), arguments)
     source = source or source_of(name)
     place, _, attribute = plain.rpartition(":")
     module = module_of_text(place, source) if source else _module(place)

@@ -12,7 +12,7 @@ from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.moved import present_name
 from allworlds.explorers.subject import (
     command_of,
-    entry_points,
+    entry_point,
     is_library,
     is_program,
     path_of,
@@ -109,8 +109,9 @@ def _of_python(name: str) -> SourceLine | None:
 
 def _file_and_attributes(name: str) -> tuple[Path, list[str]]:
     """The file of a Python explorer, which may be missing, and the dotted name in it."""
-    points, plain = entry_points(), name.partition("?")[0]
-    whole = points[plain].value if plain in points else plain
+    plain = name.partition("?")[0]
+    point = entry_point(plain)
+    whole = point.value if point else plain
     place, colon, attribute = whole.rpartition(":")
     if not colon:  # of a file with one explorer its name will do
         place, attribute = whole, ""

@@ -343,10 +343,18 @@ def entry_points() -> dict[str, importlib.metadata.EntryPoint]:
     return points_of(ENTRY_POINTS)
 
 
+def entry_point(plain: str) -> importlib.metadata.EntryPoint | None:
+    """The explorer that another package offers by a name; None if there is none.
+
+    A name with a colon is that of a function: packages are not asked, which takes some time.
+    """
+    return None if ":" in plain else entry_points().get(plain)
+
+
 def names_explorer(text: str) -> bool:
     """Whether a text has the form of an explorer's name; whether there is one is not checked."""
     plain = text.partition("?")[0]
-    if has_shield(text) or plain in BUILT_IN or plain in entry_points():
+    if has_shield(text) or plain in BUILT_IN or entry_point(plain):
         return True
     return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
 
