@@ -10,9 +10,9 @@ from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap, named_map, rooted_isomorphism
 from allworlds.reports import file_of
 from allworlds.world import (
-    Adversary,
     Directional,
     World,
+    adversary_named,
     at_place,
     code_of,
     map_of_code,
@@ -132,7 +132,10 @@ def test_a_lighthouse_is_named_for_a_world_that_names_none():
         ({"family": "torus:3x3", "place": 4}, "place 4 is none of the 4 places"),
         ({"world": "adversary:corridor:1", "place": 0}, "place 0 has no effect on adversary:corr"),
         ({"world": "adversary:corridor:1", "lighthouse": "position"}, "under the lighthouse dire"),
-        ({"world": Adversary(1, 1), "seed": 2}, "seed 2 has no effect on adversary:corridor:1"),
+        (
+            {"world": adversary_named("adversary:corridor:1", 1), "seed": 2},
+            "seed 2 has no effect on adversary:corridor:1",
+        ),
     ],
 )
 def test_what_says_nothing_of_the_world_is_named(given, said):
