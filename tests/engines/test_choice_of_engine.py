@@ -3,7 +3,7 @@ from functools import partial
 
 import pytest
 
-from allworlds import bench, check, claims, count, worst
+from allworlds import bench, check, claims, count, optimum, worlds, worst
 from allworlds.engines import ENGINES, Job, Limits, Scope, Silent, engine_for, why_not_compiled
 from allworlds.engines.compiled.agreement import AGREED
 from allworlds.engines.kernel.engine import COMPILING
@@ -13,6 +13,7 @@ from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.studies.check.time_estimate import is_worth_a_guess
+from allworlds.studies.play.costs import costs_beside, not_compared
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -168,7 +169,14 @@ def test_without_a_compiler_the_python_engine_does_what_it_can():
 
 
 @pytest.mark.usefixtures("no_compiler")
-@pytest.mark.parametrize("asked", [worst, bench, claims, partial(check, engine="kernel")])
+@pytest.mark.parametrize("asked", [worst, bench, claims, optimum, partial(check, engine="kernel")])
 def test_what_needs_the_compiler_says_how_to_install_it(asked):
     with pytest.raises(InputError, match=r"needs numba: .*pip install '\.\[fast\]'"):
         asked()
+
+
+@pytest.mark.usefixtures("no_compiler")
+def test_without_a_compiler_the_optimum_is_left_out_of_the_costs_of_a_game():
+    world = next(iter(worlds(edges=2)))
+    assert {cost.who.value for cost in costs_beside(world)} == {"algorithm1", "every-edge"}
+    assert "needs numba" in not_compared(world)

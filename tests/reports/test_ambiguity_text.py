@@ -75,7 +75,7 @@ def test_the_darts_that_bearings_count_to_are_drawn(kind):
         drawn = twins_text(twins(*worlds), 80).split("World A")[1].split("World B")
         for world, text in zip(worlds, drawn, strict=True):
             assert text.count("▲") == len(world.lighthouse.references(world.map)) + 1  # the legend
-            assert "▲ dart from which bearings are counted" in text
+            assert "▲ dart where the bearing is 0" in text
 
 
 def test_a_class_is_drawn_and_explained():

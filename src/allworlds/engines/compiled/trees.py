@@ -30,13 +30,14 @@ from allworlds.engines.kernel.on_demand import KINDS
 from allworlds.engines.kernel.rows import Rows
 from allworlds.engines.kernel.tree_memory import MOST_RUNS, MOST_SINGLES
 from allworlds.engines.kernel.tree_requests import TreeRequest
-from allworlds.engines.python.comparison import COPIES, nondeterministic
+from allworlds.engines.python.comparison import nondeterministic
 from allworlds.engines.python.examiner import Outcome
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns, UnitOfRuns
 from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import SPELL
+from allworlds.judging import COPIES
 
 COMPARED_EDGES = 4
 """The largest m for which runs that are walked as a tree are also played by themselves."""

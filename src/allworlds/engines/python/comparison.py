@@ -8,6 +8,7 @@ from dataclasses import replace
 from allworlds.engines.python.examiner import LOST, Outcome
 from allworlds.inputs import show
 from allworlds.judging import (
+    COPIES,
     PRECEDENCE,
     Fault,
     Log,
@@ -32,12 +33,6 @@ def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
     detail = next((fault.detail for fault in faults if fault.detail), "")
     detail = "\n".join(filter(None, [side_by_side(first, second), detail]))
     return replace(outcome, violation=difference, detail=detail)
-
-
-COPIES = (
-    "it went on from copies of its state, and from its start it goes as before: does a copy leave "
-    "something out, or share memory with what it was copied from?"
-)
 
 
 def copies_blamed(outcome: Outcome, first: Log, second: Log) -> Outcome:

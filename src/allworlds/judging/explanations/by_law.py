@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from allworlds.explorers import is_program
 from allworlds.inputs import an_integer
-from allworlds.judging.endings import BUILT, NO_MAP
+from allworlds.judging.endings import BUILT, COPIES, NO_MAP
 from allworlds.judging.explanations.another_world import another_world
 from allworlds.judging.explanations.parting import tell_open_darts, tell_parting
 from allworlds.judging.explanations.rounds import tell_rounds
@@ -85,7 +85,9 @@ def tell_illegal_action(story: Story) -> Telling:
 
 def tell_nondeterministic(story: Story) -> Telling:
     """Tell that two plays differ, and what is mostly the cause."""
-    told = ["In a second run of the same world the explorer acted differently.", KEPT]
+    told = ["In a second run of the same world the explorer acted differently."]
+    if COPIES not in str(story.finding.seen):  # which asks a question of its own
+        told.append(KEPT)
     return Telling([*told, _say_last_step(story)])
 
 

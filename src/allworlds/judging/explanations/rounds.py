@@ -86,4 +86,4 @@ def _tell_ways_back(story: Walked, end: int) -> list[str]:
     first = next((i + 1 for i in back if turns[i].degree > 1), None)
     if first is None or all(action == Move(0) for action in actions):
         return []
-    return [f"Look at the way back that begins at step {first}: {WAY_BACK}."]
+    return [f"If a way back begins at step {first}: {WAY_BACK}."]

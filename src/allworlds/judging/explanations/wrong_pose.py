@@ -49,7 +49,7 @@ def tell_pose(story: Story) -> Telling:
         ]
     elif bearings:
         name = bearings.name
-        told = [bearings.sentence, f"The map is right all the same, but {HERE}: {where}."]
+        told = [f"The map is right, but {HERE}: {where}.", f"Or: {bearings.sentence}"]
     else:
         told = [f"The map is right, but {HERE}: {where}."]
         if mirrored and shown:

@@ -30,7 +30,7 @@ _LEGEND = {
     "→": "a→v.b the other end of dart a is dart b of v",
     "┼": "┼ arcs cross, no vertex",
     "●": "● marker",
-    "▲": "▲ dart from which bearings are counted",
+    "▲": "▲ dart where the bearing is 0",
     "S": "S start",
     "R": "R robot at the end",
 }

@@ -19,6 +19,7 @@ from allworlds.document import (
     replace,
 )
 from allworlds.engines import (
+    COMPILER,
     STOPPED,
     LevelUnit,
     ReadyEngine,
@@ -33,7 +34,7 @@ from allworlds.engines import (
     time_until,
 )
 from allworlds.explorers import BUILT_IN
-from allworlds.inputs import answers
+from allworlds.inputs import answers, ensure_installed
 from allworlds.maps import CombinatorialMap, Dart, Extent, MapClass
 from allworlds.outcome import Ending
 from allworlds.studies.check import check
@@ -125,8 +126,10 @@ def optimum(request: OptimumRequest) -> OptimumReport:
     time is up the bounds found are told.
 
     Raises:
-        InputError: for a number of edges or loops, a family, or a limit, that is not legal.
+        InputError: for a number of edges or loops, a family, or a limit, that is not legal; or if
+            the compiler is not installed.
     """
+    ensure_installed(*COMPILER, "optimum")
     assert request.largest
     return OptimumSweep(request).answer(request.run)
 

@@ -8,8 +8,9 @@ from functools import cache
 from typing import Annotated
 
 from allworlds.document import Document, Natural, about
-from allworlds.engines import Limits, single_run, subject_of
+from allworlds.engines import COMPILER, Limits, single_run, subject_of
 from allworlds.explorers import BUILT_IN
+from allworlds.inputs import lack_of
 from allworlds.judging import AskedRules
 from allworlds.maps import covering_walk, rooted_maps
 from allworlds.studies.optimum import Strategy, minimax, most_expensive
@@ -65,7 +66,8 @@ def _costs(world: World) -> Iterator[tuple[Walker, int]]:
         subject = subject_of(VARIANTS[kind], Limits())
         rules = AskedRules().rules_of(subject, kind_of(world.lighthouse))
         yield Walker.ALGORITHM_1, single_run(subject, world, rules, (), Limits()).cost
-    if isinstance(world.lighthouse, Directional) and is_easy(edges, world.first.degree):
+    easy = is_easy(edges, world.first.degree) and not lack_of(*COMPILER)
+    if isinstance(world.lighthouse, Directional) and easy:
         bearing = world.first.bearing
         assert bearing is not None
         cost = most_expensive(_optimum(edges, world.first.degree, bearing), [world])
@@ -103,4 +105,6 @@ def not_compared(world: World) -> str:
         return f"The optimum is not known under the {kind} lighthouse."
     if not is_easy(edges, world.first.degree):
         return f"The optimum is not known for {plural(edges, 'edge')} and this start."
+    if lack := lack_of(*COMPILER):
+        return f"The optimum {lack}."
     return ""
