@@ -1,13 +1,13 @@
 """Numbers in the prose of the pages, against the program that they are about."""
 
 import re
-from dataclasses import replace
 from itertools import accumulate
 from pathlib import Path
 
 import pytest
 
 from allworlds.cli import output
+from allworlds.document import replace
 from allworlds.engines import Scope, engine_table as engines
 from allworlds.engines.compiled.agreement import AGREEMENT_EDGES
 from allworlds.engines.isolation import player

@@ -111,7 +111,7 @@ def test_run_directories_and_the_census_take_them(installed):
         *("ambiguity", "census", "--lighthouse", "my-parity", "--where", "my-small?degree=3"),
         *("--edges", 2, "--json"),
     )
-    assert (code, json.loads(out)["lighthouse"]) == (0, "my-parity")
+    assert (code, json.loads(out)["scope"]["lighthouse"]) == (0, "my-parity")
 
 
 @pytest.mark.parametrize(

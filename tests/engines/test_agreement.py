@@ -4,12 +4,12 @@ import os
 import subprocess
 import sys
 from collections import Counter
-from dataclasses import replace
 from random import Random
 
 import pytest
 
 from allworlds import check
+from allworlds.document import replace
 from allworlds.engines import Examiner, LevelRuns, Limits, Scope
 from allworlds.engines.compiled import agreement
 from allworlds.engines.compiled.agreement import (

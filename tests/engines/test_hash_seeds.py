@@ -2,10 +2,10 @@
 
 import json
 import random
-from dataclasses import replace
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.engines import GOES_BY_HASHES, GivenWorlds, LevelRuns, Scope, Silent
 from allworlds.engines.python.hash_seeds import (
     LAYOUTS,

@@ -1,12 +1,12 @@
 """The compiled judge against the Python judge, run by run, on explorers that are wrong."""
 
-from dataclasses import replace
 from functools import cache
 
 import pytest
 from numba import cfunc, from_dtype, types
 
 from allworlds import CombinatorialMap, Estimate, Move
+from allworlds.document import replace
 from allworlds.engines import LevelRuns, Scope
 from allworlds.engines.compiled.agreement import ListingEngine
 from allworlds.engines.compiled.requests import level_of

@@ -1,10 +1,9 @@
 """Damaged tables and damaged lists of work: each dies by name, and none as a crash."""
 
-from dataclasses import replace
-
 import pytest
 
 from allworlds import check
+from allworlds.document import replace
 from allworlds.engines import EnginesDisagree, Limits, Scope
 from allworlds.engines.compiled import requests as questions, tallies as compiled
 from allworlds.engines.compiled.agreement import AGREED, compare_engines

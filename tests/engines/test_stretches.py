@@ -2,13 +2,13 @@
 
 import json
 from collections import Counter
-from dataclasses import replace
 from random import Random
 
 import numpy as np
 import pytest
 
 import small
+from allworlds.document import replace
 from allworlds.engines import (
     EnginesDisagree,
     GivenWorlds,

@@ -11,7 +11,7 @@ import lzma
 import re
 import shutil
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from hashlib import sha256
 from math import factorial
 from pathlib import Path
@@ -20,6 +20,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from allworlds import Estimate
+from allworlds.document import replace
 from allworlds.evidence.claims import (
     algorithm,
     ambiguous,

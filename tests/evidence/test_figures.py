@@ -2,7 +2,6 @@
 
 import csv
 from collections import defaultdict
-from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -10,6 +9,7 @@ import pytest
 from msgspec import structs
 
 from allworlds import figure, run
+from allworlds.document import replace
 from allworlds.engines import Limits, Silent
 from allworlds.evidence.figures import FigureRequest, holes as fig3
 from allworlds.evidence.figures.augmentation import figure_2

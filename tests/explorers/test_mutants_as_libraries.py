@@ -1,10 +1,9 @@
 """Every wrong explorer in a shared library: the same law, in the same smallest world."""
 
-from dataclasses import replace
-
 import pytest
 
 from allworlds import check
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from native_libraries import FOLDER, PROJECT, built
 

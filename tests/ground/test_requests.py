@@ -3,12 +3,13 @@
 import inspect
 import subprocess
 import sys
-from dataclasses import FrozenInstanceError, replace
+from dataclasses import FrozenInstanceError
 from functools import cached_property
 
 import pytest
 
 import allworlds
+from allworlds.document import replace
 from allworlds.engines import Shard, Silent
 from allworlds.inputs import InputError, Option, Request, answer, fields_of, meant, remembered
 from allworlds.lazy import loaded

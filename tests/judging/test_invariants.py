@@ -1,10 +1,10 @@
-from dataclasses import replace
 from functools import cache
 from itertools import permutations
 from random import Random
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.judging import Case, Violation
 from allworlds.judging.laws.invariants import invariant_1, invariant_2, variant
 from allworlds.maps import rooted_maps

@@ -1,9 +1,8 @@
 """The law about an answer that names no map."""
 
-from dataclasses import replace
-
 import pytest
 
+from allworlds.document import replace
 from allworlds.judging import PRECEDENCE, Case, judge
 from allworlds.protocol import Ambiguous, Estimate, Move, Transcript
 from allworlds.studies.ambiguity import class_of

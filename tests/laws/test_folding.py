@@ -1,11 +1,11 @@
 """The folded log of an explorer that is right is the world."""
 
-from dataclasses import replace
 from random import Random
 
 from hypothesis import find, given, settings
 from hypothesis.strategies import integers, tuples
 
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import algorithm1
 from allworlds.judging import Case, fold, play

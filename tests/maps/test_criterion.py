@@ -1,11 +1,11 @@
 from collections import Counter
-from dataclasses import replace
 from functools import cache
 from itertools import permutations
 from math import factorial, gcd
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.maps import (
     CombinatorialMap,
     Quotient,

@@ -1,10 +1,10 @@
-from dataclasses import replace
 from itertools import product
 from math import log2
 from random import Random
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.maps import (
     CombinatorialMap,
     Labelled,

@@ -11,9 +11,11 @@ import re
 import shutil
 import subprocess
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import pytest
+
+from allworlds.document import replace
 
 REFUSALS = (ValueError, KeyError, IndexError, TypeError, AttributeError, RecursionError)
 """Taken for a refusal by ``check.py``, besides ``Refused``."""

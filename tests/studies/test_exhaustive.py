@@ -3,12 +3,12 @@
 import importlib
 import itertools
 import json
-from dataclasses import replace
 from functools import cache, partial
 from typing import ClassVar
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.engines import Silent
 from allworlds.explorers import algorithm1
 from allworlds.inputs import InputError
