@@ -10,16 +10,15 @@ from math import pi, tau
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
+from frame import framed
+
 from allworlds.maps.corridor import Corridor, CorridorShape, drawn_corridor
 from allworlds.reports import tag
 
 FILE = Path(__file__).parents[1] / "assets" / "corridor.svg"
 SHAPE = CorridorShape(1, 18)
 WIDE, HIGH, RADIUS = 760, 250, 46.0
-STYLE = """
-svg { font: 600 13px system-ui, sans-serif; }
-rect.paper { fill: #fdfdfb; }
-text { fill: #1c2126; text-anchor: middle; dominant-baseline: central; }
+STYLE = """\
 .hub { fill: #e4eaf0; stroke: #1c2126; stroke-width: 1.5; }
 .v0 { fill: #ffe3b0; stroke: #c26a00; stroke-width: 3; }
 .skeleton { fill: none; stroke: #1d5fa8; stroke-width: 2; }
@@ -78,18 +77,12 @@ def figure() -> ET.Element:
     )
     for i, line in enumerate(told):
         parts.append(tag("text", line, class_="words", x=WIDE // 2, y=HIGH - 40 + 22 * i))
-    return tag(
-        "svg",
-        tag("title", "A corridor with two near hubs and one far hub", id="title"),
-        tag("style", STYLE),
-        tag("rect", class_="paper", width=WIDE, height=HIGH),
+    return framed(
+        "A corridor with two near hubs and one far hub",
+        STYLE,
+        WIDE,
+        HIGH,
         *parts,
-        xmlns="http://www.w3.org/2000/svg",
-        viewBox=f"0 0 {WIDE} {HIGH}",
-        width=WIDE,
-        height=HIGH,
-        role="img",
-        aria_labelledby="title",
     )
 
 

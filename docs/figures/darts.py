@@ -10,6 +10,8 @@ from math import degrees, tau
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
+from frame import framed
+
 from allworlds.maps import CombinatorialMap
 from allworlds.reports import Layout, layout, scene_of, tag
 from allworlds.reports.drawing.svg import picture
@@ -20,10 +22,7 @@ WORLD = World(CombinatorialMap((1, 2, 0, 4, 3, 5), (3, 4, 5, 0, 1, 2)), Directio
 """Three darts round v0; the robot faces dart 0, and the marker points along dart 2."""
 
 WIDE, HIGH = 640, 430
-STYLE = """
-svg { font: 600 13px system-ui, sans-serif; }
-rect.paper { fill: #fdfdfb; }
-text { fill: #1c2126; text-anchor: middle; dominant-baseline: central; }
+STYLE = """\
 .edge { fill: none; stroke: #8a949d; stroke-width: 1.5; }
 .stub, .robot { display: none; }
 .here .robot { display: inline; fill: #b3261e; }
@@ -110,19 +109,13 @@ def figure() -> ET.Element:
         tag("text", text, class_=f"words {name}", x=20, y=HIGH - 88 + 24 * i)
         for i, (name, text) in enumerate(TOLD)
     ]
-    return tag(
-        "svg",
-        tag("title", "Dart, sigma, alpha and bearing in a world of three vertices", id="title"),
-        tag("style", STYLE),
-        tag("rect", class_="paper", width=WIDE, height=HIGH),
+    return framed(
+        "Dart, sigma, alpha and bearing in a world of three vertices",
+        STYLE,
+        WIDE,
+        HIGH,
         group,
         *lines,
-        xmlns="http://www.w3.org/2000/svg",
-        viewBox=f"0 0 {WIDE} {HIGH}",
-        width=WIDE,
-        height=HIGH,
-        role="img",
-        aria_labelledby="title",
     )
 
 

@@ -11,6 +11,8 @@ import tempfile
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
+from frame import framed
+
 import allworlds
 from allworlds import Estimate, Finding
 from allworlds.reports import layout, tag
@@ -23,10 +25,7 @@ FILE = ROOT / "docs" / "assets" / "refutation.svg"
 PROGRAM = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 WIDE, HIGH = 640, 300
-STYLE = """
-svg { font: 600 13px system-ui, sans-serif; }
-rect.paper { fill: #fdfdfb; }
-text { fill: #1c2126; text-anchor: middle; dominant-baseline: central; }
+STYLE = """\
 .edge { fill: none; stroke: #5a646d; stroke-width: 2; }
 .stub, .robot, .clockwise { display: none; }
 .pole { fill: none; stroke: #c26a00; stroke-width: 3; }
@@ -62,11 +61,11 @@ def figure(finding: Finding) -> ET.Element:
     world = walk_in_world(finding.world, finding.transcript)
     believed = walk_in_answer(finding.world, answer, finding.transcript)
     scale = min(map(_scale, (world, believed)))
-    return tag(
-        "svg",
-        tag("title", "A world that refutes an explorer, and the explorer's answer", id="title"),
-        tag("style", STYLE),
-        tag("rect", class_="paper", width=WIDE, height=HIGH),
+    return framed(
+        "A world that refutes an explorer, and the explorer's answer",
+        STYLE,
+        WIDE,
+        HIGH,
         _half(world, 0, scale, "The world", "world"),
         _half(believed, 1, scale, "The answer", "answer wrong"),
         tag(
@@ -75,12 +74,6 @@ def figure(finding: Finding) -> ET.Element:
             x=WIDE // 2,
             y=HIGH - 22,
         ),
-        xmlns="http://www.w3.org/2000/svg",
-        viewBox=f"0 0 {WIDE} {HIGH}",
-        width=WIDE,
-        height=HIGH,
-        role="img",
-        aria_labelledby="title",
     )
 
 
