@@ -6,7 +6,9 @@ import random
 import pytest
 
 from allworlds.document import replace
-from allworlds.engines import GOES_BY_HASHES, GivenWorlds, LevelRuns, Scope, Silent
+from allworlds.engines import GOES_BY_HASHES, GivenWorlds, LevelRuns, Limits, Scope, Silent
+from allworlds.engines.isolation.confirm import repeat
+from allworlds.engines.isolation.jobs import PlayerSetup
 from allworlds.engines.python.hash_seeds import (
     LAYOUTS,
     GoesByHashes,
@@ -16,6 +18,7 @@ from allworlds.engines.python.hash_seeds import (
 )
 from allworlds.engines.python.other_seeds import SMALL, other_seeds
 from allworlds.engines.python.tour import SEEDS
+from allworlds.explorers import load
 from allworlds.judging import Log, Over, Rules
 from allworlds.maps import Extent, MapClass
 from allworlds.studies.check import check
@@ -198,3 +201,15 @@ def test_the_finding_of_a_play_that_another_does_not_repeat_has_both(tmp_path):
         assert "first play, from step" in found.detail
         assert "second play, from step" in found.detail
     assert laws == {"nondeterministic"}
+
+
+def test_an_answer_that_is_no_map_is_not_confirmed_by_one_that_is(tmp_path):
+    module = tmp_path / "mended.py"
+    head = "from allworlds.explorers import algorithm1\n\ndef explore(first):\n"
+    walk = f"{head}    estimate = yield from algorithm1(first)\n"
+    module.write_text(f"{walk}    return 7\n")
+    (found,) = check(f"{module}:explore", edges=1).findings
+    assert (found.law, found.confirmed) == ("no-estimate", True)
+    module.write_text(f"{walk}    return estimate\n")
+    again = repeat(found, PlayerSetup.of(load(f"{module}:explore"), Limits()))
+    assert again.law == "nondeterministic"

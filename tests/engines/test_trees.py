@@ -15,7 +15,7 @@ from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.python.tour import Tour
 from allworlds.explorers import load
-from allworlds.judging import Rules
+from allworlds.judging import Rules, explain
 from allworlds.maps import Extent, MapClass
 from allworlds.studies.check import check
 from native_libraries import EXAMPLES, FOR_TESTS, built, example
@@ -208,6 +208,9 @@ def test_a_copy_that_goes_another_way_is_a_finding_with_a_hint(copy):
     (finding,) = report.findings
     assert finding.law == "nondeterministic"
     assert "copies" in finding.seen
+    told = " ".join(explain(finding).sentences)
+    assert "acted differently" in told
+    assert "static variable" not in told  # a copy has a question of its own
 
 
 @pytest.mark.slow
