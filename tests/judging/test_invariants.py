@@ -11,7 +11,7 @@ from allworlds.maps import rooted_maps
 from allworlds.protocol import Checkpoint, Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
 from finished import finished
-from small import EDGE, LOLLIPOP
+from small import EDGE, LOLLIPOP, LOOP
 
 
 @cache
@@ -400,3 +400,23 @@ def test_more_edges_than_there_are_break_the_variant():
 def test_an_edge_known_from_one_end_counts_once():
     case = finished(World(EDGE, Directional(0)))
     assert variant(published(case, (1, Checkpoint((0, 1), (1, 1), 1)))) is None
+
+
+@pytest.mark.parametrize("entries", [p for n in (1, 2, 3) for p in permutations(range(n))])
+def test_one_tuple_for_sigma_and_alpha_is_judged_as_two_equal_ones(entries):
+    for case in up_to(2):
+        for here in range(len(entries)):
+            once = Checkpoint(entries, entries, here)
+            twice = Checkpoint(entries, tuple([*entries]), here)
+            steps = len(case.transcript.steps)
+            assert invariant_1(published(case, (steps, once))) == invariant_1(
+                published(case, (steps, twice))
+            )
+
+
+def test_one_tuple_for_both_is_no_way_past_invariant_1():
+    only = (0,)
+    case = published(finished(World(EDGE, Directional(0))), (0, Checkpoint(only, only, 0)))
+    assert invariant_1(case) is None  # the edge's dart, alone at its vertex
+    loop = finished(World(LOOP, Directional(0)))
+    assert invariant_1(published(loop, (0, Checkpoint(only, only, 0)))).step == 0

@@ -5,11 +5,11 @@ from math import isqrt
 
 import pytest
 
-from allworlds import Move
+from allworlds import Checkpoint, CombinatorialMap, Move
 from allworlds.judging import explain
 from allworlds.judging.explanations.rounds import LONGEST, WAY_BACK, Round, round_at_the_end
 from allworlds.studies.run import run
-from allworlds.world import world_named
+from allworlds.world import Directional, World, world_named
 
 
 @pytest.mark.parametrize(
@@ -133,3 +133,43 @@ def test_the_budget_that_was_asked_for_is_told_as_that():
         run(to_and_fro, world_named("theta", "directional"), step_budget=7).finding
     ).sentences
     assert told[-1] == "The budget is that of --step-budget: 7 traversals."
+
+
+LOOP = World(CombinatorialMap((1, 0), (1, 0)), Directional(0), 0)
+
+
+@pytest.mark.parametrize("ends", ["budget", "crash", "no-estimate", "illegal-action"])
+@pytest.mark.parametrize("right_for", [0, 2, None])
+def test_a_run_without_an_answer_names_its_first_wrong_checkpoint(ends, right_for):
+    """S of a world with one loop: right until the loop is said to be known before it is walked."""
+
+    def explore(_):
+        for step in range(4):
+            yield Move(0)
+            wrong = right_for is not None and step >= right_for
+            yield Checkpoint((1, 0) if not wrong else (0,), (1, 0) if not wrong else (0,), 0)
+        if ends == "budget":
+            while True:
+                yield Move(0)
+        if ends == "crash":
+            raise ArithmeticError
+        if ends == "illegal-action":
+            yield "east"
+
+    finding = run(explore, LOOP).finding
+    told = explain(finding)
+    assert finding.law == ends
+    assert finding.step == (None if right_for is None else right_for + 1) == told.step
+    named = [each for each in told.sentences if "is wrong already" in each]
+    assert [each.split(" is ")[0] for each in named] == (
+        [] if right_for is None else [f"The checkpoint after step {right_for + 1}"]
+    )
+
+
+def test_who_does_not_ask_for_invariants_is_not_told_of_checkpoints():
+    def explore(_):
+        yield Checkpoint((0,), (0,), 0)
+        raise ArithmeticError
+
+    assert run(explore, LOOP).finding.step == 0
+    assert run(explore, LOOP, laws=["map", "pose"]).finding.step is None

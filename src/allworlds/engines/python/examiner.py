@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import MutableSequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from allworlds.explorers import Subject
@@ -107,9 +107,11 @@ class Referee:
     def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
         """The finding of a refuting outcome, in canonical numbering."""
         assert outcome.violation is not None
-        violation = outcome.violation
+        violation, ending = outcome.violation, outcome.episode.ending
         canonical = canonical_world(world)
-        if not isinstance(outcome.episode.ending, Fault):
+        if isinstance(ending, Fault):
+            violation = replace(violation, step=self._wrong_checkpoint(world, outcome.episode))
+        else:
             # What was expected and seen may name darts: judge again under the canonical names.
             again = self.verdict(canonical, outcome.episode, outcome.bound)
             if again and again.law == violation.law:
@@ -124,10 +126,18 @@ class Referee:
             seen=violation.seen,
             detail=outcome.detail,
             step=violation.step,
-            machine=isinstance(outcome.episode.ending, Fault) and outcome.episode.ending.machine,
+            machine=isinstance(ending, Fault) and ending.machine,
             hash_seed=outcome.hash_seed,
             output=outcome.output,
         )
+
+    def _wrong_checkpoint(self, world: World, episode: Episode) -> int | None:
+        """The steps before the first checkpoint with a wrong S, in a run without an answer."""
+        if "invariant-1" not in self.rules.applying:
+            return None
+        case = Case(world.map, world.start, episode.transcript, episode.checkpoints, None, None)
+        violation = LAWS["invariant-1"].check(case)
+        return violation.step if violation else None
 
     def lost(self, world: World, place: int, fault: Fault) -> Finding:
         """The finding of a run that has killed its process, so that its walk is not known."""

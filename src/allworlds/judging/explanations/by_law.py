@@ -51,7 +51,8 @@ def ending(how: str) -> Teller:
     def tell(story: Story) -> Telling:
         line = telling_line(story.finding.detail)
         why = [f"Its last message: {line}"] if line not in str(story.finding.seen) else []
-        return Telling([how, _say_last_step(story), *why])
+        wrong = _tell_first_wrong(story)
+        return Telling([how, *wrong, _say_last_step(story), *why], story.checkpoint)
 
     return tell
 
@@ -72,7 +73,8 @@ def tell_no_estimate(story: Story) -> Telling:
     if built:
         told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
         told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
-    return Telling([*told, _say_last_step(story)])
+    told += _tell_first_wrong(story)
+    return Telling([*told, _say_last_step(story)], story.checkpoint)
 
 
 def tell_illegal_action(story: Story) -> Telling:
@@ -102,8 +104,20 @@ def tell_timeout(story: Story) -> Telling:
 def tell_budget(story: Story) -> Telling:
     """Tell whose the budget is, and whether the robot went round, or found no new edge."""
     how = "The explorer did not end within its step budget, so the run was stopped."
-    rounds = tell_rounds(story) or [_say_last_step(story)]
-    return Telling([how, *rounds, tell_whose_budget(story.finding)])
+    why = _tell_first_wrong(story) or tell_rounds(story) or [_say_last_step(story)]
+    return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
+
+
+def _tell_first_wrong(story: Story) -> list[str]:
+    """Tell the first checkpoint with a wrong S; no sentence where there is none."""
+    if story.checkpoint is None:
+        return []
+    step = story.checkpoint
+    return [
+        f"The checkpoint after step {step} is wrong already: what was published there as S, the "
+        "explored part, does not lie so in the world. Mend that first: all that followed may be "
+        "built on it."
+    ]
 
 
 def _say_last_step(story: Story) -> str:

@@ -94,7 +94,10 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     )
     step: Annotated[
         IfAny[Natural | None],
-        about("how many steps came before the checkpoint that breaks the law"),
+        about(
+            "how many steps came before the checkpoint that breaks the law; in a run without an "
+            "answer, before the first checkpoint with a wrong S"
+        ),
     ] = None
     detail: Annotated[
         IfAny[str],
