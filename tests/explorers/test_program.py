@@ -56,7 +56,9 @@ def test_it_is_told_what_there_is_to_tell(program):
 
 def test_a_new_process_begins_after_a_fault(program):
     _, first = episode(program)
-    with pytest.raises(ExplorerFault, match=r"the line \{\}") as fault:
+    with pytest.raises(
+        ExplorerFault, match=r"the line \{\}: it has none of the keys move, drop, "
+    ) as fault:
         next(program.explore(Percept(9)))
     assert fault.value.law == "illegal-action"
     assert episode(program)[1].here != first.here

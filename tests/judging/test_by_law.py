@@ -30,6 +30,23 @@ def test_of_what_a_program_wrote_the_line_that_tells_is_told(finding_of):
     assert explain(finding).sentences[-1] == ("Its last message: ReferenceError: f is not defined")
 
 
+@pytest.mark.parametrize(
+    ("end", "advised"),
+    [("signal 11", True), ("signal 6", True), ("signal 9", False), ("exit code 6", False)],
+)
+def test_an_end_by_damaged_memory_tells_how_its_place_is_found(end, advised, finding_of):
+    seen = f"the end of its process ({end})"
+    told = explain(replace(finding_of("crashes-at-leaves"), seen=seen, detail="")).sentences
+    assert ("-fsanitize=address" in " ".join(told)) == advised
+
+
+def test_a_line_without_an_action_tells_where_output_for_debugging_goes(finding_of):
+    finding = replace(finding_of("drops-markers"), explorer="exec:./mine", detail="")
+    for seen in ("a line that is no JSON: 'x'", "the line {}: it has none of the keys move"):
+        assert "goes to stderr" in explain(replace(finding, seen=seen)).sentences[1]
+    assert "stderr" not in " ".join(explain(replace(finding, seen="a Drop")).sentences)
+
+
 def test_a_run_that_ends_at_the_start_has_no_last_step(told):
     law, _, text = told("drops-markers")
     assert law == "illegal-action"

@@ -407,7 +407,7 @@ def test_one_tuple_for_sigma_and_alpha_is_judged_as_two_equal_ones(entries):
     for case in up_to(2):
         for here in range(len(entries)):
             once = Checkpoint(entries, entries, here)
-            twice = Checkpoint(entries, tuple([*entries]), here)
+            twice = Checkpoint(entries, tuple(iter(entries)), here)
             steps = len(case.transcript.steps)
             assert invariant_1(published(case, (steps, once))) == invariant_1(
                 published(case, (steps, twice))

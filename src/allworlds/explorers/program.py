@@ -44,7 +44,7 @@ from allworlds.protocol import (
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24
-SAYINGS = {"move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer"}
+SAYINGS = ("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer")
 """A line of the program has exactly one of these keys."""
 
 ANSWERS = {"estimate", "ambiguous", "answer"}
@@ -205,8 +205,9 @@ class Program:
         if self._lines == 1 and message.get("forks") is True:
             self.forks = True
             return self._next_message()
-        if len(message.keys() & SAYINGS) != 1:
-            raise self._fault("illegal-action", f"the line {_short(message)}")
+        if (said := _sayings(message)) != 1:
+            keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
+            raise self._fault("illegal-action", f"the line {_short(message)}: {keys}")
         action = action_from_json(message)
         if action is not None:
             return action
@@ -217,7 +218,8 @@ class Program:
             if self._out:
                 raise self._fault("illegal-action", f"a line after its answer: {_text(self._out)}")
             return EpisodeEnd(_answer(message))
-        raise self._fault("illegal-action", f"the line {_short(message)}")
+        legal = "move takes an integer, write one from 0 on, drop and pick take true"
+        raise self._fault("illegal-action", f"the line {_short(message)}: {legal}")
 
     def close(self) -> None:
         """Close the program's input, wait a second for its end, then kill it."""
@@ -362,7 +364,9 @@ class Program:
     def _ended(self) -> ExplorerFault:
         assert self._process is not None
         try:
-            seen = f"the end of its output (exit code {self._process.wait(1)})"
+            code = self._process.wait(1)
+            how = f"exit code {code}" if code >= 0 else f"signal {-code}"
+            seen = f"the end of its process ({how})"
         except subprocess.TimeoutExpired:
             seen = "the end of its output"
         if self._process.returncode == 0 and not self._heard:
@@ -403,6 +407,11 @@ class Program:
         return ExplorerFault(law, seen, told, machine=machine)
 
 
+def _sayings(message: dict[str, Any]) -> int:
+    """The number of keys of :data:`SAYINGS` in a message."""
+    return sum(key in message for key in SAYINGS)
+
+
 @lru_cache(maxsize=1 << 12)
 def _short_action(line: bytes) -> Action | None:
     """The action of a short line; None if the line must be parsed more carefully."""
@@ -410,7 +419,7 @@ def _short_action(line: bytes) -> Action | None:
         message = json.loads(line)
     except (ValueError, RecursionError):
         return None
-    one = isinstance(message, dict) and len(message.keys() & SAYINGS) == 1
+    one = isinstance(message, dict) and _sayings(message) == 1
     return action_from_json(message) if one else None
 
 

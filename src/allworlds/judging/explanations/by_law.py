@@ -6,6 +6,8 @@
 
 from __future__ import annotations
 
+import re
+
 from allworlds.explorers import is_program
 from allworlds.inputs import an_integer
 from allworlds.judging.endings import BUILT, COPIES, NO_MAP
@@ -30,11 +32,20 @@ FLUSH = (
 )
 """The question about a program that was silent for too long."""
 
-NO_JSON, STDOUT = (
-    "a line that is no JSON",
-    ("The program's stdout is for its actions alone: output for debugging goes to stderr."),
+NO_ACTION = ("a line that is no JSON", "a line that is no object", "it has none of the keys")
+"""Words of the observation of a program that prints anything else than actions."""
+
+STDOUT = "The program's stdout is for its actions alone: output for debugging goes to stderr."
+"""The advice for it."""
+
+OUTSIDE = re.compile(r"\(signal (6|7|8|11)\)")
+"""The end of a process by what it does to memory: SIGABRT, SIGBUS, SIGFPE, SIGSEGV."""
+
+SANITIZER = (
+    "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
+    "come long before: compile with -g -fsanitize=address,undefined to see the line."
 )
-"""What is seen of a program that prints anything else, and the advice."""
+"""The advice for such an end."""
 
 KEPT = (
     "Does it keep something from an earlier run: a global or static variable, or a field that is "
@@ -58,8 +69,11 @@ def ending(how: str) -> Teller:
 
 
 def tell_crash(story: Story) -> Telling:
-    """Tell the error, then the last step."""
-    return ending(f"The explorer crashed: {story.finding.seen}.")(story)
+    """Tell the error, then the last step; for damaged memory how its place is found."""
+    told = ending(f"The explorer crashed: {story.finding.seen}.")(story)
+    if OUTSIDE.search(str(story.finding.seen)):
+        told.sentences.insert(1, SANITIZER)
+    return told
 
 
 def tell_no_estimate(story: Story) -> Telling:
@@ -78,9 +92,10 @@ def tell_no_estimate(story: Story) -> Telling:
 
 
 def tell_illegal_action(story: Story) -> Telling:
-    """Tell the ending, and for a line that is no JSON what stdout is for."""
+    """Tell the ending, and for a line that is no action what stdout is for."""
     told = ending("The explorer did what no robot can do here.")(story)
-    if is_program(story.finding.explorer) and NO_JSON in str(story.finding.seen):
+    seen = str(story.finding.seen)
+    if is_program(story.finding.explorer) and any(words in seen for words in NO_ACTION):
         told.sentences.insert(1, STDOUT)
     return told
 
@@ -113,11 +128,12 @@ def _tell_first_wrong(story: Story) -> list[str]:
     if story.checkpoint is None:
         return []
     step = story.checkpoint
-    return [
+    told = (
         f"The checkpoint after step {step} is wrong already: what was published there as S, the "
         "explored part, does not lie so in the world. Mend that first: all that followed may be "
         "built on it."
-    ]
+    )
+    return [told]
 
 
 def _say_last_step(story: Story) -> str:
