@@ -658,7 +658,7 @@ MUTANTS = (
            ((folds, "complete_behind_a_path", shorter),)),
     Mutant("optimum", "a traversal more in each row", ((limits, "optimum", one_more),), slow=True),
     Mutant("order-exact", "said of an explorer that is no tester",
-           changed={"explorers": ["folding-oldest"]}),
+           changed={"explorers": ["folding-oldest"]}, slow=True),
     Mutant("order-exact", "a bound that is not (1)+(2)",
            ((corridors, "paper_bound", lambda n, m: m * n),)),
     Mutant("order-exact", "the motions from out-darts to in-darts are not all different",

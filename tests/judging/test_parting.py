@@ -24,7 +24,7 @@ def test_a_known_place_left_some_time_ago_is_named_with_the_step(explained, answ
     assert "step 4 the robot was back at v1, which it had left at step 2, but its answer " in text
     assert "takes the place for a new vertex" in text
     assert "Every percept fits the answer, too" in text
-    assert "After this walk it is open where" in text
+    assert "After this walk it is not known where dart " in text
 
 
 def test_a_new_vertex_taken_for_a_known_one_is_where_they_part(explained, answering):
@@ -58,4 +58,4 @@ def test_an_answer_that_fits_the_log_never_parts_and_its_open_darts_are_counted(
     slip, guessed, open_darts = explanation.sentences
     assert slip == "The answer lacks one edge of the world: that of darts 0 and 1."
     assert guessed.startswith("The answer is another world that fits the whole log")
-    assert open_darts == "After this walk it is open where 1 dart leads."
+    assert open_darts == "After this walk it is not known where dart 0 of v0 leads."

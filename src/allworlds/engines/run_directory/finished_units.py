@@ -20,7 +20,7 @@ from allworlds.engines.run_directory.identity import Identity
 from allworlds.engines.units.kept_form import to_kept
 from allworlds.engines.units.unit import NOTHING_KEPT, KeptUnits, Sum, Unit
 from allworlds.inputs import InputError, a_path, show
-from allworlds.words import listed, plural
+from allworlds.words import listed
 
 LOCK = "lock"
 
@@ -332,8 +332,9 @@ def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
         missing = [f"{k}/{shards}" for k in range(shards) if f"{k}/{shards}" not in seen]
         if missing:
             more = f" and {len(missing) - MOST_NAMED} more" if len(missing) > MOST_NAMED else ""
+            one = len(missing) == 1
             raise Gap(
-                f"no run directory of {plural(len(missing), 'shard')} was given: "
-                f"{', '.join(missing[:MOST_NAMED])}{more}"
+                f"{'shard' if one else 'shards'} {', '.join(missing[:MOST_NAMED])}{more} "
+                f"{'is' if one else 'are'} missing: give the run directory of each shard"
             )
         yield first.identity, Merged(directories)

@@ -10,6 +10,9 @@ from allworlds.judging.laws.folding import fold
 from allworlds.maps import cycles
 from allworlds.words import listed, plural
 
+NAMED = 3
+"""The number of open darts that are named, the others are counted."""
+
 
 def tell_parting(belief: Belief) -> list[str]:
     """Tell where the walk and its image in the answer diverge, and how that could be sensed."""
@@ -79,11 +82,13 @@ def tell_open_darts(story: Story) -> list[str]:
     unsettled = {image[x] for x, y in enumerate(folded.alpha) if x == y}
     if not unsettled:
         return []
-    many = len(unsettled) > 1
-    open_ = f"where {plural(len(unsettled), 'dart')} {'lead' if many else 'leads'}"
+    named = [f"dart {dart} of {story.vertex(dart)}" for dart in sorted(unsettled)]
+    if len(named) > NAMED:
+        named[NAMED:] = [plural(len(named) - NAMED, "other dart")]
+    open_ = f"where {listed(named)} {'lead' if len(named) > 1 else 'leads'}"
     copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
     twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
-    told = [f"After this walk it is open {open_}."]
+    told = [f"After this walk it is not known {open_}."]
     if twice:
         one = "each of these" if len(twice) > 1 else "this"
         told.append(

@@ -25,7 +25,7 @@ def census_telling(census: AmbiguityCensus) -> ToldResult:
     rows = [[row.edges, *_counts(row)] for row in census.rows]
     cells = [[cell.edges, cell.vertices, *_counts(cell)] for cell in census.by_vertices]
     scope = (
-        f"{maps_words(census)}, with {_marked(census)}, up to isomorphism; ambiguous are those "
+        f"{maps_words(census)}, {_marked(census)}, up to isomorphism; ambiguous are those "
         "from which no motion tells another world of the scope"
     )
     facts = [("scope", scope), *places_told(census.places)]
@@ -71,7 +71,9 @@ def _pair(census: AmbiguityCensus) -> list[Section]:
 
 def _marked(census: AmbiguityCensus) -> str:
     kind = census.request.lighthouse
-    return "one marked vertex" if str(kind) == Position.kind else f"a lighthouse {kind} in them"
+    return (
+        "with one marked vertex" if str(kind) == Position.kind else f"under the lighthouse {kind}"
+    )
 
 
 def _headline(census: AmbiguityCensus) -> Headline | None:
