@@ -8,9 +8,9 @@ out-dart to an in-dart are the *class* {4c, 4c + 1, 4c + 2, 4c + 3}, and classes
 are disjoint.  The other darts of near hubs are loops.  The other darts of far hubs, 2M in number,
 are *free*: they can be matched in any way.
 
-There are q = floor((R - 6) / 4) types, and the *window* g is the least number for which no g
-consecutive hubs among N = (g + 1)F have the same types as g others: q^g >= N.  For R >= 8F + 6 all
-near hubs differ: g = 1 and N = 2F.  In all
+There are q = floor((R - 6) / 4) types, and the *window* g is the least positive number for which no
+g consecutive hubs among N = (g + 1)F have the same types as g others: q^g >= N.  For R >= 8F + 6
+all near hubs differ: g = 1 and N = 2F.  In all
 
     n = N + F + 1,  m = (N + F)R/2 + 1,  M = F(R - 4)/2 + 1.
 
