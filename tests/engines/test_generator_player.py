@@ -24,9 +24,9 @@ from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.stretch import RUN_NUMBER
 from allworlds.engines.kernel.writing import LogEnd, read_log
+from allworlds.engines.python.earlier_plays import KEPT, EarlierPlays
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.play import Recorded
-from allworlds.engines.python.second_play import KEPT, EarlierPlays
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import Subject, algorithm1
 from allworlds.judging import Fault, Rules, UncheckedAnswer, perform

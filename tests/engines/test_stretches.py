@@ -30,8 +30,8 @@ from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.engine import COMPILING
 from allworlds.engines.kernel.native import shuffle
 from allworlds.engines.kernel.rows import BrokenRun, Rows
+from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.in_process import InProcessPlayers
-from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.explorers import load
 from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass

@@ -19,7 +19,7 @@ from allworlds.engines.isolation.process import address_space
 from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.isolation.referee_jobs import RefereeSetup
 from allworlds.engines.isolation.shared_logs import StretchMemory
-from allworlds.engines.python.second_play import EarlierPlays
+from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.explorers import load
 from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass

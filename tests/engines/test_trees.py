@@ -11,8 +11,8 @@ from allworlds.engines.compiled.users_engine import load as load_here
 from allworlds.engines.isolation.chunk_player import ChunkPlayer
 from allworlds.engines.isolation.jobs import PlaySegments, PlayTree, Unsettled
 from allworlds.engines.isolation.shared_logs import LibraryPlayer, OpenedMemories
+from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.in_process import InProcessPlayers
-from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.python.tour import Tour
 from allworlds.explorers import load
 from allworlds.judging import Rules, explain

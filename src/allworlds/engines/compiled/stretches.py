@@ -27,11 +27,12 @@ from allworlds.engines.kernel.rows import BrokenRun, Level, Rows
 from allworlds.engines.kernel.stretch import LONGEST_STRETCH, MOST_EARLIER
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.comparison import nondeterministic
+from allworlds.engines.python.earlier_plays import KEPT, EarlierPlays
 from allworlds.engines.python.examiner import LOST, Outcome, Referee
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
-from allworlds.engines.python.second_play import KEPT, EarlierPlays, OneRun, PlayedTwice
+from allworlds.engines.python.second_play import OneRun, PlayedTwice
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import SPELL
 from allworlds.judging import Fault, Finding, Log, LostRun, UncheckedAnswer, Violation, retold
@@ -130,7 +131,7 @@ class PlayedByStretches:
                     for found in general.findings:
                         tally.find(found)
             yield batch.until, tally
-            yield from self._general.ended_if_silent_after_others(batch.until)
+            yield from self._general.ended_if_given_up(batch.until)
 
     def level(self, unit: LevelRuns) -> Level:
         """The kernel's request for the level of a unit."""
@@ -218,6 +219,8 @@ class PlayedByStretches:
         runs = islice(self.engine.runs(unit, batch.first), batch.until - batch.first)
         while some := list(islice(runs, AFTER_LOSS)):
             tally.add(self._general.tally(unit, some))
+            if self._general.given_up:
+                break
         return tally
 
     def _compare(self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, rows: Rows) -> None:

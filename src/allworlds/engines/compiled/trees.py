@@ -31,10 +31,10 @@ from allworlds.engines.kernel.rows import Rows
 from allworlds.engines.kernel.tree_memory import MOST_RUNS, MOST_SINGLES
 from allworlds.engines.kernel.tree_requests import TreeRequest
 from allworlds.engines.python.comparison import nondeterministic
+from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.examiner import Outcome
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns, UnitOfRuns
-from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import SPELL
 from allworlds.judging import COPIES

@@ -19,10 +19,10 @@ from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.native import play_worlds
 from allworlds.engines.kernel.runs import examine
 from allworlds.engines.kernel.tree_player import play_tree
+from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import PartwiseEngine
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.python.tally import Tally
 from allworlds.explorers import Subject
 

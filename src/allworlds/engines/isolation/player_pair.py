@@ -26,11 +26,11 @@ from allworlds.engines.isolation.messages import (
     StretchResult,
 )
 from allworlds.engines.isolation.process import GRACE, NO_RUN, Garbled, Guardian, Process, close_all
+from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import PartwiseEngine, RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.python.tour import BEHIND, Tour
 from allworlds.engines.units.effort import POLL
 from allworlds.explorers import Subject, is_library, is_program
@@ -187,6 +187,11 @@ class PlayerPair:
     _losses: int = 0
     _copies: bool = False
     _sent: PlayRecords = field(default_factory=lambda: PlayRecords((), "fifo", 0))
+
+    @property
+    def answer_timeout(self) -> float:
+        """The seconds after which a silent run is given up."""
+        return self.setup.answer_timeout
 
     @property
     def copies(self) -> bool:

@@ -12,11 +12,12 @@ from allworlds.engines.isolation.jobs import HarnessError, PlayerSetup, Unsettle
 from allworlds.engines.isolation.player_pair import PlayerPair, WorkerEngine
 from allworlds.engines.isolation.process import Guardian, limit_memory
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
+from allworlds.engines.python.earlier_plays import SPARE, EarlierPlays
 from allworlds.engines.python.hash_seeds import GoesByHashes
 from allworlds.engines.python.other_seeds import WithOtherSeeds
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import EnginesDisagree, PartwiseEngine
-from allworlds.engines.python.second_play import SPARE, EarlierPlays, PlayedTwice
+from allworlds.engines.python.second_play import PlayedTwice
 from allworlds.engines.transports.inline import with_last
 from allworlds.explorers import built_in
 from allworlds.inputs import InputError

@@ -15,12 +15,12 @@ from allworlds.engines.isolation.jobs import Unsettled
 from allworlds.engines.isolation.player_pair import WorkerEngine
 from allworlds.engines.isolation.process import WAKE, Guardian, Process, close_all, guardian
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
+from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.hash_seeds import GoesByHashes
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.transports.inline import with_last
 from allworlds.engines.units.effort import POLL, Limits, check_deadline

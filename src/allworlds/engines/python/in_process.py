@@ -9,6 +9,7 @@ import secrets
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
+from math import inf
 
 from allworlds.engines.python.play import ExplorerRunner, Record
 from allworlds.engines.python.prints import Prints, Silence, printing_to
@@ -34,6 +35,11 @@ class InProcessPlayers:
     def __post_init__(self) -> None:
         second = self.subject.second_player()
         self._runner = ExplorerRunner(self.subject.player(), second=second)
+
+    @property
+    def answer_timeout(self) -> float:
+        """No end: a silent explorer cannot be stopped."""
+        return inf
 
     @property
     def copies(self) -> bool:

@@ -21,7 +21,8 @@ alone.
 
 An explorer that is silent only after other runs, and was so again, would be silent in each process
 after some runs, and each silence takes the whole time-out.  So its unit, and with it the job, ends
-with that finding.
+with that finding.  So it does when silences have taken :data:`MOST_WAITED`: a level in which most
+runs are silent would take hours, and tell nothing more.
 
 :class:`PlayedTwice` alone decides what two plays that differ mean.  The compiled engine
 (:mod:`allworlds.engines.compiled.stretches`) compares whole stretches byte by byte, and gives the
@@ -30,13 +31,11 @@ runs that differ, or break a law, to it.
 
 from __future__ import annotations
 
-import secrets
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
-from random import Random
-from typing import Generic, NamedTuple, Protocol, TypeVar
+from typing import NamedTuple, Protocol
 
 from allworlds.document import replace
 from allworlds.engines.isolation.jobs import Unsettled
@@ -49,6 +48,7 @@ from allworlds.engines.python.comparison import (
     nondeterministic,
     overruled,
 )
+from allworlds.engines.python.earlier_plays import BEGINNING, FEW, EarlierPlays
 from allworlds.engines.python.examiner import Outcome, Referee, name_run
 from allworlds.engines.python.hash_seeds import (
     GOES_BY_HASHES,
@@ -66,23 +66,23 @@ from allworlds.judging import Episode, Fault, Finding, Log, LostRun, Over, retol
 from allworlds.protocol import DEFAULT_POLICY, next_script
 from allworlds.world import IllegalAction, World
 
-FEW, MANY = 16, 1024
-"""The least and the greatest number of runs among which the order is drawn."""
+MANY = 1024
+"""The greatest number of runs among which the order is drawn."""
 
-ENOUGH, BEGINNING = 32, 128
-"""The number of second plays that catches an explorer which goes by their number; and the
-number that is the beginning of a check, in which even a unit of one run is played often enough."""
+ENOUGH = 32
+"""The number of second plays that catches an explorer which goes by their number."""
 
-PLAYS, SPARE = 3, 20
-"""The largest number of plays of a run, on the average, and of plays besides; what is played anew
-where something was wrong does not count."""
+PLAYS = 3
+"""The largest number of plays of a run, on the average; what is played anew where something was
+wrong does not count."""
+
+MOST_WAITED, WAITS = 60.0, 2
+"""The seconds that are waited in all for silent runs, and the number of plays of each; two runs may
+be silent in any case."""
 
 OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
 )
-
-FIRST, KEPT = 64, 256
-"""The number of plays that are kept for good, and in all, to be played again among later ones."""
 
 
 class Players(Protocol):
@@ -105,6 +105,10 @@ class Players(Protocol):
 
         If ``plain``, each is played from its start, as in the first play, and not by copies.
         """
+
+    @property
+    def answer_timeout(self) -> float:
+        """The seconds after which a silent run is given up; infinite if it is waited for."""
 
     @property
     def copies(self) -> bool:
@@ -202,51 +206,6 @@ class _Unlike(NamedTuple):
     belated: bool = False
 
 
-P = TypeVar("P")
-
-
-@dataclass(slots=True)
-class EarlierPlays(Generic[P]):
-    """Plays that were equal twice, which are played again among those of other units and levels.
-
-    Otherwise an explorer that counts the second plays would know which level they come from.
-
-    Attributes:
-        random: draws the plays.
-        spare: the number of plays that may be made besides those that are due.
-    """
-
-    random: Random = field(default_factory=lambda: Random(secrets.randbits(64)))  # noqa: S311
-    spare: int = SPARE
-    _plays: list[P] = field(default_factory=list)
-    _drawn: int = 0
-
-    def __len__(self) -> int:
-        return len(self._plays)
-
-    def draw_for(self, plays: int) -> list[P]:
-        """Some plays, in proportion to that number of others; at the beginning of a check more."""
-        least = FEW if self._drawn < BEGINNING else FEW // 4
-        drawn = self.draw(min(self.spare, max(least, plays // FEW)))
-        self._drawn += len(drawn)
-        return drawn
-
-    def draw(self, most: int) -> list[P]:
-        """The given number of plays, drawn, or all if there are fewer."""
-        return self.random.sample(self._plays, min(most, len(self._plays)))
-
-    def forget(self) -> None:
-        """Drop all kept plays."""
-        self._plays.clear()
-
-    def keep(self, play: P) -> None:
-        """Keep a play; when the memory is full, it takes the place of another one."""
-        if len(self._plays) < KEPT:
-            self._plays.append(play)
-        else:
-            self._plays[self.random.randrange(FIRST, KEPT)] = play
-
-
 @dataclass(slots=True)
 class PlayedTwice:
     """The engine with a user's explorer, which plays each run twice.
@@ -258,6 +217,7 @@ class PlayedTwice:
         earlier: plays that are played again among later ones.
         alone: whether there is this one run alone; else an explorer that goes by hashes raises
             :class:`GoesByHashes`.
+        given_up: why too much is silent to go on; empty where it is not.
     """
 
     engine: RunCounter
@@ -266,7 +226,8 @@ class PlayedTwice:
     earlier: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
     alone: bool = False
     _belated: list[tuple[OneRun, Outcome | LostRun]] = field(default_factory=list)
-    _silent_after_others: str = ""
+    given_up: str = field(default="", init=False)
+    _silences: int = 0
     _window: int = FEW
     _again: int = 0
     _seeds_explain: bool = True
@@ -282,23 +243,23 @@ class PlayedTwice:
         while window := list(islice(runs, self._window)):
             began = time.monotonic()
             yield (after := window[-1].number + 1), self.tally(unit, window)
-            yield from self.ended_if_silent_after_others(after)
+            yield from self.ended_if_given_up(after)
             slow = time.monotonic() - began > REPORT_EVERY / 2
             self._window = max(FEW, self._window // 2) if slow else min(MANY, self._window * 2)
         if after == start:
             yield after, self.engine.tally()
 
-    def ended_if_silent_after_others(self, after: int) -> Iterator[tuple[int, Tally]]:
-        """Yield an empty part and raise Unsettled if a run was silent after others, twice.
+    def ended_if_given_up(self, after: int) -> Iterator[tuple[int, Tally]]:
+        """Yield an empty part and raise Unsettled if too much is silent to go on.
 
         The part before is handed over when there is another one.
         """
-        if self._silent_after_others:
+        if self.given_up:
             yield after, self.engine.tally()
-            raise Unsettled(f"the explorer keeps a state: {self._silent_after_others}")
+            raise Unsettled(self.given_up)
 
     def tally(self, unit: UnitOfRuns, window: Sequence[NumberedRun]) -> Tally:
-        """The tally of these runs of a unit; it ends with one that is silent after others."""
+        """The tally of these runs of a unit; without the rest, if too much is silent to go on."""
         tally = self.engine.tally()
         placed = {}
         for run in window:
@@ -315,7 +276,7 @@ class PlayedTwice:
             elif matters(one):
                 tally.find(self.finding(one, outcome))
             if isinstance(outcome, LostRun) and outcome.law == "timeout" and not outcome.machine:
-                self._silent_after_others = outcome.seen
+                self.given_up = f"the explorer keeps a state: {outcome.seen}"
                 break
         for one, outcome in self._belated:
             if matters(one):
@@ -347,6 +308,7 @@ class PlayedTwice:
             whole = []
             for number, log in logs:
                 script, fits = scripts.take(number, log)
+                self._silences += _is_silent(log)
                 if isinstance(log.ending, LostRun):
                     yield placed[number], log.ending
                 else:
@@ -386,12 +348,39 @@ class PlayedTwice:
                     if settled.violation is None:
                         self.earlier.keep(play)
                     yield play.one, self._seeded(settled)
-        scripts.finish()
+            if self._waited_enough:
+                break
+        else:
+            scripts.finish()
         # The players are at rest: now they may be ended.
-        for play in doubtful:
-            yield play.one, self._once_more(unit, play, remark)
+        yield from self._settle(unit, doubtful, remark)
         if unlike:
             yield from self._by_seed(unlike, remark)
+
+    @property
+    def _waited_enough(self) -> bool:
+        """Whether silences have taken too long; then the unit is given up."""
+        each = self.players.answer_timeout
+        if self._silences < 2 or self._silences * WAITS * each < MOST_WAITED:
+            return False
+        told = f"the explorer was silent in {self._silences} runs, for {each:g} s each"
+        self.given_up = f"{told}, and the other runs would take too long"
+        return True
+
+    def _settle(
+        self, unit: UnitOfRuns, doubtful: Iterable[_Play], remark: Callable[[str], None]
+    ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
+        """The outcomes of runs that are tried once more; of a unit that is given up one silence."""
+        for play in doubtful:
+            if not _is_silent(play.log):
+                yield play.one, self._once_more(unit, play, remark)
+                continue
+            outcome = self._once_more(unit, play, remark)
+            yield play.one, outcome
+            if _law_of(outcome) != "timeout":
+                self._silences -= 1
+            elif self.given_up:
+                return
 
     def played_once(
         self, unit: UnitOfRuns, runs: Sequence[NumberedRun]
@@ -553,6 +542,16 @@ class PlayedTwice:
             remark(f"a run ended otherwise when it was tried again; at first: {ended}")
         outcome = self._referee.outcome(one.world, play.episode, log.choices)
         return overruled(outcome, log, second)
+
+
+def _is_silent(log: Log) -> bool:
+    return isinstance(log.ending, Fault) and log.ending.law == "timeout"
+
+
+def _law_of(outcome: Outcome | LostRun) -> str:
+    if isinstance(outcome, LostRun):
+        return outcome.law
+    return outcome.violation.law if outcome.violation else ""
 
 
 def _by_itself(one: OneRun) -> tuple[UnitOfRuns, OneRun]:

@@ -332,9 +332,9 @@ def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
         missing = [f"{k}/{shards}" for k in range(shards) if f"{k}/{shards}" not in seen]
         if missing:
             more = f" and {len(missing) - MOST_NAMED} more" if len(missing) > MOST_NAMED else ""
-            one = len(missing) == 1
+            noun, verb = ("shard", "is") if len(missing) == 1 else ("shards", "are")
             raise Gap(
-                f"{'shard' if one else 'shards'} {', '.join(missing[:MOST_NAMED])}{more} "
-                f"{'is' if one else 'are'} missing: give the run directory of each shard"
+                f"{noun} {', '.join(missing[:MOST_NAMED])}{more} {verb} missing: "
+                "give the run directory of each shard"
             )
         yield first.identity, Merged(directories)

@@ -177,7 +177,8 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     words += options_told(report, CHECK_SAID)
     if not report.complete and not isinstance(scope.coverage, Sample):
         finished = ", ".join(map(str, report.levels)) or "none"
-        words.append(("", f"NOT complete: finished levels (edges): {finished}"))
+        why = "" if report.ending.final else f"{report.ending.reason}; "
+        words.append(("", f"NOT complete: {why}finished levels (edges): {finished}"))
     if not rules.task.is_map:
         words.append(("task", f"{rules.task.name}: {rules.task.asks}"))
     words += trust_told(report.scope.shared_file)
