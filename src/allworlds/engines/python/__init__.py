@@ -10,8 +10,8 @@
     the runs of a unit, and their counting in all engines;
 ``python_engine``
     all runs of a unit; **the** loop of the exhaustive check;
-``play``, ``second_play``, ``comparison``, ``in_process``
-    a user's explorer, which plays every run twice, and the comparison of both plays;
+``play``, ``second_play``, ``earlier_plays``, ``comparison``, ``in_process``
+    a user's explorer, which plays every run twice, earlier ones again, and the comparison of plays;
 ``partial_world``
     a world that is decided where the robot looks;
 ``prints``
