@@ -41,6 +41,12 @@ STDOUT = "The program's stdout is for its actions alone: output for debugging go
 OUTSIDE = re.compile(r"\(signal (6|7|8|11)\)")
 """The end of a process by what it does to memory: SIGABRT, SIGBUS, SIGFPE, SIGSEGV."""
 
+ANTICLOCKWISE = (
+    "A frequent cause is a bearing, a motion or a way back that is counted anticlockwise; all of "
+    "them count darts clockwise."
+)
+"""The advice for an answer that is no map."""
+
 SANITIZER = (
     "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
     "come long before: compile with -g -fsanitize=address,undefined to see the line."
@@ -87,6 +93,8 @@ def tell_no_estimate(story: Story) -> Telling:
     if built:
         told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
         told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
+    if any(percept.bearing is not None for percept in story.sensed):
+        told.append(ANTICLOCKWISE)
     told += _tell_first_wrong(story)
     return Telling([*told, _say_last_step(story)], story.checkpoint)
 
