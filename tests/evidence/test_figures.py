@@ -157,7 +157,9 @@ def test_an_interrupted_figure_is_drawn_as_far_as_it_came(small, monkeypatch, tm
 
 @pytest.fixture(scope="module")
 def cells():
-    return figure_bounds(3, Limits(), Silent())
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("allworlds.evidence.figures.bounds.MOST_FAR", 2)
+        return figure_bounds(3, Limits(), Silent())
 
 
 def test_the_optimum_of_all_sizes_together_is_no_less_than_that_of_each(cells):
@@ -175,11 +177,23 @@ def test_a_worst_case_above_the_bound_or_below_the_optimum_is_refuted(cells):
     for spoilt in ({"worst": 10**6}, {"worst": 0, "best": 0}, {"optimum": 10**6}):
         wrong = (replace(cells.cells[-1], **spoilt), *cells.cells[:-1])
         assert verdict_of(replace(cells, cells=wrong)) is Verdict.REFUTED
+    for spoilt in ({"cost": 95}, {"cost": 10**6}):
+        wrong = (replace(cells.corridors[0], **spoilt), *cells.corridors[1:])
+        assert verdict_of(replace(cells, corridors=wrong)) is Verdict.REFUTED
     some = structs.replace(cells.report, ending=Interrupted())
     assert verdict_of(replace(cells, report=some)) is Verdict.INCONCLUSIVE
     disagrees = structs.replace(cells.report.rows[0], worlds=7)
     error = structs.replace(cells.report, rows=(disagrees,))
     assert verdict_of(replace(cells, report=error)) is Verdict.ERROR
+
+
+def test_the_costs_against_the_adversary_stand_in_the_table(cells):
+    header, rows = cells.table()
+    first, second = (dict(zip(header, row, strict=True)) for row in rows[-2:])
+    # docs/explorers.md, the table of the adversary.
+    assert (first["edges"], first["vertices"], first["adversary"]) == (28, 4, 882)
+    assert first["testers_at_least"] == 96
+    assert (second["far_hubs"], second["edges"], second["adversary"]) == (2, 91, 11735)
 
 
 def test_nothing_known_is_drawn_as_nothing(cells, monkeypatch, tmp_path):

@@ -10,13 +10,18 @@ from typing import Any
 from allworlds.engines import Limits, Listener
 from allworlds.evidence.figures.drawn import Table
 from allworlds.judging import paper_bound
+from allworlds.maps import CorridorShape, usual_degree
 from allworlds.outcome import Facts
 from allworlds.studies.optimum import minimax
+from allworlds.studies.run import run
 from allworlds.studies.worst import WorstReport, worst
-from allworlds.world import Directional, worlds
+from allworlds.world import Adversary, Directional, worlds
 
 MOST_OPTIMAL = 4
 """The largest number of edges for which the optimum is searched for: some seconds."""
+
+MOST_FAR = 3
+"""The largest number of far hubs of the corridors in which an adversary plays: some seconds."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,16 +49,41 @@ class BoundsCell:
 
 
 @dataclass(frozen=True, slots=True)
+class CorridorCell:
+    """Corridors with one number of far hubs.
+
+    Attributes:
+        far: that number.
+        edges, vertices: the size.
+        cost: that of Algorithm 1 against the adversary.
+        least: the least cost of a tester against it, by the theorem.
+    """
+
+    far: int
+    edges: int
+    vertices: int
+    cost: int
+    least: int
+
+    @property
+    def bound(self) -> int:
+        """The bound (1) + (2)."""
+        return paper_bound(self.vertices, self.edges)
+
+
+@dataclass(frozen=True, slots=True)
 class BoundsFigure:
-    """Worst cases and optima by size.
+    """Worst cases and optima by size, and costs against the adversary of corridors.
 
     Attributes:
         report: the worst cases, counted and replayed.
         cells: ascending by edges and vertices.
+        corridors: ascending by far hubs.
     """
 
     report: WorstReport
     cells: tuple[BoundsCell, ...]
+    corridors: tuple[CorridorCell, ...]
 
     is_sample = False
 
@@ -62,15 +92,21 @@ class BoundsFigure:
         """Whether no schedule exceeds the bound, and no cost is below a known lower bound."""
         kept = all(cell.edges <= cell.best <= cell.worst <= cell.bound for cell in self.cells)
         possible = all(cell.optimum is None or cell.optimum <= cell.worst for cell in self.cells)
+        between = all(cell.least <= cell.cost <= cell.bound for cell in self.corridors)
         found = self.report.facts
-        return found._replace(refuted=found.refuted or not (kept and possible))
+        return found._replace(refuted=found.refuted or not (kept and possible and between))
 
     def table(self) -> Table:
         """Rows, one for each size."""
         header = ["edges", "vertices", "bound_1_plus_2", "worst", "best_schedule"]
-        header += ["optimum", "every_edge_once"]
-        return header, [
-            [c.edges, c.vertices, c.bound, c.worst, c.best, c.optimum, c.edges] for c in self.cells
+        header += ["optimum", "every_edge_once", "far_hubs", "adversary", "testers_at_least"]
+        rows = [
+            [c.edges, c.vertices, c.bound, c.worst, c.best, c.optimum, c.edges, None, None, None]
+            for c in self.cells
+        ]
+        return header, rows + [
+            [c.edges, c.vertices, c.bound, None, None, None, c.edges, c.far, c.cost, c.least]
+            for c in self.corridors
         ]
 
     def caption(self) -> Sequence[str]:
@@ -98,7 +134,12 @@ class BoundsFigure:
             f"loosest with m = {loosest.edges}, n = {loosest.vertices}, where it is {times} times "
             f"the worst case: {loosest.bound} and {loosest.worst}."
         )
-        return shown, optimum, attained
+        corridors = (
+            "The last panel: corridors, a family in which every tester of hypotheses needs the "
+            "order of (1)+(2). There Algorithm 1 plays against an adversary that decides the "
+            "world as late as it can; below it the cost that is proved for every tester."
+        )
+        return shown, optimum, attained, corridors
 
     def draw(self, figure: Any) -> None:
         """Draw a panel for each number of vertices."""
@@ -106,12 +147,13 @@ class BoundsFigure:
         for cell in self.cells:
             by_vertices[cell.vertices].append(cell)
         columns = 3
-        lines = max(1, -(-len(by_vertices) // columns))
+        lines = -(-(len(by_vertices) + 1) // columns)
         figure.set_size_inches(10, 3 * lines + 0.6)
         panels = figure.subplots(lines, columns, squeeze=False).flat
         for (vertices, cells), panel in zip(sorted(by_vertices.items()), panels, strict=False):
             _panel(panel, vertices, cells)
-        for panel in list(panels):
+        _corridors(figure.axes[len(by_vertices)], self.corridors)
+        for panel in figure.axes[len(by_vertices) + 1 :]:
             panel.set_visible(False)
         first = figure.axes[0].get_legend_handles_labels()
         figure.legend(*first, loc="outside lower center", ncols=5, fontsize="small")
@@ -129,15 +171,36 @@ def _panel(axes: Any, vertices: int, cells: Sequence[BoundsCell]) -> None:
     axes.set_xticks(edges)
 
 
+def _corridors(axes: Any, cells: Sequence[CorridorCell]) -> None:
+    edges = [cell.edges for cell in cells]
+    axes.plot(edges, [c.bound for c in cells], "k_-", linewidth=1)
+    axes.plot(edges, [c.cost for c in cells], "o-", markersize=4, label="against the adversary")
+    axes.plot(edges, [c.least for c in cells], "v-", markersize=4, label="every tester, proved")
+    axes.plot(edges, edges, "k:", linewidth=1)
+    axes.set(title="corridors", xlabel="edges", ylabel="traversals", yscale="log")
+    axes.set_xticks(edges)
+    axes.legend(fontsize="x-small")
+
+
 def figure_bounds(edges: int, limits: Limits, listener: Listener) -> BoundsFigure:
-    """Compute worst cases for all sizes up to the limit, and optima as far as they are known."""
+    """Compute worst cases for all sizes up to the limit, optima and costs in corridors.
+
+    Optima and corridors go as far as some seconds allow.
+    """
     report = worst(edges=edges, workers=limits.workers, listener=listener)
     optima = _optima(min(edges, MOST_OPTIMAL))
     cells = [
         BoundsCell(r.edges, r.vertices, r.worst, r.best, optima.get((r.edges, r.vertices)))
         for r in report.rows
     ]
-    return BoundsFigure(report, tuple(cells))
+    return BoundsFigure(report, tuple(cells), tuple(map(_in_corridors, range(1, MOST_FAR + 1))))
+
+
+def _in_corridors(far: int) -> CorridorCell:
+    shape = CorridorShape(far, usual_degree(far))
+    made = run("algorithm1", Adversary(shape, 1)).adversary
+    assert made is not None
+    return CorridorCell(far, shape.edges, shape.hubs + 1, made.cost, shape.bound_of_testers)
 
 
 def _optima(edges: int) -> dict[tuple[int, int], int]:
