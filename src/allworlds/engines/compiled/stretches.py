@@ -29,10 +29,11 @@ from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.comparison import nondeterministic
 from allworlds.engines.python.earlier_plays import KEPT, EarlierPlays
 from allworlds.engines.python.examiner import LOST, Outcome, Referee
+from allworlds.engines.python.players import OneRun
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
-from allworlds.engines.python.second_play import OneRun, PlayedTwice
+from allworlds.engines.python.second_play import PlayedTwice
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import SPELL
 from allworlds.judging import Fault, Finding, Log, LostRun, UncheckedAnswer, Violation, retold

@@ -20,10 +20,11 @@ from allworlds.engines.python.examiner import LOST, Outcome, name_run
 from allworlds.engines.python.hash_seeds import LAYOUTS
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.play import Record
+from allworlds.engines.python.players import OneRun, Players
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.runs_of_unit import GivenWorlds
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.python.second_play import OneRun, PlayedTwice, Players
+from allworlds.engines.python.second_play import PlayedTwice
 from allworlds.engines.python.tour import SEEDS, Tour
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject

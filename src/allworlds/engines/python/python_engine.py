@@ -9,9 +9,10 @@ from typing import Any
 
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.examiner import Examiner, name_run
+from allworlds.engines.python.players import Players
 from allworlds.engines.python.run_counter import REPORT_EVERY, PartwiseEngine, RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.python.second_play import PlayedTwice, Players
+from allworlds.engines.python.second_play import PlayedTwice
 from allworlds.engines.python.tally import Tally
 from allworlds.explorers import Subject
 

@@ -35,7 +35,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from allworlds.document import replace
 from allworlds.engines.isolation.jobs import Unsettled
@@ -57,14 +57,14 @@ from allworlds.engines.python.hash_seeds import (
     seeds_explain,
 )
 from allworlds.engines.python.play import Record
+from allworlds.engines.python.players import OneRun, Players, ScriptTracker, placed_run
 from allworlds.engines.python.run_counter import REPORT_EVERY, RunCounter
 from allworlds.engines.python.runs_of_unit import GivenWorlds, NumberedRun, UnitOfRuns
 from allworlds.engines.python.tally import Tally
-from allworlds.engines.python.tour import Tour
 from allworlds.explorers import is_library
 from allworlds.judging import Episode, Fault, Finding, Log, LostRun, Over, retold
-from allworlds.protocol import DEFAULT_POLICY, next_script
-from allworlds.world import IllegalAction, World
+from allworlds.protocol import DEFAULT_POLICY
+from allworlds.world import IllegalAction
 
 MANY = 1024
 """The greatest number of runs among which the order is drawn."""
@@ -83,101 +83,6 @@ be silent in any case."""
 OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
 )
-
-
-class Players(Protocol):
-    """The two players of an explorer: in this process, or in others that may be lost."""
-
-    def play_runs(
-        self,
-        engine: RunCounter,
-        unit: UnitOfRuns,
-        numbers: Sequence[int],
-        script: tuple[int, ...] | None = None,
-    ) -> Iterator[list[tuple[int, Log]]]:
-        """Yield the logs of these runs of the unit, some at a time, each with its number.
-
-        A run that has killed its process twice has one log, with that fault.
-        """
-
-    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
-        """Begin to play these once more, in another order, without a world.
-
-        If ``plain``, each is played from its start, as in the first play, and not by copies.
-        """
-
-    @property
-    def answer_timeout(self) -> float:
-        """The seconds after which a silent run is given up; infinite if it is waited for."""
-
-    @property
-    def copies(self) -> bool:
-        """Whether an explorer goes on from copies of itself in the second play."""
-
-    def receive_logs(self) -> list[Log]:
-        """Return the logs of the records that were sent, in their order."""
-
-    def restart(self) -> None:
-        """Go on in fresh processes."""
-
-    @property
-    def tour(self) -> Tour:
-        """The hash seeds of both."""
-
-    def take_places(self, seed: int, turn: int, *, alike: bool) -> None:
-        """Go on in fresh processes; see the attributes of :class:`Tour`."""
-
-
-@dataclass(frozen=True, slots=True)
-class OneRun:
-    """A run of a unit: its number there, the number of its place, and its world."""
-
-    number: int
-    place: int
-    world: World
-
-
-def placed_run(run: NumberedRun) -> OneRun:
-    """A run that has a place."""
-    assert run.lighthouse is not None
-    return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
-
-
-@dataclass(slots=True)
-class ScriptTracker:
-    """The script of each run's next log: one log for a run, or one for each schedule.
-
-    Attributes:
-        every: whether every schedule is due.
-        scripts: for each run the first choices of its next log, all others being 0 where
-            every schedule is due; None behind the last.
-    """
-
-    every: bool
-    scripts: dict[int, tuple[int, ...] | None]
-
-    def take(self, number: int, log: Log) -> tuple[tuple[int, ...], bool]:
-        """The script of the next log of a run, and whether this is its log.
-
-        Raises:
-            RuntimeError: if the run has no more logs.
-        """
-        script = self.scripts.get(number)
-        if script is None:
-            raise RuntimeError(f"a player has told more of run {number} than it was asked for")
-        if isinstance(log.ending, LostRun) or not self.every:
-            self.scripts[number] = None
-            return script, True
-        length = max(len(script), len(log.choices))
-        due = (script + (0,) * length)[:length]
-        self.scripts[number] = next_script(log.choices, log.widths)
-        return script, log.choices == due and len(log.widths) == len(log.choices)
-
-    def finish(self) -> None:
-        """Raise RuntimeError unless every run has had its last log."""
-        left = [number for number, script in self.scripts.items() if script is not None]
-        if left:
-            raise RuntimeError(f"a player has told that run {left[0]} is done, and not how")
 
 
 class _Play(NamedTuple):
