@@ -206,6 +206,20 @@ def test_nothing_known_is_drawn_as_nothing(cells, monkeypatch, tmp_path):
 # ---------------------------------------------------------------- files
 
 
+def test_a_panel_is_drawn_for_each_size_and_one_for_corridors(small, cells, monkeypatch, tmp_path):
+    pytest.importorskip("matplotlib")
+    for name, drawn in (("3", small), ("bounds", cells)):
+        monkeypatch.setattr(
+            f"allworlds.evidence.figures.figure_table.figure_{name}", lambda *_, drawn=drawn: drawn
+        )
+        shown = figure(name, out=str(tmp_path / f"{name}.svg")).path.read_text(encoding="utf-8")
+        if name == "bounds":
+            assert all(f">n = {vertices}<" in shown for vertices in (1, 2, 3, 4))
+            assert ">corridors<" in shown
+        else:
+            assert "algorithm1, lifo" in shown
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["1", "2", "3", "bounds"])
 def test_a_figure_is_the_same_each_time_and_its_data_stand_beside_it(

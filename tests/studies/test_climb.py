@@ -329,14 +329,18 @@ def test_by_size_the_csv_has_a_line_for_each_row_with_its_ratio(report):
         report.records("edge")
 
 
-@pytest.mark.slow
-def test_the_plot_is_the_same_for_the_same_report(report):
+def test_the_plot_names_its_families_and_explorers(report):
     pytest.importorskip("matplotlib")
     plot = file_of("compare", "plot", report)
-    assert plot == file_of("compare", "plot", report)
     assert "<svg" in plot
     assert all(text in plot for text in ("lattice", "thick", "greedy", "algorithm1"))
     assert "exact" not in plot
+
+
+@pytest.mark.slow
+def test_the_plot_is_the_same_for_the_same_report(report):
+    pytest.importorskip("matplotlib")
+    assert file_of("compare", "plot", report) == file_of("compare", "plot", report)
     assert ">greedy, exact<" in file_of("compare", "plot", compare("greedy", family="torus", to=18))
 
 
