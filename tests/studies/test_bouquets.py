@@ -46,7 +46,7 @@ def logs(worlds, walk):
     return parts
 
 
-@pytest.mark.parametrize("length", [0, 1, 2, 3, 4, 5])
+@pytest.mark.parametrize("length", [0, 1, 2, 3, 4, pytest.param(5, marks=pytest.mark.slow)])
 def test_no_walk_of_fixed_motions_tells_more_apart_than_the_bound(length):
     every = [*bouquets(3)]
     most = max(len(logs(every, walk)) for walk in product(range(7), repeat=length))
