@@ -264,7 +264,7 @@ right_census, right_compare, right_optimum = position.census, complexity.compare
 
 
 def excluding_none(name: str, adversary: Any) -> Any:
-    """A run against an adversary that had to exclude no pair, as of an explorer that is no tester."""
+    """A run against an adversary that had to exclude no pair: one of no tester."""
     told = run(name, adversary)
     made = SimpleNamespace(cost=told.adversary.cost, same=told.adversary.same, excluded=0)
     return SimpleNamespace(adversary=made, finding=told.finding)

@@ -42,9 +42,37 @@ def test_an_end_by_damaged_memory_tells_how_its_place_is_found(end, advised, fin
 
 def test_a_line_without_an_action_tells_where_output_for_debugging_goes(finding_of):
     finding = replace(finding_of("drops-markers"), explorer="exec:./mine", detail="")
-    for seen in ("a line that is no JSON: 'x'", "the line {}: it has none of the keys move"):
+    for seen in ("a line that is no JSON: 'x'", "the line {'a': 1}: it has none of the keys move"):
         assert "goes to stderr" in explain(replace(finding, seen=seen)).sentences[1]
-    assert "stderr" not in " ".join(explain(replace(finding, seen="a Drop")).sentences)
+    empty = " ".join(
+        explain(replace(finding, seen="the line {}: it has none of the keys")).sentences
+    )
+    assert "Was a value undefined" in empty
+    for told in (empty, " ".join(explain(replace(finding, seen="a Drop")).sentences)):
+        assert "stderr" not in told
+
+
+def test_a_program_that_prints_out_of_turn_is_told_so_even_where_its_plays_differ(finding_of):
+    seen = "the second answer differs; the second ended with: a line before it was asked"
+    finding = replace(
+        finding_of("crashes-at-leaves"), law="nondeterministic", seen=seen, explorer="exec:./mine"
+    )
+    assert "goes to stderr" in explain(finding).sentences[1]
+    kept = explain(replace(finding, seen="the second answer differs")).sentences[1]
+    assert "Does it keep something" in kept
+
+
+def test_a_panic_is_quoted_and_not_taken_for_damaged_memory(finding_of):
+    said = "thread 'x' panicked at w.rs:104:27:\nindex out of bounds\nnote: run with RUST_BACKTRACE"
+    finding = replace(
+        finding_of("crashes-at-leaves"),
+        seen="the end of its process (signal 6)",
+        detail="",
+        output=said,
+    )
+    told = explain(finding).sentences
+    assert told[1] == "It said: thread 'x' panicked at w.rs:104:27: index out of bounds"
+    assert "sanitize" not in " ".join(told)
 
 
 def test_a_run_that_ends_at_the_start_has_no_last_step(told):

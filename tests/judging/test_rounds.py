@@ -7,6 +7,7 @@ import pytest
 
 from allworlds import Checkpoint, CombinatorialMap, Move
 from allworlds.judging import explain
+from allworlds.judging.explanations.by_law import SHOW
 from allworlds.judging.explanations.rounds import LONGEST, WAY_BACK, Round, round_at_the_end
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, world_named
@@ -52,9 +53,10 @@ def test_who_walks_round_a_face_is_told_so():
     assert told[1].startswith("From step 1 on it repeated ")
     length = int(told[1].split()[6])
     assert length in (3, 4)  # the degree of the face, and perhaps its vertices
-    assert len(told) == 3
-    assert "8 times the paper's bound, and 100 more: 8 x (" in told[2]
-    assert "--step-budget N" in told[2]
+    assert len(told) == 4
+    assert told[-2] == SHOW
+    assert "8 times the paper's bound, and 100 more: 8 x (" in told[3]
+    assert "--step-budget N" in told[3]
 
 
 def test_who_wanders_is_told_when_nothing_was_new_any_more():
@@ -80,7 +82,7 @@ def test_edges_that_were_never_walked_are_counted():
             for _ in range(2 * n):
                 yield Move(0)
 
-    _, told, back, _ = explained(in_one_face, "cube")
+    _, told, back, _, _ = explained(in_one_face, "cube")
     assert told.endswith("it met no new edge; 8 edges it never met.")
     assert back.startswith("If a way back begins at step 5: motions a, b, c are undone")
 
@@ -118,7 +120,7 @@ def test_a_wrong_way_back_is_named_where_every_edge_was_walked():
             for motion in (isqrt(k), 1, 0):
                 yield Move(motion)
 
-    _, walked, why, back, _ = explained(forgetting, "theta")
+    _, walked, why, back, _, _ = explained(forgetting, "theta")
     assert "it had walked every edge of the world" in walked
     assert "the robot is not where the explorer believes" in why
     assert back == f"If a way back begins at step 3: {WAY_BACK}."
@@ -173,3 +175,39 @@ def test_who_does_not_ask_for_invariants_is_not_told_of_checkpoints():
 
     assert run(explore, LOOP).finding.step == 0
     assert run(explore, LOOP, laws=["map", "pose"]).finding.step is None
+
+
+def shows(*checkpoint):
+    def explore(_):
+        yield Move(0)
+        yield Checkpoint(*checkpoint)
+        raise ArithmeticError
+
+    return explore
+
+
+@pytest.mark.parametrize(
+    ("checkpoint", "wrong"),
+    [
+        (((0, 2, 3, 1), (1, 1, 2, 3), 1), "dart 1 is in U, but it is the other end of"),
+        (((0, 2, 1), (1, 0, 2), 1), "sigma(2) = 1 does not fit the world at the end of the walk"),
+        (((0, 2, 3, 1), (1, 0, 2, 3), 2), "S is right, but here = 2, where the robot stands at d"),
+    ],
+)
+def test_what_is_wrong_with_a_checkpoint_is_named(checkpoint, wrong):
+    """The world is an edge with a loop at its far end; the robot has come there by the edge."""
+    world = World(CombinatorialMap((0, 2, 3, 1), (1, 0, 3, 2)), Directional(0), 0)
+    finding = run(shows(*checkpoint), world).finding
+    assert finding.step == 1
+    assert wrong in finding.wrong_checkpoint
+    assert finding.wrong_checkpoint in " ".join(explain(finding).sentences)
+
+
+def test_a_walk_that_ends_in_checkpoints_is_told_so():
+    def explore(_):
+        yield Move(0)
+        while True:
+            yield Checkpoint((1, 0), (1, 0), 0)
+
+    told = explain(run(explore, LOOP).finding).sentences
+    assert told[1] == "After step 1 it only showed checkpoints."

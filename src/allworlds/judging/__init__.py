@@ -100,6 +100,7 @@ if TYPE_CHECKING:
     )
     from allworlds.judging.laws.case import Case as Case, Violation as Violation
     from allworlds.judging.laws.folding import fold as fold
+    from allworlds.judging.laws.invariants import first_wrong as first_wrong
     from allworlds.judging.laws.law_table import (
         ASKED as ASKED,
         JUDGED as JUDGED,

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from allworlds.engines.python.examiner import LOST, Outcome
+from allworlds.engines.python.play import RECORD_ENDS
 from allworlds.inputs import show
 from allworlds.judging import (
     COPIES,
@@ -62,6 +63,8 @@ def difference_of(first: Log, second: Log) -> Violation | None:
         same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
         where = "in its length" if same is None else f"at step {same + 1}"
         difference = f"the second walk differs {where}"
+    elif _goes_on(second) and not isinstance(first.ending, Fault):
+        return nondeterministic("the second walk goes on where the first one ended")
     elif _meaning(first) != _meaning(second):
         difference = "the second answer differs"
     else:
@@ -72,6 +75,11 @@ def difference_of(first: Log, second: Log) -> Violation | None:
         if isinstance(log.ending, Fault) and not (left and log.ending.law == "illegal-action"):
             difference += f"; the {which} ended with {log.ending.law}: {log.ending.seen}"
     return nondeterministic(difference)
+
+
+def _goes_on(second: Log) -> bool:
+    """Whether a second play acts where the percepts of the first one end."""
+    return isinstance(second.ending, Fault) and second.ending.expected == RECORD_ENDS
 
 
 def side_by_side(first: Log, second: Log) -> str:

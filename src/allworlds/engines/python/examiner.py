@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import MutableSequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from allworlds.explorers import Subject
@@ -22,6 +22,7 @@ from allworlds.judging import (
     any_ending_of,
     canonical_world,
     ending_of,
+    first_wrong,
     judge,
     place_of,
     play,
@@ -109,8 +110,9 @@ class Referee:
         assert outcome.violation is not None
         violation, ending = outcome.violation, outcome.episode.ending
         canonical = canonical_world(world)
+        wrong = None
         if isinstance(ending, Fault):
-            violation = replace(violation, step=self._wrong_checkpoint(world, outcome.episode))
+            wrong = self._wrong_checkpoint(world, outcome.episode)
         else:
             # What was expected and seen may name darts: judge again under the canonical names.
             again = self.verdict(canonical, outcome.episode, outcome.bound)
@@ -125,19 +127,19 @@ class Referee:
             expected=violation.expected,
             seen=violation.seen,
             detail=outcome.detail,
-            step=violation.step,
+            step=wrong[0] if wrong else violation.step,
+            wrong_checkpoint=wrong[1] if wrong else "",
             machine=isinstance(ending, Fault) and ending.machine,
             hash_seed=outcome.hash_seed,
             output=outcome.output,
         )
 
-    def _wrong_checkpoint(self, world: World, episode: Episode) -> int | None:
-        """The steps before the first checkpoint with a wrong S, in a run without an answer."""
+    def _wrong_checkpoint(self, world: World, episode: Episode) -> tuple[int, str] | None:
+        """The first wrong checkpoint of a run without an answer, and what is wrong with it."""
         if "invariant-1" not in self.rules.applying:
             return None
         case = Case(world.map, world.start, episode.transcript, episode.checkpoints, None, None)
-        violation = LAWS["invariant-1"].check(case)
-        return violation.step if violation else None
+        return first_wrong(case)
 
     def lost(self, world: World, place: int, fault: Fault) -> Finding:
         """The finding of a run that has killed its process, so that its walk is not known."""

@@ -37,6 +37,10 @@ class Record(NamedTuple):
     over: bool = False
 
 
+RECORD_ENDS = "nothing: the record ends here"
+"""What is expected of an explorer at the end of its recorded percepts."""
+
+
 class Recorded:
     """An environment in place of a world: answers every action with the next recorded percept.
 
@@ -55,7 +59,7 @@ class Recorded:
             IllegalAction: past the end of the record.
         """
         if state + 1 == len(self._percepts):
-            raise IllegalAction("nothing: the record ends here")
+            raise IllegalAction(RECORD_ENDS)
         self.over = self._ends and state + 2 == len(self._percepts)
         return state + 1, self._percepts[state + 1]
 

@@ -35,11 +35,25 @@ FLUSH = (
 NO_ACTION = ("a line that is no JSON", "a line that is no object", "it has none of the keys")
 """Words of the observation of a program that prints anything else than actions."""
 
+LATE = ("a line before it was asked", "a line after its answer")
+"""Words of the observation of a program that prints when it is not its turn."""
+
 STDOUT = "The program's stdout is for its actions alone: output for debugging goes to stderr."
 """The advice for it."""
 
+PANIC = "panicked at"
+"""Words by which a program in Rust says itself why and where it ends."""
+
 OUTSIDE = re.compile(r"\(signal (6|7|8|11)\)")
 """The end of a process by what it does to memory: SIGABRT, SIGBUS, SIGFPE, SIGSEGV."""
+
+SHOW = "An explorer that shows a checkpoint after each edge is told the first wrong one."
+"""The advice for a walk without an end."""
+
+UNDEFINED = (
+    "Was a value undefined: a return that was forgotten, or a generator that had ended already?"
+)
+"""The question about an empty object, which is how JavaScript writes such a value."""
 
 ANTICLOCKWISE = (
     "A frequent cause is a bearing, a motion or a way back that is counted anticlockwise; all of "
@@ -78,7 +92,9 @@ def tell_crash(story: Story) -> Telling:
     """Tell the error, then the last step; for damaged memory how its place is found."""
     told = ending(f"The explorer crashed: {story.finding.seen}.")(story)
     if OUTSIDE.search(str(story.finding.seen)):
-        told.sentences.insert(1, SANITIZER)
+        said = f"{story.finding.detail}\n{story.finding.output}"
+        panic = PANIC in said
+        told.sentences.insert(1, f"It said: {telling_line(said)}" if panic else SANITIZER)
     return told
 
 
@@ -93,7 +109,7 @@ def tell_no_estimate(story: Story) -> Telling:
     if built:
         told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
         told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
-    if any(percept.bearing is not None for percept in story.sensed):
+    if built and "must be a permutation" in message:
         told.append(ANTICLOCKWISE)
     told += _tell_first_wrong(story)
     return Telling([*told, _say_last_step(story)], story.checkpoint)
@@ -103,7 +119,9 @@ def tell_illegal_action(story: Story) -> Telling:
     """Tell the ending, and for a line that is no action what stdout is for."""
     told = ending("The explorer did what no robot can do here.")(story)
     seen = str(story.finding.seen)
-    if is_program(story.finding.explorer) and any(words in seen for words in NO_ACTION):
+    if is_program(story.finding.explorer) and seen.startswith("the line {}:"):
+        told.sentences.insert(1, UNDEFINED)
+    elif is_program(story.finding.explorer) and any(words in seen for words in NO_ACTION):
         told.sentences.insert(1, STDOUT)
     return told
 
@@ -111,7 +129,10 @@ def tell_illegal_action(story: Story) -> Telling:
 def tell_nondeterministic(story: Story) -> Telling:
     """Tell that two plays differ, and what is mostly the cause."""
     told = ["In a second run of the same world the explorer acted differently."]
-    if COPIES not in str(story.finding.seen):  # which asks a question of its own
+    seen = str(story.finding.seen)
+    if is_program(story.finding.explorer) and any(words in seen for words in LATE):
+        told.append(STDOUT)
+    elif COPIES not in seen:  # which asks a question of its own
         told.append(KEPT)
     return Telling([*told, _say_last_step(story)])
 
@@ -127,7 +148,11 @@ def tell_timeout(story: Story) -> Telling:
 def tell_budget(story: Story) -> Telling:
     """Tell whose the budget is, and whether the robot went round, or found no new edge."""
     how = "The explorer did not end within its step budget, so the run was stopped."
-    why = _tell_first_wrong(story) or tell_rounds(story) or [_say_last_step(story)]
+    why = _tell_first_wrong(story)
+    if not why and str(story.finding.seen).startswith("checkpoint "):
+        why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
+    if not why:
+        why = [*(tell_rounds(story) or [_say_last_step(story)]), SHOW]
     return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
 
 
@@ -136,10 +161,10 @@ def _tell_first_wrong(story: Story) -> list[str]:
     if story.checkpoint is None:
         return []
     step = story.checkpoint
+    what = story.finding.wrong_checkpoint or "it shows another S than the explored part"
     told = (
-        f"The checkpoint after step {step} is wrong already: what was published there as S, the "
-        "explored part, does not lie so in the world. Mend that first: all that followed may be "
-        "built on it."
+        f"The checkpoint after step {step} is wrong already: {what}. Mend that first: all that "
+        "followed may be built on it."
     )
     return [told]
 

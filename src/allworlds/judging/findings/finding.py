@@ -96,9 +96,12 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
         IfAny[Natural | None],
         about(
             "how many steps came before the checkpoint that breaks the law; in a run without an "
-            "answer, before the first checkpoint with a wrong S"
+            "answer, before the first wrong checkpoint"
         ),
     ] = None
+    wrong_checkpoint: Annotated[
+        IfAny[str], about("what is wrong with that checkpoint, in a run without an answer")
+    ] = ""
     detail: Annotated[
         IfAny[str],
         about(

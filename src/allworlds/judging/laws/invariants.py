@@ -7,7 +7,7 @@ the explored edges, because S is connected.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count
 from operator import ne
 
@@ -123,6 +123,27 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
             f"dart {image.index(-1)} of S is not connected with the robot's dart"
         )
     return image
+
+
+def first_wrong(case: Case) -> tuple[int, str] | None:
+    """The steps before the first checkpoint that breaks an invariant, and what is wrong with it.
+
+    Where S is right with another ``here``, that is what is wrong.
+    """
+    for steps, checkpoint in case.checkpoints:
+        single = replace(case, checkpoints=((steps, checkpoint),))
+        broken = invariant_2(single) or invariant_1(single)
+        if broken is None:
+            continue
+        darts = len(checkpoint.sigma)
+        for here in range(darts if darts <= len(case.map.sigma) else 0):
+            other = replace(checkpoint, here=here)
+            moved = replace(case, checkpoints=((steps, other),))
+            if not invariant_2(moved) and not invariant_1(moved):
+                stands = f"the robot stands at dart {here} of it"
+                return steps, f"S is right, but here = {show(checkpoint.here)}, where {stands}"
+        return steps, str(broken.seen).removeprefix(f"{at_checkpoint(steps)}: ")
+    return None
 
 
 def at_checkpoint(steps: int) -> str:
