@@ -173,10 +173,18 @@ def test_an_explorer_that_is_too_long_in_being_imported_is_refused_by_name(tmp_p
         check(f"{module}:explore", edges=1, start_timeout=1)
 
 
-@pytest.mark.parametrize("name", ["{}:explore", "native:{}"])
-def test_a_loop_of_links_is_no_file(tmp_path, name):
+@pytest.mark.parametrize("name", ["{}:explore", "{}", "native:{}", "exec:{}", "exec:python3 {}"])
+def test_a_loop_of_links_is_no_file_and_is_told_as_what_it_is(tmp_path, name):
     one, other = tmp_path / "one.py", tmp_path / "other.py"
     one.symlink_to(other)
     other.symlink_to(one)
-    with pytest.raises(InputError, match="there is no"):
+    with pytest.raises(InputError, match=r"one\.py'.* is a loop of links"):
         check(name.format(one), edges=1)
+
+
+@pytest.mark.parametrize("option", ["where", "task", "lighthouse"])
+def test_a_loop_of_links_is_no_model(tmp_path, option):
+    loop = tmp_path / "loop.py"
+    loop.symlink_to(loop)
+    with pytest.raises(InputError, match=r"loop\.py' is a loop of links"):
+        check(edges=1, **{option: f"{loop}:Model"})

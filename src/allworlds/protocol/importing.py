@@ -19,7 +19,15 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from allworlds.inputs import SHOWN, InputError, existing_file, let_users_interrupt, read_text, show
+from allworlds.inputs import (
+    SHOWN,
+    InputError,
+    existing_file,
+    let_users_interrupt,
+    no_file,
+    read_text,
+    show,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +58,7 @@ def text_of(place: str) -> SourceText | None:
         return None
     file = existing_file("file", place)
     if file is None:
-        raise InputError(f"there is no file {show(place)}")
+        raise InputError(no_file(place))
     return SourceText(str(file), read_text(str(file)))
 
 
