@@ -114,8 +114,15 @@ def imported(name: str, importing: Callable[[], Any]) -> Any:
     return attempted(f"{show(name)} does not import:", importing)
 
 
+class TooLate(BaseException):
+    """Raised inside code of the user's whose time is over.
+
+    It is no Exception: code that catches those does not go on.
+    """
+
+
 def attempted(what: str, act: Callable[[], Any]) -> Any:
-    """The result of an action of the user's code, however long it takes.
+    """The result of an action of the user's code, which has no limit of time here.
 
     Raises:
         InputError: beginning with these words, if it raises.
@@ -124,6 +131,8 @@ def attempted(what: str, act: Callable[[], Any]) -> Any:
         # What a module prints must not get into a document on stdout.
         with redirect_stdout(sys.stderr):
             return act()
+    except TooLate:
+        raise
     except BaseException as error:  # noqa: BLE001  # a module may raise anything
         let_users_interrupt(error)
         raise InputError(f"{what} {said(error)}") from None
