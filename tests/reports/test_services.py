@@ -69,6 +69,8 @@ def test_no_line_of_a_file_is_a_command_because_of_an_explorer(form, tmp_path):
     file = tmp_path / "commands.py"
     file.write_text(COMMANDS)
     report = check(f"{file}:explore", edges=1)
+    for text in (str(report), finding_text(report.findings[0], 80)):
+        assert not re.search(r"\n\s*::|##\[|\u200b", text)
     lines = file_of("check", form, report).splitlines()
     ours = len(report.findings) if form == "annotations" else 0
     assert sum(line.lstrip().startswith("::") for line in lines) == ours

@@ -99,14 +99,14 @@ def text(verb: str, result: Any, width: int) -> str:
     """The text of a verb's result for a terminal with so many columns."""
     from allworlds.reports.plain_text import text
 
-    return text(told(verb, result), width)
+    return harmless(text(told(verb, result), width))
 
 
 def brief(verb: str, result: Any, width: int) -> str:
     """Return the text that ``--quiet`` leaves: one line where there is a verdict, else all."""
     from allworlds.reports.plain_text import brief
 
-    return brief(told(verb, result), width)
+    return harmless(brief(told(verb, result), width))
 
 
 def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
@@ -114,7 +114,7 @@ def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
     from allworlds.reports.plain_text import text_of
     from allworlds.reports.tellings.finding import finding_section
 
-    return text_of([finding_section(finding, number)], width)
+    return harmless(text_of([finding_section(finding, number)], width))
 
 
 def file_of(verb: str, form: str, result: Any) -> str:
