@@ -33,6 +33,7 @@ from allworlds.engines.isolation.guardian_requests import (
 )
 from allworlds.engines.isolation.jobs import GuardianLost, HarnessError
 from allworlds.engines.isolation.messages import Failure, Refusal, read_message
+from allworlds.engines.isolation.process_tree import is_stopped, kill_tree
 from allworlds.explorers import HASH_SEED
 from allworlds.inputs import InputError
 
@@ -50,7 +51,13 @@ ANSWERS = 120.0
 """Seconds in which a guardian that is alive answers, however busy the machine."""
 
 WAKE = 1.0
-"""Seconds of silence after which a guardian or a referee is woken, in case it was stopped."""
+"""Seconds of silence after which a referee and its guardian are woken: they may be stopped."""
+
+LOOK = 0.05
+"""Seconds between two looks at a guardian that does not answer."""
+
+MOST_STOPS = 20
+"""The number of looks at which a process may be found stopped, although it is always woken."""
 
 STALL = 10
 """Seconds in which a player that has begun to send a message must go on with it."""
@@ -133,11 +140,11 @@ class Guardian:
         """End the guardian, and everything that it has started."""
         self._sock.close()
         if self._process:
-            try:
-                self._process.wait(ANSWERS)
-            except subprocess.TimeoutExpired:  # it has been stopped
-                self._process.kill()
-                self._process.wait()
+            stops, deadline = Stops(), time.monotonic() + ANSWERS
+            while not _ends(self._process, LOOK):
+                if stops.too_many(self._pid) or time.monotonic() > deadline:
+                    kill_tree(self._pid)
+                self.wake()
 
     def _ask(
         self, request: Request, descriptors: Sequence[int] = ()
@@ -149,7 +156,11 @@ class Guardian:
                 answer: tuple[int | None, list[int]] = receive(self._sock)
             except (EOFError, OSError) as error:
                 forget(self)
-                raise GuardianLost(f"the guardian of the processes has gone: {error}") from None
+                silent = isinstance(error, TimeoutError)
+                how = "does not answer" if silent else "was ended"
+                raise GuardianLost(
+                    f"the guardian of the processes {how}, perhaps because of the explorer"
+                ) from None
             except BaseException:
                 # An interrupt: part of a message may be under way, so no other can follow.
                 forget(self)
@@ -158,11 +169,32 @@ class Guardian:
 
     def _await(self) -> None:
         """Wait until there is data to read, for at most the time-out of the socket."""
-        deadline = time.monotonic() + ANSWERS
-        while not wait([self._sock], min(WAKE, ANSWERS)):
-            if time.monotonic() > deadline:
-                raise TimeoutError("timed out")
+        stops, deadline = Stops(), time.monotonic() + ANSWERS
+        while not wait([self._sock], LOOK):
+            if stops.too_many(self._pid) or time.monotonic() > deadline:
+                raise TimeoutError
             self.wake()
+
+
+class Stops:
+    """The number of looks at which a process was found stopped."""
+
+    def __init__(self) -> None:
+        self.seen = 0
+
+    def too_many(self, pid: int) -> bool:
+        """Look at the process; return whether it was found stopped again and again."""
+        self.seen += is_stopped(pid)
+        return self.seen > MOST_STOPS
+
+
+def _ends(process: subprocess.Popen[bytes], seconds: float) -> bool:
+    """Whether a process ends in so many seconds."""
+    try:
+        process.wait(seconds)
+    except subprocess.TimeoutExpired:
+        return False
+    return True
 
 
 def start_guardian() -> Guardian:

@@ -65,6 +65,14 @@ def kill_tree(pid: int, *, itself: bool = True) -> None:
         _signal(pid, signal.SIGKILL)
 
 
+def is_stopped(pid: int) -> bool:
+    """Whether a process stands still since it was sent SIGSTOP, or a signal like that."""
+    with suppress(OSError, IndexError):
+        text = Path("/proc", str(pid), "stat").read_text(errors="replace")
+        return text.rpartition(")")[2].split()[0] == "T"
+    return False
+
+
 def _signal(pid: int, number: int) -> None:
     with suppress(ProcessLookupError, PermissionError):
         os.kill(pid, number)

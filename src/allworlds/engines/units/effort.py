@@ -90,7 +90,7 @@ def _loading_in_time(make: Callable[..., None]) -> Callable[..., None]:
     """A constructor of requests in which models are imported in the time that a keyword names."""
 
     @wraps(make)
-    def limited(request: Request, *values: Any, **keywords: Any) -> None:
+    def limited(request: Request, /, *values: Any, **keywords: Any) -> None:
         seconds = _positive("start-timeout")(keywords.get("start_timeout", START_TIMEOUT))
         with limited_loading(seconds):
             make(request, *values, **keywords)
