@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.engines.isolation import process
+from allworlds.engines.isolation import process, process_tree
 from allworlds.studies.check import check
 from attacks.reading import ATTACKS
 
@@ -87,8 +87,13 @@ def test_who_is_stopped_by_an_explorer_goes_on(plant, checked, monkeypatch, faul
     plant(fault)
     if fault:  # nor does anybody else let it go on
         monkeypatch.setattr(process.Process, "wake", lambda _: None)
-        monkeypatch.setattr(process, "MOST_STOPS", 3)
+        monkeypatch.setattr(process_tree, "MOST_STOPS", 3)
     stops = ATTACKS / "reaching" / "stops_its_siblings.py"
     report = checked(stops.read_text().replace("def once(", "def explore("), answer_timeout=3)
     assert report.verdict.value == verdict
     assert ("stopped again and again" in str(report.to_json())) == bool(fault)
+
+
+def test_a_guardian_that_waits_for_a_child_that_was_stopped_is_helped(plant):
+    plant("wait_for_a_child_that_was_stopped")
+    assert process.guardian().exit_code(1) is None

@@ -17,7 +17,7 @@ import pytest
 import processes
 import small
 from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, subject_of
-from allworlds.engines.isolation import process
+from allworlds.engines.isolation import process, process_tree
 from allworlds.engines.isolation.jobs import (
     GuardianLost,
     HarnessError,
@@ -214,7 +214,7 @@ def test_a_guardian_that_was_stopped_ends_when_nobody_needs_it(stopped):
 @pytest.mark.parametrize("act", [lambda one: one.exit_code(1), lambda one: one.close()])
 def test_a_guardian_that_is_stopped_for_ever_is_not_waited_for(stopped, monkeypatch, act):
     monkeypatch.setattr(process.Guardian, "wake", lambda _: None)
-    monkeypatch.setattr(process, "MOST_STOPS", 3)
+    monkeypatch.setattr(process_tree, "MOST_STOPS", 3)
     with suppress(GuardianLost):
         act(stopped)
     assert stopped._process.returncode == -signal.SIGKILL

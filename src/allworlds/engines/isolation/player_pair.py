@@ -31,9 +31,9 @@ from allworlds.engines.isolation.process import (
     Garbled,
     Guardian,
     Process,
-    Stops,
     close_all,
 )
+from allworlds.engines.isolation.process_tree import Stops
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import PartwiseEngine, RunCounter

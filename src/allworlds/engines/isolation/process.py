@@ -5,7 +5,6 @@ from __future__ import annotations
 import atexit
 import mmap
 import os
-import signal
 import socket
 import struct
 import subprocess
@@ -33,7 +32,12 @@ from allworlds.engines.isolation.guardian_requests import (
 )
 from allworlds.engines.isolation.jobs import GuardianLost, HarnessError
 from allworlds.engines.isolation.messages import Failure, Refusal, read_message
-from allworlds.engines.isolation.process_tree import is_stopped, kill_tree
+from allworlds.engines.isolation.process_tree import (
+    Stops,
+    children_by_parent,
+    kill_tree,
+    let_go_on,
+)
 from allworlds.explorers import HASH_SEED
 from allworlds.inputs import InputError
 
@@ -55,9 +59,6 @@ WAKE = 1.0
 
 LOOK = 0.05
 """Seconds between two looks at a guardian that does not answer."""
-
-MOST_STOPS = 20
-"""The number of looks at which a process may be found stopped, although it is always woken."""
 
 STALL = 10
 """Seconds in which a player that has begun to send a message must go on with it."""
@@ -133,8 +134,7 @@ class Guardian:
 
     def wake(self) -> None:
         """Let the process go on, if it was stopped."""
-        with suppress(ProcessLookupError, PermissionError):
-            os.kill(self._pid, signal.SIGCONT)
+        let_go_on(self._pid)
 
     def close(self) -> None:
         """End the guardian, and everything that it has started."""
@@ -169,23 +169,16 @@ class Guardian:
 
     def _await(self) -> None:
         """Wait until there is data to read, for at most the time-out of the socket."""
-        stops, deadline = Stops(), time.monotonic() + ANSWERS
+        stops, began = Stops(), time.monotonic()
         while not wait([self._sock], LOOK):
-            if stops.too_many(self._pid) or time.monotonic() > deadline:
+            waited = time.monotonic() - began
+            if stops.too_many(self._pid) or waited > ANSWERS:
                 raise TimeoutError
             self.wake()
-
-
-class Stops:
-    """The number of looks at which a process was found stopped."""
-
-    def __init__(self) -> None:
-        self.seen = 0
-
-    def too_many(self, pid: int) -> bool:
-        """Look at the process; return whether it was found stopped again and again."""
-        self.seen += is_stopped(pid)
-        return self.seen > MOST_STOPS
+            if waited > WAKE:
+                # It cannot go on before a child that it starts, if that was stopped.
+                for child in children_by_parent().get(self._pid, ()):
+                    let_go_on(child)
 
 
 def _ends(process: subprocess.Popen[bytes], seconds: float) -> bool:
@@ -312,8 +305,7 @@ class Process:
 
     def wake(self) -> None:
         """Let the process go on, if it was stopped."""
-        with suppress(ProcessLookupError, PermissionError):
-            os.kill(self.pid, signal.SIGCONT)
+        let_go_on(self.pid)
         self._guardian.wake()
 
     def silent_for(self) -> float:

@@ -17,10 +17,10 @@ from allworlds.engines.isolation.process import (
     WAKE,
     Guardian,
     Process,
-    Stops,
     close_all,
     guardian,
 )
+from allworlds.engines.isolation.process_tree import Stops
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.hash_seeds import GoesByHashes
