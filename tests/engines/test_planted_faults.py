@@ -1,4 +1,4 @@
-"""What keeps explorers from getting through is needed: without it they do, and a check notices."""
+"""Faults in the defence against explorers: each lets some of them through, and a check notices."""
 
 import pytest
 
