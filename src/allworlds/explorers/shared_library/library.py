@@ -83,7 +83,7 @@ def library_path(path: str) -> Path:
         raise InputError("--native needs the path of a shared library, not an empty string")
     file = existing_file("--native", path)
     if file is None:
-        reason = "is a loop of links" if is_loop_of_links(path) else "there is no such file"
+        reason = "it is a loop of links" if is_loop_of_links(path) else "there is no such file"
         raise InputError(f"--native {show(path)}: {reason}")
     return file
 
