@@ -5,16 +5,35 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-_MISLEADING = re.compile("[\x80-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
-"""Characters that control a terminal or the direction of text: C1 and bidirectional controls."""
+_MISLEADING = re.compile(
+    "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e"
+    "\u2060-\u206f\ufeff\ufff9-\ufffb\U0001d173-\U0001d17a\U000e0000-\U000e007f]"
+)
+"""Characters that control a terminal or the direction of text, or that nobody sees.  Tabs and the
+ends of lines are none of them."""
+
+COMMAND = re.compile(r"(?<![^\r\n])[^\S\r\n]*::|##(?:vso)?\[")
+"""What makes a line a command for the runner of a CI service, which takes a carriage return for the
+end of a line, too.  Source: actions/runner, ActionCommand.cs: ``::`` at the beginning, ``##[``
+anywhere; Azure Pipelines likewise ``##vso[``."""
 
 
 def escaped(text: str) -> str:
-    """The text with each control character written as its number.
+    """The text with each control character, and each that has no width, written as its number.
 
     Explorers and files have their words in texts; whoever reads them must see what is there.
     """
     return _MISLEADING.sub(lambda found: ascii(found[0])[1:-1], text)
+
+
+def harmless(text: str) -> str:
+    """The text as :func:`escaped`, in which no line is a command for the runner of a CI service."""
+    return COMMAND.sub(lambda found: f"{found[0][:-1]}\\x{ord(found[0][-1]):02x}", escaped(text))
+
+
+def harmless_json(text: str) -> str:
+    """The text of the same JSON document, in which no line is such a command."""
+    return re.sub(r"(?<=##)\[|(?<=##vso)\[", r"\\u005b", text)
 
 
 def number(value: int) -> str:

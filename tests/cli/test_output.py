@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.cli.output import COLOURS, coloured
+from allworlds.cli.output import COLOURS, coloured, printable
 from allworlds.outcome import Verdict
 
 VERDICT = "12 worlds, 30 runs, 67 traversals: no law is broken"
@@ -51,3 +51,29 @@ def test_a_terminal_shows_verdicts_in_colour_and_nothing_else(word, colour, monk
     assert coloured(text) == shown
     monkeypatch.setenv("NO_COLOR", "1")
     assert coloured(text) == text
+
+
+def test_texts_of_ours_show_what_explorers_have_put_there():
+    assert printable("\x1b[0m\n::error::\u202e\n ::x") == "\\x1b[0m\n:\\x3aerror::\\u202e\n :\\x3ax"
+    assert printable("over\rwritten ##[error]") == "over\\x0dwritten ##\\x5berror]"
+
+
+COMMANDS = """
+def explore(first):
+    print("::error::printed")
+    yield ("\\n::error::said\\n##[error]\\x1b[31m\\u200b\\U000e0041 told", first)
+"""
+"""An explorer that says what a runner would take for commands."""
+
+
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("more", [(), ("--json",), ("-q",)])
+def test_no_line_is_a_command_because_of_an_explorer(cli, more, tmp_path):
+    file = tmp_path / "commands.py"
+    file.write_text(COMMANDS)
+    _, out, err = cli("check", f"{file}:explore", "--edges", 1, "--workers", 1, *more)
+    assert "told" in out or more == ("-q",)
+    for line in (out + err).splitlines():
+        assert not line.lstrip().startswith("::")
+        assert "##[" not in line
+    assert not {"\x1b", "\u200b", "\U000e0041"} & {*out, *err}

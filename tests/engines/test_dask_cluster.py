@@ -462,3 +462,19 @@ def test_a_cluster_of_this_machine_leaves_nothing_behind(stopped, tmp_path, monk
     assert report.exit_code == 130
     assert processes.end(mine)
     assert [*tmp_path.iterdir()] == []
+
+
+@pytest.mark.slow
+def test_a_cluster_of_this_machine_that_is_killed_is_told_of_in_one_line(capfd):
+    def kill():
+        (cluster_,) = {*processes.named("dask_local")} & {*processes.children_of(os.getpid())}
+        os.kill(cluster_, signal.SIGKILL)
+
+    killer = After(300, kill)
+    report = check(edges=4, engine="python", dask="local", listener=killer)
+    assert not killer.then, "nobody was killed"
+    assert report.exit_code == 3
+    (notice,) = killer.notices
+    assert "is gone" in notice
+    assert processes.end(lambda: processes.named("dask_local"))
+    assert capfd.readouterr() == ("", "")

@@ -4,9 +4,7 @@ import os
 
 import pytest
 
-from allworlds.cli.output import printable
 from allworlds.engines.isolation.relay import Relay
-from allworlds.words import escaped
 
 
 @pytest.fixture
@@ -31,13 +29,15 @@ def said():
     ("text", "shown"),
     [
         ("plain\n", "plain\n"),
-        ("a::b\n::\n", "a::b\n\\x3a:\n"),
-        ("::error::x\n \t::y", "\\x3a:error::x\n \t\\x3a:y"),
+        ("a::b\n::\n", "a::b\n:\\x3a\n"),
+        ("::error::x\n \t::y", ":\\x3aerror::x\n \t:\\x3ay"),
         ("\u202eturned\x9b\n", "\\u202eturned\\x9b\n"),
+        ("\x1b[31mred\a\v\f\x7f\n", "\\x1b[31mred\\x07\\x0b\\x0c\\x7f\n"),
         (":\n: :\n", ":\n: :\n"),
         (b"\xff::\n", "\\xff::\n"),
-        ("10%\r::error::x\r\n::y\n", "10%\r\\x3a:error::x\r\n\\x3a:y\n"),
-        ("\x0b::x\n\u2003::y\n\n::z", "\x0b\\x3a:x\n\u2003\\x3a:y\n\n\\x3a:z"),
+        ("10%\r::error::x\r\n::y\n", "10%\r:\\x3aerror::x\r\n:\\x3ay\n"),
+        ("\x0b::x\n\u2003::y\n\n::z", "\\x0b::x\n\u2003:\\x3ay\n\n:\\x3az"),
+        ("##[error]x\na ##vso[b]\n#[c]\n", "##\\x5berror]x\na ##vso\\x5bb]\n#[c]\n"),
     ],
 )
 def test_no_line_is_a_command_and_no_control_is_obeyed(said, text, shown):
@@ -45,17 +45,21 @@ def test_no_line_is_a_command_and_no_control_is_obeyed(said, text, shown):
 
 
 def test_the_rest_of_a_line_is_no_beginning(said):
-    assert said("begun, ", "::not a command\n", "::one\n") == "begun, ::not a command\n\\x3a:one\n"
+    assert said("begun, ", "::not a command\n", "::one\n") == "begun, ::not a command\n:\\x3aone\n"
 
 
 @pytest.mark.parametrize(
     ("texts", "shown"),
     [
-        ((":", ":x\n"), "\\x3a:x\n"),
-        (("a\n:", ":x\n"), "a\n\\x3a:x\n"),
-        ((" ", "::x\n"), " \\x3a:x\n"),
-        (("a\r", "::x\n"), "a\r\\x3a:x\n"),
+        ((":", ":x\n"), ":\\x3ax\n"),
+        (("a\n:", ":x\n"), "a\n:\\x3ax\n"),
+        ((" ", "::x\n"), " :\\x3ax\n"),
+        (("a\r", "::x\n"), "a\r:\\x3ax\n"),
         (("a", ":", ":x\n"), "a::x\n"),
+        ((": ", ":x\n"), ": :x\n"),
+        (("a #", "#", "[b]\n"), "a ##\\x5bb]\n"),
+        (("##v", "s", "o[b]\n"), "##vso\\x5bb]\n"),
+        (("##", "\n[b]\n"), "##\n[b]\n"),
         (("a ", "b\n"), "a b\n"),
     ],
 )
@@ -71,8 +75,3 @@ def test_nobody_who_reads_holds_nobody_up():
     os.write(end, b"lost\n")
     relay.pass_on()
     os.close(end)
-
-
-def test_texts_of_ours_show_what_explorers_have_put_there():
-    assert printable("\x1b[0m\n::error::\u202e\n ::x") == "\\x1b[0m\n\\x3a:error::\\u202e\n \\x3a:x"
-    assert escaped("\u2066a\u2069 \x85é漢\n") == "\\u2066a\\u2069 \\x85é漢\n"

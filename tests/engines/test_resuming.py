@@ -7,7 +7,7 @@ import signal
 import sqlite3
 import subprocess
 import sys
-from contextlib import closing, suppress
+from contextlib import ExitStack, closing, suppress
 from importlib import import_module
 
 import pytest
@@ -16,6 +16,8 @@ import processes
 from allworlds import ambiguity, check, worst
 from allworlds.engines import Silent
 from allworlds.engines.python.python_engine import BoundPythonEngine
+from allworlds.engines.run_directory import finished_units
+from allworlds.inputs import InputError
 from allworlds.studies.worst.compiled_engine import ScheduleSearch
 from kept_jobs import EXPLORERS, stable
 
@@ -80,14 +82,17 @@ def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
 
 
 class Once(Silent):
-    """Does something when the first worlds are done."""
+    """Does something when the first worlds are done, and hears notices."""
 
     def __init__(self, something):
-        self.left = [something]
+        self.left, self.notices = [something], []
 
     def progress(self, worlds):
         if self.left:
             self.left.pop()()
+
+    def notice(self, text):
+        self.notices += [text] if "run directory" in text else []
 
 
 @pytest.mark.no_cover
@@ -102,8 +107,68 @@ def test_a_lock_that_is_removed_by_hand_harms_nobody(name, tmp_path):
         # Now another command takes the directory for its own, and keeps the same units.
         assert job(run=run).to_json() == whole
 
-    assert job(run=run, listener=Once(remove)).to_json() == whole
+    listener = Once(remove)
+    assert job(run=run, listener=listener).to_json() == whole
+    assert listener.notices == []  # the other has ended, and this one has a lock again
     assert job(run=run).to_json() == whole
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_a_command_says_that_another_one_adds_to_its_directory(tmp_path):
+    job, run = VERBS["own"], tmp_path / "run"
+    whole = job().to_json()
+    with ExitStack() as another:
+
+        def remove():
+            (run / "lock").unlink()
+            another.enter_context(finished_units._locked(run))
+
+        listener = Once(remove)
+        assert job(run=run, listener=listener).to_json() == whole
+    (notice,) = listener.notices
+    assert "is in use by another command, too, since its file lock was removed" in notice
+    assert job(run=run).to_json() == whole
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_a_lock_that_is_removed_is_made_anew(tmp_path, monkeypatch):
+    monkeypatch.setattr(finished_units, "PATIENCE", 0.1)
+    job, run = VERBS["own"], tmp_path / "run"
+    refused = []
+
+    class Tries(Once):
+        """Another command, which begins after some units."""
+
+        def unit(self, key, worlds):
+            if not self.left and not refused:
+                with pytest.raises(InputError, match="is in use by another command"):
+                    job(run=run)
+                refused.append(key)
+
+    listener = Tries((run / "lock").unlink)
+    job(run=run, listener=listener)
+    assert refused
+    assert listener.notices == []
+
+
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("what", ["the directory", "its database", "another in its place"])
+def test_a_command_says_that_its_directory_was_removed(what, tmp_path):
+    job, run = VERBS["own"], tmp_path / "run"
+    whole = job().to_json()
+
+    def remove():
+        if what == "its database":
+            (run / "units.sqlite").unlink()
+            return
+        run.rename(tmp_path / "removed")
+        if what == "another in its place":
+            assert job(run=run).to_json() == whole
+
+    listener = Once(remove)
+    assert job(run=run, listener=listener).to_json() == whole
+    (notice,) = listener.notices
+    assert "was removed; the job goes on without it, and keeps nothing" in notice
 
 
 @pytest.mark.usefixtures("without_workers")

@@ -14,10 +14,12 @@ from pathlib import Path
 
 import pytest
 
+import processes
 import small
 from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, subject_of
-from allworlds.engines.isolation import process
+from allworlds.engines.isolation import process, process_tree
 from allworlds.engines.isolation.jobs import (
+    GuardianLost,
     HarnessError,
     PlayerSetup,
     PlayRecords,
@@ -33,7 +35,9 @@ from allworlds.engines.isolation.messages import (
     read_message,
 )
 from allworlds.engines.isolation.player import PlayerProcess
+from allworlds.engines.isolation.player_pair import start_player
 from allworlds.engines.isolation.process import Guardian, guardian
+from allworlds.engines.isolation.process_tree import is_stopped
 from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.python.play import Record
@@ -186,14 +190,50 @@ def test_a_guardian_of_nobody_is_gone():
         Guardian(ours, os.getpid()).exit_code(1)
 
 
+@pytest.fixture
+def stopped():
+    """A guardian that stands still."""
+    guardian = process.start_guardian()
+    assert guardian.exit_code(1) is None
+    os.kill(guardian._pid, signal.SIGSTOP)
+    assert processes.wait(lambda: is_stopped(guardian._pid))
+    yield guardian
+    guardian.close()
+
+
 @pytest.mark.early
-def test_a_guardian_that_has_been_stopped_is_not_waited_for(monkeypatch):
-    monkeypatch.setattr(process, "ANSWERS", 0.5)
-    stopped = process.start_guardian()
-    os.kill(stopped._process.pid, signal.SIGSTOP)
-    with pytest.raises(HarnessError, match="the guardian of the processes has gone: timed out"):
-        stopped.exit_code(1)
+def test_a_guardian_that_was_stopped_goes_on_when_it_is_asked(stopped):
+    assert stopped.exit_code(1) is None
+
+
+def test_a_guardian_that_was_stopped_ends_when_nobody_needs_it(stopped):
+    stopped.close()
+    assert stopped._process.returncode == 0
+
+
+@pytest.mark.parametrize("act", [lambda one: one.exit_code(1), lambda one: one.close()])
+def test_a_guardian_that_is_stopped_for_ever_is_not_waited_for(stopped, monkeypatch, act):
+    monkeypatch.setattr(process.Guardian, "wake", lambda _: None)
+    monkeypatch.setattr(process_tree, "MOST_STOPS", 3)
+    with suppress(GuardianLost):
+        act(stopped)
     assert stopped._process.returncode == -signal.SIGKILL
+
+
+def test_a_guardian_that_does_not_answer_is_not_waited_for(stopped, monkeypatch):
+    monkeypatch.setattr(process.Guardian, "wake", lambda _: None)
+    monkeypatch.setattr(process, "ANSWERS", 0.2)
+    said = "the guardian of the processes does not answer, perhaps because of the explorer"
+    with pytest.raises(GuardianLost, match=said):
+        stopped.exit_code(1)
+
+
+def test_a_child_of_a_guardian_that_is_stopped_goes_on_at_once():
+    player, _ = start_player(guardian(), setup("right"))
+    for _ in range(3):
+        os.kill(player.pid, signal.SIGSTOP)
+        assert processes.wait(lambda: not is_stopped(player.pid))
+    player.close()
 
 
 def test_an_explorer_of_ours_beats_while_it_walks_and_not_after():

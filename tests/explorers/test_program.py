@@ -91,6 +91,46 @@ def test_of_a_message_two_hundred_characters_are_shown(tmp_path):
     assert seen[201] == seen[200][:197] + "..."
 
 
+LINE = '{"move": 0}\\n'
+AFTER_ITS_LINE = {
+    "silent": (f"raw('{LINE}'); input(); time.sleep(1000)", "timeout", "silent for 0.2 s"),
+    "a byte": (
+        f"raw('{LINE}x'); time.sleep(1000)",
+        "timeout",
+        "no whole line in 0.2 s (1 byte of one)",
+    ),
+    "drops": (f"raw('{LINE}xy')\nwhile True: raw('x')", "timeout", "no whole line in 0.2 s ("),
+    "without input": (
+        f"os.close(0); raw('{LINE}'); time.sleep(1000)",
+        "crash",
+        "the end of its input: it reads no more, and goes on",
+    ),
+    "without output": (
+        f"raw('{LINE}'); os.close(1); time.sleep(1000)",
+        "crash",
+        "the end of its output: it writes no more, and goes on",
+    ),
+    "gone": (f"raw('{LINE}'); sys.exit(7)", "crash", "the end of its process (exit code 7)"),
+}
+"""What a program does after its first line, the law that it breaks, and how that is told."""
+
+
+@pytest.mark.parametrize("kind", AFTER_ITS_LINE)
+def test_the_words_for_a_program_without_a_line_are_true_of_it(tmp_path, kind):
+    code, law, seen = AFTER_ITS_LINE[kind]
+    script = tmp_path / "script.py"
+    beginning = "import os, sys, time\nraw = lambda text: os.write(1, text.encode())\n"
+    script.write_text(f"{beginning}{code}\n")
+    program = Program(f"{sys.executable} {script}", PATIENCE)
+    walk = program.explore(Percept(1))
+    next(walk)
+    if law == "timeout":
+        program._timeout = 0.2
+    with pytest.raises(ExplorerFault) as fault:
+        walk.send(Percept(1))
+    assert (fault.value.law, fault.value.seen[: len(seen)]) == (law, seen)
+
+
 def test_a_file_that_cannot_be_executed_is_a_crash(tmp_path):
     file = tmp_path / "nothing"
     file.write_bytes(b"\0\1\2")
@@ -104,11 +144,14 @@ def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monke
     monkeypatch.chdir(tmp_path)
     (tmp_path / "folder").mkdir()
     (tmp_path / "plain.py").touch()
+    (tmp_path / "loop").symlink_to("loop")
     for command, reason in {
         "./folder": "a directory",
         "./plain.py --fast": "not executable",
         "plain.py": "write './plain.py'",
         "./nothing": "there is no program './nothing'",
+        "./loop": "'./loop' is a loop of links",
+        f"{sys.executable} ./loop": "cannot open './loop': it is a loop of links",
     }.items():
         with pytest.raises(InputError, match=reason):
             Program(command, 1.0)

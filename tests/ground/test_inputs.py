@@ -102,7 +102,7 @@ FAULTS = {
         "expressions",
     ),
     "control characters that come through": (
-        ("allworlds.cli.output.printable", lambda text: text),
+        ("allworlds.words.escaped", lambda text: text),
         "lines",
     ),
     "an exit code that stands nowhere": (

@@ -1,8 +1,21 @@
 """Numbers and lists in words."""
 
+import json
+import unicodedata
+
 import pytest
 
-from allworlds.words import about, darts, duration, number, plural, size
+from allworlds.words import (
+    about,
+    darts,
+    duration,
+    escaped,
+    harmless,
+    harmless_json,
+    number,
+    plural,
+    size,
+)
 
 
 def test_a_size_is_told_in_edges_and_vertices():
@@ -47,3 +60,44 @@ def test_a_duration_is_rounded_to_what_one_can_imagine(seconds, words):
 def test_a_number_of_many_digits_is_told_by_the_first_two():
     assert about(123_456_789_012_345) == "123,456,789,012,345"
     assert about(637 * 10**74) == "6.3 x 10^76"
+
+
+UNSEEN = [chr(code) for code in (0xAD, 0x200B, 0x202E, 0x2069, 0xFEFF, 0xE0041, 0x7F, 0x9B)]
+
+
+def test_what_controls_a_text_or_is_not_seen_is_shown_as_its_number():
+    for letter in [*map(chr, range(32)), *UNSEEN]:
+        kept = letter in "\t\n\r"
+        assert escaped(f"a{letter}b") == (f"a{letter}b" if kept else f"a{ascii(letter)[1:-1]}b")
+
+
+def test_what_is_seen_stays():
+    seen = [
+        letter
+        for letter in map(chr, range(0x3000))
+        if unicodedata.category(letter)[0] != "C" and letter not in "\u2028\u2029"
+    ]
+    assert escaped("".join(seen)) == "".join(seen)
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("::error::x", ":\\x3aerror::x"),
+        ("a\n \t::x\r::y", "a\n \t:\\x3ax\r:\\x3ay"),
+        ("a::b : :", "a::b : :"),
+        ("##[error]x ##vso[y] # #[z]", "##\\x5berror]x ##vso\\x5by] # #[z]"),
+        ("\x1b[0m\n::error::\u202e", "\\x1b[0m\n:\\x3aerror::\\u202e"),
+    ],
+)
+def test_no_line_is_a_command_for_a_runner(text, shown):
+    assert harmless(text) == shown
+    assert harmless(shown) == shown
+
+
+def test_no_line_of_json_is_a_command_and_the_document_is_the_same():
+    document = {"##[a]": ["b ##vso[c]", "#[", "::"]}
+    text = harmless_json(json.dumps(document, indent=1))
+    assert json.loads(text) == document
+    assert "##[" not in text
+    assert "##vso[" not in text

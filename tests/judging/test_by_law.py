@@ -103,6 +103,15 @@ def test_a_timeout_is_told(finding_of):
     assert "flush" not in text
 
 
+def test_a_program_that_has_begun_a_line_is_asked_whether_it_ends_it(finding_of):
+    finding = finding_of("crashes-at-leaves")
+    seen = "no whole line in 2 s (20 bytes of one)"
+    begun = replace(finding, explorer="exec:./mine", law="timeout", seen=seen, detail="")
+    text = " ".join(explain(begun).sentences)
+    assert "newline" in text
+    assert "flush" not in text
+
+
 def test_a_program_that_was_silent_is_asked_whether_it_flushes(finding_of):
     finding = finding_of("crashes-at-leaves")
     silent = replace(finding, explorer="exec:./mine", law="timeout", seen="silent", detail="")

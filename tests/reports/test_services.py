@@ -52,6 +52,31 @@ def test_what_an_explorer_says_or_is_called_fits_into_every_file(form, tmp_path,
     assert text.encode()
     assert not re.search(r"[\x00-\x08\x0b-\x1f\x7f]", text)
     assert form == "csv" or "ends with" in text  # its rows are numbers
+    assert form == "csv" or r"x1b[31m" in text or r"u001b[31m" in text
+
+
+COMMANDS = """
+def explore(first):
+    print("::error::printed\\n##[error]printed")
+    if not first.degree:
+        yield
+    raise ValueError("ends with\\n::error::told\\n \\t::error::told ##[error]told \\u200b \\u202e")
+"""
+
+
+@pytest.mark.parametrize("form", formats_of("check"))
+def test_no_line_of_a_file_is_a_command_because_of_an_explorer(form, tmp_path):
+    file = tmp_path / "commands.py"
+    file.write_text(COMMANDS)
+    report = check(f"{file}:explore", edges=1)
+    for text in (str(report), finding_text(report.findings[0], 80)):
+        assert not re.search(r"\n\s*::|##\[|\u200b", text)
+    lines = file_of("check", form, report).splitlines()
+    ours = len(report.findings) if form == "annotations" else 0
+    assert sum(line.lstrip().startswith("::") for line in lines) == ours
+    if not ours:
+        assert not any("##[" in line for line in lines)
+    assert not any({"\u200b", "\u202e"} & {*line} for line in lines)
 
 
 def test_a_finding_is_an_error_at_the_line_of_the_explorer(refuted, line):

@@ -26,6 +26,7 @@ from allworlds.reports import (
     UnitEvent,
     VerdictEvent,
 )
+from allworlds.words import harmless_json
 
 Answer = TypeVar("Answer", bound=Result)
 
@@ -84,7 +85,7 @@ class Events(Listener):
         if self._file is None:
             return
         try:
-            print(json.dumps(event.to_json()), file=self._file, flush=True)
+            print(harmless_json(json.dumps(event.to_json())), file=self._file, flush=True)
         except OSError as error:
             self._file = None
             complain(f"events are no longer written: {error.strerror}")

@@ -17,7 +17,7 @@ from allworlds.cli.options import OutputGroup
 from allworlds.engines import patient_stderr
 from allworlds.outcome import Exit
 from allworlds.reports import brief, text
-from allworlds.words import escaped
+from allworlds.words import harmless, harmless_json
 
 if TYPE_CHECKING:
     from allworlds.document import Report
@@ -37,11 +37,9 @@ def printable(text: str) -> str:
     """The text with control characters as their numbers, lines and tabs excepted.
 
     Explorers have their words in texts; a terminal must not take orders from them, nor the runner
-    of a CI service, for which a line with ``::`` at its beginning is a command.
+    of a CI service.
     """
-    shown = escaped(text)
-    shown = re.sub(r"[\x00-\x08\x0b-\x1f\x7f]", lambda found: f"\\x{ord(found[0]):02x}", shown)
-    return re.sub(r"^(\s*):(?=:)", r"\1\\x3a", shown, flags=re.MULTILINE)
+    return harmless(text.replace("\r", r"\x0d"))
 
 
 COLOURS = {
@@ -83,7 +81,7 @@ def emit(result: Report, verb: str, output: OutputGroup, workers: int | None = N
     try:
         if output.as_json:
             origin = {"made_by": made_by(result, workers).to_json()}
-            print(json.dumps(result.to_json() | origin, indent=2))
+            print(harmless_json(json.dumps(result.to_json() | origin, indent=2)))
         else:
             told = brief if output.quiet else text
             print(coloured(printable(told(verb, result, width()))))

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from allworlds.inputs import show
+from allworlds.inputs import is_loop_of_links, show
 
 SECONDS = 5
 """The time after which a program that is asked for its errors of syntax is left alone."""
@@ -74,6 +74,8 @@ def missing_script(words: Sequence[str]) -> str:
     if any(Path(script + ending).exists() for script in scripts for ending in endings):
         return ""
     name = Path(call.program).name
+    if is_loop_of_links(call.files[0]):
+        return f"{name} cannot open {show(call.files[0])}: it is a loop of links"
     return f"{name} cannot open {show(call.files[0])}: there is no such file"
 
 
@@ -169,6 +171,8 @@ def _runs_no_file(option: str, interpreter: Interpreter) -> bool:
 def obstacle(name: str) -> str:
     """The reason why a command cannot be run."""
     path = Path(name)
+    if is_loop_of_links(name):
+        return f"{show(name)} is a loop of links"
     try:
         path.stat()
     except OSError as error:

@@ -41,6 +41,7 @@ from allworlds.protocol import (
     Told,
     action_from_json,
 )
+from allworlds.words import plural
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24
@@ -298,7 +299,7 @@ class Program:
         except BlockingIOError:
             self._send_when_read(line)
         except OSError:
-            raise self._ended() from None
+            raise self._ended("the end of its input: it reads no more, and goes on") from None
 
     def _send_when_read(self, line: bytes) -> None:
         """Send a line to a program that has not read those before."""
@@ -327,14 +328,21 @@ class Program:
                 raise self._fault("illegal-action", f"a line of over {LONGEST_LINE} bytes")
             left = deadline - time.monotonic()
             if left <= 0:
-                raise self._fault("timeout", f"silent for {self._timeout:g} s", machine=True)
+                raise self._fault("timeout", self._silence(), machine=True)
             if not self._read(left):
-                raise self._ended()
+                raise self._ended("the end of its output: it writes no more, and goes on")
         line = bytes(self._out[:end])
         del self._out[: end + 1]
         self._heard = True
         self._lines += 1
         return line
+
+    def _silence(self) -> str:
+        """The words for a time in which no line came."""
+        begun = len(self._out)
+        if not begun:
+            return f"silent for {self._timeout:g} s"
+        return f"no whole line in {self._timeout:g} s ({plural(begun, 'byte')} of one)"
 
     def _read(self, wait: float) -> bool:
         """Read the program's output for up to ``wait`` seconds; return False at its end of output.
@@ -361,14 +369,15 @@ class Program:
             self._said.unregister(self._process.stderr)
             self._process.stderr.close()
 
-    def _ended(self) -> ExplorerFault:
+    def _ended(self, seen: str) -> ExplorerFault:
+        """The fault of a program that has ended, or has closed a pipe, which ``seen`` tells."""
         assert self._process is not None
         try:
             code = self._process.wait(1)
             how = f"exit code {code}" if code >= 0 else f"signal {-code}"
             seen = f"the end of its process ({how})"
         except subprocess.TimeoutExpired:
-            seen = "the end of its output"
+            pass
         if self._process.returncode == 0 and not self._heard:
             seen += ", before a line of this episode: one process plays many, until its input ends"
         code = self._process.returncode

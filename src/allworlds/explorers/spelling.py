@@ -9,7 +9,14 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from allworlds.explorers.subject import SHIELD, has_shield, is_program, unshielded
-from allworlds.inputs import InputError, did_you_mean, read_text, show
+from allworlds.inputs import (
+    InputError,
+    did_you_mean,
+    is_loop_of_links,
+    no_file,
+    read_text,
+    show,
+)
 
 MOST_OF_A_COMMAND = 20
 """The number of characters that stand for a command, if they tell it from others."""
@@ -28,7 +35,7 @@ def whole_name(name: str) -> str:
     if not name.endswith(".py") or ":" in name:
         return name
     if not Path(name).exists():
-        raise InputError(f"there is no file {show(name)}{_like_file(name)}")
+        raise InputError(no_file(name, _like_file(name)))
     text = read_text(name)
     try:
         compile(text, name, "exec", dont_inherit=True)
@@ -62,8 +69,8 @@ def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
             f"{show(plain)} is a file, but no file.py with a function; a program runs with --exec, "
             f"a shared library with --native{_like_file(plain)}"
         )
-    if os.sep in plain:
-        return f"there is no file {show(plain)}{_like_file(plain)}"
+    if os.sep in plain or is_loop_of_links(plain):
+        return no_file(plain, _like_file(plain))
     return (
         f"explorer {show(name)} is not one of {', '.join(known)}, module:attribute or "
         f"path/to/file.py:attribute{_like_file(plain) or did_you_mean(name, known)}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import operator
 import os
@@ -133,6 +134,24 @@ def existing_file(name: str, value: str) -> Path | None:
         return file if file.is_file() else None
     except OSError as error:
         raise InputError(f"{name} {show(value)} cannot be read: {error.strerror}") from None
+
+
+def is_loop_of_links(path: str | Path) -> bool:
+    """Whether links at that path lead to themselves, and so to no file."""
+    try:
+        os.stat(path)  # noqa: PTH116  # takes any text
+    except ValueError:
+        return False
+    except OSError as error:
+        return error.errno == errno.ELOOP
+    return False
+
+
+def no_file(path: str, hint: str = "") -> str:
+    """The reason why there is no file at that path; the hint follows, unless it is a loop."""
+    if is_loop_of_links(path):
+        return f"{show(path)} is a loop of links"
+    return f"there is no file {show(path)}{hint}"
 
 
 INSTALL = "in a clone of allworlds, pip install '.[{}]'"

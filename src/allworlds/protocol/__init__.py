@@ -66,7 +66,12 @@ if TYPE_CHECKING:
         points_of as points_of,
         text_of as text_of,
     )
-    from allworlds.protocol.model_calls import limit_calls as limit_calls, tried as tried
+    from allworlds.protocol.model_calls import (
+        START_TIMEOUT as START_TIMEOUT,
+        limit_calls as limit_calls,
+        limited_loading as limited_loading,
+        tried as tried,
+    )
     from allworlds.protocol.percept import Percept as Percept
     from allworlds.protocol.player import Player as Player, Told as Told
     from allworlds.protocol.transcript import (

@@ -19,7 +19,15 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from allworlds.inputs import SHOWN, InputError, existing_file, let_users_interrupt, read_text, show
+from allworlds.inputs import (
+    SHOWN,
+    InputError,
+    existing_file,
+    let_users_interrupt,
+    no_file,
+    read_text,
+    show,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +58,7 @@ def text_of(place: str) -> SourceText | None:
         return None
     file = existing_file("file", place)
     if file is None:
-        raise InputError(f"there is no file {show(place)}")
+        raise InputError(no_file(place))
     return SourceText(str(file), read_text(str(file)))
 
 
@@ -106,8 +114,15 @@ def imported(name: str, importing: Callable[[], Any]) -> Any:
     return attempted(f"{show(name)} does not import:", importing)
 
 
+class TooLate(BaseException):
+    """Raised inside code of the user's whose time is over.
+
+    It is no Exception: code that catches those does not go on.
+    """
+
+
 def attempted(what: str, act: Callable[[], Any]) -> Any:
-    """The result of an action of the user's code, however long it takes.
+    """The result of an action of the user's code, which has no limit of time here.
 
     Raises:
         InputError: beginning with these words, if it raises.
@@ -116,6 +131,8 @@ def attempted(what: str, act: Callable[[], Any]) -> Any:
         # What a module prints must not get into a document on stdout.
         with redirect_stdout(sys.stderr):
             return act()
+    except TooLate:
+        raise
     except BaseException as error:  # noqa: BLE001  # a module may raise anything
         let_users_interrupt(error)
         raise InputError(f"{what} {said(error)}") from None

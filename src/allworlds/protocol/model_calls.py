@@ -8,12 +8,14 @@ import threading
 
 # The function behind signal.signal, which converts constants, and so takes ten times as long.
 from _signal import SIG_DFL, signal as set_handler  # type: ignore[import-not-found]
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from types import FrameType
 from typing import TypeVar
 
 from allworlds.inputs import InputError, let_users_interrupt
-from allworlds.protocol.importing import said
+from allworlds.protocol.importing import TooLate, said
 
 T = TypeVar("T")
 
@@ -21,8 +23,13 @@ LONGEST_CALL = 10.0
 """The seconds after which a call of a model is given up."""
 
 
-class _TooLate(BaseException):
-    """No answer in time.  It is no Exception: a model that catches those does not go on."""
+START_TIMEOUT = 60.0
+"""Seconds in which code of the user's must be imported, unless others are named."""
+
+AGAIN = 1.0
+"""Seconds after which a model that has caught its end is ended once more."""
+
+_loading: ContextVar[float] = ContextVar("loading", default=START_TIMEOUT)
 
 
 class _Limit:
@@ -55,29 +62,70 @@ def tried(what: str, act: Callable[[], T], kind: type[InputError] = InputError) 
     """
     if _Limit.running:
         return act()
-    # Other threads than the main one have no signals, and so no limit.
-    timed = threading.current_thread() is threading.main_thread()
-    _Limit.running, printed = True, sys.stdout
-    others, handler = 0.0, None
+    printed = sys.stdout
     try:
         # What a model prints must not get into a document on stdout.
         sys.stdout = sys.stderr
-        if timed:
-            handler = set_handler(signal.SIGALRM, _give_up)
-            others, _ = signal.setitimer(signal.ITIMER_REAL, _Limit.seconds)
-        return act()
-    except _TooLate:
+        return _in_time(_Limit.seconds, act)
+    except TooLate:
         raise kind(f"{what} gives no answer for {_Limit.seconds:g} s") from None
     except BaseException as error:  # noqa: BLE001  # a model may raise anything
         let_users_interrupt(error)
         raise kind(f"{what} raises {said(error)}") from None
     finally:
+        sys.stdout = printed
+
+
+@contextmanager
+def limited_loading(seconds: float) -> Iterator[None]:
+    """A context in which a model must be imported in so many seconds."""
+    token = _loading.set(seconds)
+    try:
+        yield
+    finally:
+        _loading.reset(token)
+
+
+def loaded(name: str, load: Callable[[], T]) -> T:
+    """The object that the import of a model yields.
+
+    Args:
+        name: of the model, for the message.
+        load: imports it.
+
+    Raises:
+        InputError: naming it, if that does not end in time.
+    """
+    if _Limit.running:
+        return load()
+    seconds = _loading.get()
+    try:
+        return _in_time(seconds, load)
+    except TooLate:
+        raise InputError(f"{name} does not import: it was at it for {seconds:g} s") from None
+
+
+def _in_time(seconds: float, act: Callable[[], T]) -> T:
+    """The result of user's code; other threads than the main one have no signals, and no limit.
+
+    Raises:
+        TooLate: if there is none in time.
+    """
+    timed = threading.current_thread() is threading.main_thread()
+    others, handler = 0.0, None
+    _Limit.running = True
+    try:
+        if timed:
+            handler = set_handler(signal.SIGALRM, _give_up)
+            others, _ = signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
+        return act()
+    finally:
         if timed:
             # Somebody else's timer stands still during the call.
             signal.setitimer(signal.ITIMER_REAL, others)
             set_handler(signal.SIGALRM, handler or SIG_DFL)
-        _Limit.running, sys.stdout = False, printed
+        _Limit.running = False
 
 
 def _give_up(_number: int, _frame: FrameType | None) -> None:
-    raise _TooLate
+    raise TooLate

@@ -36,7 +36,7 @@ from allworlds.protocol.importing import (
     points_of,
     text_of,
 )
-from allworlds.protocol.model_calls import tried
+from allworlds.protocol.model_calls import loaded, tried
 
 Argument: TypeAlias = int | bool | str
 """The value of an argument in a name."""
@@ -179,9 +179,9 @@ class UserCode:
         """The object that the plain name stands for; a file is run once in a process.
 
         Raises:
-            InputError: if it cannot be imported, or has another text here.
+            InputError: if it cannot be imported in time, or has another text here.
         """
-        return _loaded(self.bare).object
+        return loaded(show(self.name), lambda: _loaded(self.bare).object)
 
     def made(self) -> Any:
         """The object itself, or what it returns for the arguments of the name.
@@ -189,7 +189,7 @@ class UserCode:
         Raises:
             InputError: if it cannot be called so, or raises.
         """
-        return called(self.name, self.load(), self.arguments)
+        return loaded(show(self.name), lambda: called(self.name, self.load(), self.arguments))
 
     @property
     def function(self) -> Any:

@@ -9,6 +9,7 @@ from xml.etree import ElementTree as ET
 
 from allworlds.reports.plain_text import text_of
 from allworlds.reports.telling import ToldResult
+from allworlds.words import escaped
 
 WIDTH = 100
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -46,5 +47,5 @@ def _add_properties(suite: ET.Element, told: Mapping[str, object]) -> None:
 
 
 def _legal(text: str) -> str:
-    """The text with a replacement for each character that XML does not allow."""
-    return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", text)
+    """The text with control characters as numbers, and without others that XML does not allow."""
+    return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", escaped(text))

@@ -14,6 +14,7 @@ from allworlds.reports.telling import (
     ToldTable,
     ToldWalk,
 )
+from allworlds.words import escaped
 
 WIDTH = 100
 
@@ -64,6 +65,6 @@ def _table(header: Sequence[str], rows: Sequence[Sequence[str]], right: str) -> 
 
 def _plain(text: str) -> str:
     """The text in one line, with markup escaped."""
-    one = re.sub(r"[\x00-\x1f\x7f]+", " ", text)
+    one = escaped(re.sub(r"[\t\n\r]+", " ", text))
     one = one.replace("&", "&amp;").replace("<", "&lt;")
     return re.sub(r"([\\`*_|\[\]#~])", r"\\\1", one)

@@ -7,7 +7,7 @@ import re
 from typing import TypeAlias
 from xml.etree import ElementTree as ET
 
-from allworlds.words import escaped
+from allworlds.words import escaped, harmless_json
 
 Child: TypeAlias = ET.Element | str
 """Possible children of an element."""
@@ -49,7 +49,7 @@ def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.
 
 def record(document: object, /, **attributes: str) -> ET.Element:
     """A block of data that holds a JSON document; no text in it can end the block."""
-    text = json.dumps(document, indent=1)
+    text = harmless_json(json.dumps(document, indent=1))
     for sign in "<>&":
         text = text.replace(sign, f"\\u{ord(sign):04x}")
     return raw("script", text, type="application/json", **attributes)

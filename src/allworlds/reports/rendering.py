@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from allworlds.inputs import ensure_installed
 from allworlds.lazy import loaded
 from allworlds.verbs import BY_NAME, CASES, FINDINGS, GROWTH, ROWS, VERBS
-from allworlds.words import escaped
+from allworlds.words import escaped, harmless
 
 if TYPE_CHECKING:
     from allworlds.document import Report
@@ -99,14 +99,14 @@ def text(verb: str, result: Any, width: int) -> str:
     """The text of a verb's result for a terminal with so many columns."""
     from allworlds.reports.plain_text import text
 
-    return text(told(verb, result), width)
+    return harmless(text(told(verb, result), width))
 
 
 def brief(verb: str, result: Any, width: int) -> str:
     """Return the text that ``--quiet`` leaves: one line where there is a verdict, else all."""
     from allworlds.reports.plain_text import brief
 
-    return brief(told(verb, result), width)
+    return harmless(brief(told(verb, result), width))
 
 
 def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
@@ -114,12 +114,13 @@ def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
     from allworlds.reports.plain_text import text_of
     from allworlds.reports.tellings.finding import finding_section
 
-    return text_of([finding_section(finding, number)], width)
+    return harmless(text_of([finding_section(finding, number)], width))
 
 
 def file_of(verb: str, form: str, result: Any) -> str:
     """The content of a file of that format."""
-    return _fit_for_a_file(loaded(FORMATS[form].home)(told(verb, result)))
+    text = loaded(FORMATS[form].home)(told(verb, result))
+    return _fit_for_a_file(text, is_for_a_runner=bool(FORMATS[form].told_to))
 
 
 PARQUET = ".parquet"
@@ -151,15 +152,15 @@ def ensure_drawable() -> None:
     ensure_installed("matplotlib", "figures", "plot")
 
 
-def _fit_for_a_file(text: str) -> str:
-    """The text with replacements for characters that a text file should not, or cannot, hold.
+def _fit_for_a_file(text: str, *, is_for_a_runner: bool) -> str:
+    """The text as a text file can hold it; its lines are commands only if they are to be.
 
-    That is control characters, and halves of pairs, which UTF-8 has not: the name of a file that
-    is no UTF-8 holds some, and what an explorer says may hold any.  Controls that would turn a
-    text round are shown by their numbers.
+    UTF-8 has no halves of pairs: the name of a file that is no UTF-8 holds some, and what an
+    explorer says may hold any.
     """
-    whole = re.sub("[\x00-\x08\x0b-\x1f\x7f\ud800-\udfff]", "\N{REPLACEMENT CHARACTER}", text)
-    return escaped(whole)
+    whole = re.sub("[\ud800-\udfff]", "\N{REPLACEMENT CHARACTER}", text)
+    whole = whole.replace("\r", r"\x0d")
+    return escaped(whole) if is_for_a_runner else harmless(whole)
 
 
 __all__ = [

@@ -18,6 +18,7 @@ from allworlds.reports.telling import ToldResult
 from allworlds.reports.tellings.finding import headline_of
 from allworlds.studies.check import CheckReport
 from allworlds.version import __version__
+from allworlds.words import harmless_json
 
 SCHEMA = (
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
@@ -56,7 +57,8 @@ def sarif(telling: ToldResult) -> str:
         "results": [_result(*told, place) for told in enumerate(report.findings, 1)],
         "properties": {"report": document},
     }
-    return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
+    log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
+    return harmless_json(json.dumps(log, indent=2)) + "\n"
 
 
 def _driver() -> dict[str, Any]:

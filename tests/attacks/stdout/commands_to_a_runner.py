@@ -16,5 +16,5 @@ def explore(first):
     sys.stderr.write("begun, ")
     sys.stderr.write("and ended\n \t::warning::after blanks\n:")
     sys.stderr.write(":notice::in two parts\n")
-    os.write(2, b"\n::stop-commands::x\n")
+    os.write(2, b"\n::stop-commands::x\n##[error]of the older form\n")
     return (yield from algorithm1(first))

@@ -7,7 +7,8 @@ when it is asked for, in an interpreter of its own.
 
 The guardian is the reaper of its descendants: a process that an explorer leaves behind, in any
 session, becomes its child when its own parent is gone, and is killed.  When its owner ends, however
-it ends, the socket between them is closed, and everything is killed.
+it ends, the socket between them is closed, and everything is killed.  A child that is stopped, by
+an explorer perhaps, goes on at once.
 
 The stderr of its processes goes through it (:mod:`allworlds.engines.isolation.relay`).
 """
@@ -61,6 +62,9 @@ OWNERS = frozenset({"referee"})
 LOOK = 1.0
 """Seconds after which the guardian looks again whether its owner is there."""
 
+MOST_REAPED = 64
+"""The number of children that are looked at in one go: some may be stopped again and again."""
+
 _START = str(Path(__file__).with_name("layout.py"))
 """The script of a guardian."""
 
@@ -107,6 +111,8 @@ class _Guardian:
         self._nurseries: dict[ReachNursery, tuple[socket.socket, int]] = {}
         self._relay = Relay()
         self._selector.register(self._relay, EVENT_READ)
+        self._signalled, self._signals = socket.socketpair()
+        self._selector.register(self._signalled, EVENT_READ)
 
     def run(self) -> NoReturn:
         """Serve until the owner is gone; then end everything."""
@@ -116,11 +122,19 @@ class _Guardian:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         for terminating in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(terminating, lambda *_: self._end_all())
+        # The end or the stop of a child ends the waiting.
+        for one in (self._signalled, self._signals):
+            one.setblocking(False)  # noqa: FBT003  # it takes no keyword
+        signal.signal(signal.SIGCHLD, lambda *_: None)
+        signal.set_wakeup_fd(self._signals.fileno(), warn_on_full_buffer=False)
         with suppress(EOFError):
             while os.getppid() == self._parent:
                 for key, _ in self._selector.select(LOOK):
                     if key.fileobj is self._relay:
                         self._relay.pass_on()
+                        continue
+                    if key.fileobj is self._signalled:
+                        self._signalled.recv(1 << 12)
                         continue
                     assert isinstance(key.fileobj, socket.socket)
                     # One that was ended by a request heard just before is heard no more.
@@ -237,13 +251,14 @@ class _Guardian:
         code = 1
         try:
             guardian = os.getppid()
+            signal.set_wakeup_fd(-1)
             os.setsid()
             control(DEATH_SIGNAL, signal.SIGKILL)
             if os.getppid() != guardian:
                 os._exit(1)
             _keep_only(descriptors)
-            for terminating in (signal.SIGTERM, signal.SIGHUP):
-                signal.signal(terminating, signal.SIG_DFL)
+            for handled in (signal.SIGTERM, signal.SIGHUP, signal.SIGCHLD):
+                signal.signal(handled, signal.SIG_DFL)
             os.chdir(request.directory)
             sys.path[:] = request.path
             os.environ.clear()
@@ -283,13 +298,20 @@ class _Guardian:
             owned.difference_update(family)
 
     def _reap(self) -> None:
+        """Take note of children that have ended, and let those go on that were stopped."""
         with suppress(ChildProcessError):
-            while True:
-                pid, status = os.waitpid(-1, os.WNOHANG)
+            for _ in range(MOST_REAPED):
+                pid, status = os.waitpid(-1, os.WNOHANG | os.WUNTRACED)
                 if not pid:
                     return
                 if pid in self._known:
-                    self._ended[pid] = os.waitstatus_to_exitcode(status)
+                    self._heed(pid, status)
+
+    def _heed(self, pid: int, status: int) -> None:
+        if os.WIFSTOPPED(status):
+            os.kill(pid, signal.SIGCONT)
+        else:
+            self._ended[pid] = os.waitstatus_to_exitcode(status)
 
 
 def serve(owner: socket.socket, roles: dict[str, Role]) -> NoReturn:

@@ -13,10 +13,10 @@ from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.units.effort import START_TIMEOUT, Limits
+from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 from allworlds.judging import Rules
-from allworlds.protocol import Schedule, SourceText
+from allworlds.protocol import START_TIMEOUT, Schedule, SourceText
 from allworlds.world import Adversary, World
 
 

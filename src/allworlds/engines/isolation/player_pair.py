@@ -25,7 +25,15 @@ from allworlds.engines.isolation.messages import (
     RunLogs,
     StretchResult,
 )
-from allworlds.engines.isolation.process import GRACE, NO_RUN, Garbled, Guardian, Process, close_all
+from allworlds.engines.isolation.process import (
+    GRACE,
+    NO_RUN,
+    Garbled,
+    Guardian,
+    Process,
+    close_all,
+)
+from allworlds.engines.isolation.process_tree import Stops
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import PartwiseEngine, RunCounter
@@ -45,6 +53,9 @@ GENERATORS = "allworlds.engines.isolation.generator_player"
 MOST_LOSSES = 20
 """The number of losses that are put down to the machine, if no fresh player repeats them."""
 
+STOPPED = "a process was stopped again and again, perhaps by the explorer"
+"""What is said when processes stand still, and nobody knows why."""
+
 M = TypeVar("M")
 
 
@@ -56,7 +67,10 @@ class PlayerLost(Exception):
         seen: a sentence about the loss.
         machine: whether the machine may be the cause.
         number: of the run in progress; None if there was none.
+        stopped: whether it was found stopped, so that it is not known who is silent.
     """
+
+    stopped = False
 
     def __init__(self, law: str, seen: str, number: int | None, *, machine: bool) -> None:
         super().__init__(seen)
@@ -92,13 +106,16 @@ def start_player(
 
 
 def _description(process: Process, setup: PlayerSetup) -> ExplorerDescription:
-    deadline = time.monotonic() + setup.start_timeout
+    stops, deadline = Stops(), time.monotonic() + setup.start_timeout
     while not process.connection.poll(POLL):
         if process.has_ended():
             raise _not_imported(process, setup)
+        if stops.too_many(process.pid):
+            raise Unsettled(STOPPED)
         if time.monotonic() > deadline:
+            loads = "load" if is_library(setup.name) else "import"
             raise InputError(
-                f"{show(setup.name)} does not import: it was at it for {setup.start_timeout:g} s"
+                f"{show(setup.name)} does not {loads}: it was at it for {setup.start_timeout:g} s"
             )
     try:
         description = process.receive()
@@ -110,8 +127,9 @@ def _description(process: Process, setup: PlayerSetup) -> ExplorerDescription:
 
 def _not_imported(process: Process, setup: PlayerSetup) -> InputError:
     limit = "" if setup.memory is None else f", with memory limited to {setup.memory} MB"
+    loaded = "loaded" if is_library(setup.name) else "imported"
     return InputError(
-        f"a process came to {process.death()[0]} when it imported {show(setup.name)}{limit}"
+        f"a process came to {process.death()[0]} when it {loaded} {show(setup.name)}{limit}"
     )
 
 
@@ -126,12 +144,16 @@ def receive(
         PlayerLost: if it is silent for too long, or has died.
     """
     patience = setup.answer_timeout + (GRACE if is_program(setup.name) else 0.0)
+    stops = Stops()
     while True:
         ready = process.connection.poll(POLL)
         # A message sent before the silence is still read; but a player may send choices for ever.
-        if process.silent_for() > patience + (GRACE if ready else 0.0):
+        tardy = process.silent_for() > patience + (GRACE if ready else 0.0)
+        if tardy or (not ready and stops.too_many(process.pid)):
             seen = f"silent for {setup.answer_timeout:g} s"
-            raise PlayerLost("timeout", seen, _number(process), machine=True)
+            lost = PlayerLost("timeout", seen, _number(process), machine=True)
+            lost.stopped = stops.seen > 0
+            raise lost
         if ready:
             break
         if process.has_ended():
@@ -383,7 +405,12 @@ class PlayerPair:
         return logs
 
     def _receive(self, player: Process, kind: type[M]) -> M:
-        message = receive(player, self.setup, self.alive)
+        try:
+            message = receive(player, self.setup, self.alive)
+        except PlayerLost as lost:
+            if lost.stopped:
+                raise Unsettled(STOPPED) from None
+            raise
         assert isinstance(message, kind)
         return message
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import atexit
 import mmap
 import os
-import signal
 import socket
 import struct
 import subprocess
@@ -33,6 +32,12 @@ from allworlds.engines.isolation.guardian_requests import (
 )
 from allworlds.engines.isolation.jobs import GuardianLost, HarnessError
 from allworlds.engines.isolation.messages import Failure, Refusal, read_message
+from allworlds.engines.isolation.process_tree import (
+    Stops,
+    children_by_parent,
+    kill_tree,
+    let_go_on,
+)
 from allworlds.explorers import HASH_SEED
 from allworlds.inputs import InputError
 
@@ -50,7 +55,10 @@ ANSWERS = 120.0
 """Seconds in which a guardian that is alive answers, however busy the machine."""
 
 WAKE = 1.0
-"""Seconds of silence after which a guardian or a referee is woken, in case it was stopped."""
+"""Seconds of silence after which a referee and its guardian are woken: they may be stopped."""
+
+LOOK = 0.05
+"""Seconds between two looks at a guardian that does not answer."""
 
 STALL = 10
 """Seconds in which a player that has begun to send a message must go on with it."""
@@ -126,18 +134,17 @@ class Guardian:
 
     def wake(self) -> None:
         """Let the process go on, if it was stopped."""
-        with suppress(ProcessLookupError, PermissionError):
-            os.kill(self._pid, signal.SIGCONT)
+        let_go_on(self._pid)
 
     def close(self) -> None:
         """End the guardian, and everything that it has started."""
         self._sock.close()
         if self._process:
-            try:
-                self._process.wait(ANSWERS)
-            except subprocess.TimeoutExpired:  # it has been stopped
-                self._process.kill()
-                self._process.wait()
+            stops, deadline = Stops(), time.monotonic() + ANSWERS
+            while not _ends(self._process, LOOK):
+                if stops.too_many(self._pid) or time.monotonic() > deadline:
+                    kill_tree(self._pid)
+                self.wake()
 
     def _ask(
         self, request: Request, descriptors: Sequence[int] = ()
@@ -149,7 +156,11 @@ class Guardian:
                 answer: tuple[int | None, list[int]] = receive(self._sock)
             except (EOFError, OSError) as error:
                 forget(self)
-                raise GuardianLost(f"the guardian of the processes has gone: {error}") from None
+                silent = isinstance(error, TimeoutError)
+                how = "does not answer" if silent else "was ended"
+                raise GuardianLost(
+                    f"the guardian of the processes {how}, perhaps because of the explorer"
+                ) from None
             except BaseException:
                 # An interrupt: part of a message may be under way, so no other can follow.
                 forget(self)
@@ -158,11 +169,25 @@ class Guardian:
 
     def _await(self) -> None:
         """Wait until there is data to read, for at most the time-out of the socket."""
-        deadline = time.monotonic() + ANSWERS
-        while not wait([self._sock], min(WAKE, ANSWERS)):
-            if time.monotonic() > deadline:
-                raise TimeoutError("timed out")
+        stops, began = Stops(), time.monotonic()
+        while not wait([self._sock], LOOK):
+            waited = time.monotonic() - began
+            if stops.too_many(self._pid) or waited > ANSWERS:
+                raise TimeoutError
             self.wake()
+            if waited > WAKE:
+                # It cannot go on before a child that it starts, if that was stopped.
+                for child in children_by_parent().get(self._pid, ()):
+                    let_go_on(child)
+
+
+def _ends(process: subprocess.Popen[bytes], seconds: float) -> bool:
+    """Whether a process ends in so many seconds."""
+    try:
+        process.wait(seconds)
+    except subprocess.TimeoutExpired:
+        return False
+    return True
 
 
 def start_guardian() -> Guardian:
@@ -280,8 +305,7 @@ class Process:
 
     def wake(self) -> None:
         """Let the process go on, if it was stopped."""
-        with suppress(ProcessLookupError, PermissionError):
-            os.kill(self.pid, signal.SIGCONT)
+        let_go_on(self.pid)
         self._guardian.wake()
 
     def silent_for(self) -> float:

@@ -16,6 +16,9 @@ from pathlib import Path
 SUBREAPER, DEATH_SIGNAL = 36, 1
 """Options of :func:`control`."""
 
+MOST_STOPS = 20
+"""The number of looks at which a process may be found stopped, although it is always woken."""
+
 
 def control(option: int, value: int = 1) -> None:
     """Call prctl, if the system has it."""
@@ -63,6 +66,31 @@ def kill_tree(pid: int, *, itself: bool = True) -> None:
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(pid, signal.SIGKILL)
         _signal(pid, signal.SIGKILL)
+
+
+def let_go_on(pid: int) -> None:
+    """Let a process go on, if it was stopped."""
+    _signal(pid, signal.SIGCONT)
+
+
+def is_stopped(pid: int) -> bool:
+    """Whether a process stands still since it was sent SIGSTOP, or a signal like that."""
+    with suppress(OSError, IndexError):
+        text = Path("/proc", str(pid), "stat").read_text(errors="replace")
+        return text.rpartition(")")[2].split()[0] == "T"
+    return False
+
+
+class Stops:
+    """The number of looks at which a process was found stopped."""
+
+    def __init__(self) -> None:
+        self.seen = 0
+
+    def too_many(self, pid: int) -> bool:
+        """Look at the process; return whether it was found stopped again and again."""
+        self.seen += is_stopped(pid)
+        return self.seen > MOST_STOPS
 
 
 def _signal(pid: int, number: int) -> None:

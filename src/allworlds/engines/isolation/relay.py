@@ -12,13 +12,13 @@ import select
 from codecs import getincrementaldecoder
 from contextlib import suppress
 
-from allworlds.words import escaped
+from allworlds.words import harmless
 
 AT_ONCE = 1 << 16
 """The largest number of bytes that are read, and written, in one step."""
 
-_COMMAND = re.compile(r"((?:\A|[\r\n])[^\S\r\n]*):(?=:)")
-"""A colon that begins a command; a runner takes a carriage return for the end of a line, too."""
+_BEGUN = re.compile(r"(?:#|##(?:v(?:so?)?)?)\Z")
+"""The end of a line in whose middle a command may have begun."""
 
 
 class Relay:
@@ -29,8 +29,8 @@ class Relay:
         os.set_blocking(self._out, False)
         self._target = os.dup(2)
         self._decoder = getincrementaldecoder("utf-8")("backslashreplace")
-        self._begun, self._kept = False, ""
-        """Whether the line so far holds more than blanks, and a colon that may begin a command."""
+        self._line = ""
+        """The part of the line so far that may be the beginning of a command."""
 
     def fileno(self) -> int:
         """The descriptor from which it is read."""
@@ -48,20 +48,17 @@ class Relay:
         with suppress(BlockingIOError):
             while part := os.read(self._out, AT_ONCE):
                 self._write(self._decoder.decode(part))
-        if self._kept:
-            # Nobody knows whether another colon comes.
-            self._put(r"\x3a")
-            self._begun, self._kept = True, ""
 
     def _write(self, text: str) -> None:
-        # A letter stands for the line so far, if it holds more than blanks.
-        before = "x" * self._begun
-        text, self._kept = before + self._kept + text, ""
-        *_, line = re.split(r"[\r\n]", text)
-        if line.strip() == ":" and line.endswith(":"):
-            text, line, self._kept = text[:-1], "", ":"
-        self._put(escaped(_COMMAND.sub(r"\1\\x3a", text))[len(before) :])
-        self._begun = bool(line.strip())
+        # The end of a command is changed, since its beginning may have been written before.
+        shown = harmless(self._line + text)
+        self._put(shown[len(self._line) :])
+        *_, line = re.split(r"[\r\n]", shown)
+        if line.strip():
+            begun = _BEGUN.search(line)
+            self._line = ":" if line.lstrip() == ":" else "x" + (begun[0] if begun else "")
+        else:
+            self._line = ""
 
     def _put(self, text: str) -> None:
         """Write a text, or drop it if there is no reader."""

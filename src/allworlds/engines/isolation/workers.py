@@ -12,8 +12,15 @@ from random import Random
 from typing import Any, Self
 
 from allworlds.engines.isolation.jobs import Unsettled
-from allworlds.engines.isolation.player_pair import WorkerEngine
-from allworlds.engines.isolation.process import WAKE, Guardian, Process, close_all, guardian
+from allworlds.engines.isolation.player_pair import STOPPED, WorkerEngine
+from allworlds.engines.isolation.process import (
+    WAKE,
+    Guardian,
+    Process,
+    close_all,
+    guardian,
+)
+from allworlds.engines.isolation.process_tree import Stops
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.hash_seeds import GoesByHashes
@@ -65,6 +72,7 @@ class Workers:
     _idle: list[Process] = field(default_factory=list)
     _busy: dict[Connection, tuple[Process, _UnitTask]] = field(default_factory=dict)
     _lost: Counter[str] = field(default_factory=Counter)
+    _stops: Stops = field(default_factory=Stops)
 
     def __enter__(self) -> Self:
         return self
@@ -99,6 +107,8 @@ class Workers:
                 yield self._receive(connection, engine)
             for referee, _ in list(self._busy.values()):
                 if referee.silent_for() > WAKE:
+                    if self._stops.too_many(referee.pid):
+                        raise Unsettled(STOPPED)
                     referee.wake()
                 if referee.silent_for() > PATIENCE:
                     yield self._replace(referee, engine, f"silent for {PATIENCE:g} s")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import shutil
 import sqlite3
 import tempfile
@@ -73,6 +74,12 @@ class Database:
         self.path, self.identity = path, identity
         self._connection = connection
         self._seal = identity.digest
+        self._file = _seen(path / FILE)
+
+    @property
+    def is_there(self) -> bool:
+        """Whether its file is the one that was opened: it was neither removed nor replaced."""
+        return is_at(self.path / FILE, self._file)
 
     def close(self) -> None:
         """Close the connection to the file."""
@@ -155,6 +162,19 @@ class Database:
         if self._sealed(*row[:-1]) != row:
             raise damaged(self.path, f"{what} is not what was written")
         return row
+
+
+def is_at(path: Path, file: os.stat_result | None) -> bool:
+    """Whether that path leads to that file, and to no other."""
+    there = _seen(path)
+    return there is not None and file is not None and os.path.samestat(there, file)
+
+
+def _seen(path: Path) -> os.stat_result | None:
+    try:
+        return path.stat()
+    except OSError:
+        return None
 
 
 def checksum(seal: str, *row: Any) -> str:

@@ -15,7 +15,7 @@ from typing import Any, Protocol
 from typing_extensions import override
 
 from allworlds.engines.run_directory import database
-from allworlds.engines.run_directory.database import Database
+from allworlds.engines.run_directory.database import Database, is_at
 from allworlds.engines.run_directory.identity import Identity
 from allworlds.engines.units.kept_form import to_kept
 from allworlds.engines.units.unit import NOTHING_KEPT, KeptUnits, Sum, Unit
@@ -85,19 +85,23 @@ class NoRecords(Records):
 class RunDirectory(Records):
     """The records of a job that goes on after an interruption.
 
-    If there is no room for a unit, it is lost with a notice; the job goes on.
+    If there is no room for a unit, or the directory was removed, it is lost with a notice; the job
+    goes on.
 
     Attributes:
         database: its file.
+        lock: held on the directory.
         notice: takes messages to the user.
         found: the units that were finished when it was opened; each is asked for at most once, and
             no other process adds units.
     """
 
     database: Database
+    lock: Lock
     notice: Callable[[str], None]
     found: frozenset[str]
     _full: bool = False
+    _alone: bool = True
 
     @override
     def result(self, key: str) -> Any:
@@ -123,13 +127,24 @@ class RunDirectory(Records):
     def _write(self, write: Callable[[], None]) -> None:
         if self._full:
             return
+        named = f"run directory {show(str(self.database.path))}"
+        if not self.database.is_there:
+            self._full = True
+            self.notice(f"{named} was removed; the job goes on without it, and keeps nothing")
+            return
+        if self._alone and not self.lock.is_held:
+            self._alone = False
+            self.notice(
+                f"{named} is in use by another command, too, since its file {LOCK} was removed; "
+                "both go on"
+            )
         try:
             write()
         except sqlite3.OperationalError as error:
             self._full = True
             self.notice(
-                f"run directory {show(str(self.database.path))} takes no more: {error}; what it "
-                "holds is kept, and the job goes on without it"
+                f"{named} takes no more: {error}; what it holds is kept, and the job goes on "
+                "without it"
             )
 
 
@@ -231,11 +246,11 @@ def records_in(
         return
     path = a_path("run", run)
     with ExitStack() as stack:
-        stack.enter_context(_locked(path))
+        lock = stack.enter_context(_locked(path))
         opened = _opened(path, identity())
         stack.callback(opened.close)
         opened.begin_session(time.time())
-        yield RunDirectory(opened, notice, frozenset(opened.keys()))
+        yield RunDirectory(opened, lock, notice, frozenset(opened.keys()))
 
 
 def _opened(path: Path, identity: Identity) -> Database:
@@ -259,33 +274,69 @@ def _opened(path: Path, identity: Identity) -> Database:
     return opened
 
 
+class Lock:
+    """The lock of a directory: who holds it is the only one who adds to it.
+
+    Args:
+        path: of its file, which is made where it is missing.
+
+    Raises:
+        OSError: if it cannot be.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._file = self._opened()
+
+    def take(self) -> bool:
+        """Take the lock; return whether nobody else has it."""
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        return True
+
+    @property
+    def is_held(self) -> bool:
+        """Whether the lock that was taken is still held; if its file was removed, it is made anew.
+
+        It is lost if meanwhile somebody else has made the file, and taken the lock.
+        """
+        with suppress(OSError):  # a directory in which no file can be made has no other command
+            if not is_at(self._path, os.fstat(self._file)):
+                another = self._opened()
+                self.close()
+                self._file = another
+                return self.take()
+        return True
+
+    def close(self) -> None:
+        """Release the lock."""
+        os.close(self._file)
+
+    def _opened(self) -> int:
+        return os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+
+
 @contextmanager
-def _locked(path: Path) -> Iterator[None]:
+def _locked(path: Path) -> Iterator[Lock]:
     """A context in which no other process adds to the directory."""
     try:
         path.mkdir(parents=True, exist_ok=True)
-        lock = os.open(path / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+        lock = Lock(path / LOCK)
     except OSError as error:
         raise InputError(
             f"run directory {show(str(path))} cannot be written: {error.strerror}"
         ) from None
     try:
         until = time.monotonic() + PATIENCE
-        while not _taken(lock):
+        while not lock.take():
             if time.monotonic() > until:
                 raise InputError(f"run directory {show(str(path))} is in use by another command")
             time.sleep(0.05)
-        yield
+        yield lock
     finally:
-        os.close(lock)
-
-
-def _taken(lock: int) -> bool:
-    try:
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return False
-    return True
+        lock.close()
 
 
 def in_use(path: Path) -> bool:

@@ -46,7 +46,8 @@ def local_cluster(workers: int) -> Iterator[str]:
         with theirs:
             words = [json.dumps(sys.path), str(workers), place, str(theirs.fileno())]
             process = subprocess.Popen(  # noqa: S603  # our own module
-                [sys.executable, "-P", "-c", _START, *words],
+                # Its helpers would warn of what is left behind if it is killed.
+                [sys.executable, "-P", "-W", "ignore", "-c", _START, *words],
                 stdin=subprocess.DEVNULL,
                 # What workers print is not the report.
                 stdout=2,

@@ -7,6 +7,7 @@ import re
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import wraps
 from math import inf
 from pathlib import Path
 from typing import Annotated, Any
@@ -25,13 +26,10 @@ from allworlds.inputs import (
     show,
     values_of,
 )
-from allworlds.protocol import ANSWER_TIMEOUT
+from allworlds.protocol import ANSWER_TIMEOUT, START_TIMEOUT, limited_loading
 
 LEAST_TIMEOUT = 0.1
 """The shortest time-out in seconds; explorers are not checked more often."""
-
-START_TIMEOUT = 60.0
-"""Seconds in which an explorer must be imported, unless others are named."""
 
 POLL = LEAST_TIMEOUT
 """Seconds between two checks of other threads and processes."""
@@ -88,6 +86,18 @@ def _positive(name: str) -> Callable[[Any], Any]:
     return limit
 
 
+def _loading_in_time(make: Callable[..., None]) -> Callable[..., None]:
+    """A constructor of requests in which models are imported in the time that a keyword names."""
+
+    @wraps(make)
+    def limited(request: Request, /, *values: Any, **keywords: Any) -> None:
+        seconds = _positive("start-timeout")(keywords.get("start_timeout", START_TIMEOUT))
+        with limited_loading(seconds):
+            make(request, *values, **keywords)
+
+    return limited
+
+
 class AskedPatience(Request):
     """The part of a request that says how long explorers are waited for."""
 
@@ -100,11 +110,15 @@ class AskedPatience(Request):
         Option(
             EFFORT,
             "S",
-            "Seconds in which an explorer must be imported, or its library loaded.",
+            "Seconds in which code of yours must be imported, or a library loaded.",
             parse=seconds_of,
             apart=True,
         ),
     ] = Taken(_positive("start-timeout"), START_TIMEOUT)
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        cls.__init__ = _loading_in_time(cls.__init__)  # type: ignore[method-assign]
 
     @property
     def patience(self) -> Limits:

@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from allworlds.inputs import InputError, existing_file, show
+from allworlds.inputs import InputError, existing_file, is_loop_of_links, show
 
 INTERFACE_VERSION = 1
 """The value of ``ALLWORLDS_VERSION``."""
@@ -83,7 +83,8 @@ def library_path(path: str) -> Path:
         raise InputError("--native needs the path of a shared library, not an empty string")
     file = existing_file("--native", path)
     if file is None:
-        raise InputError(f"--native {show(path)}: there is no such file")
+        reason = "it is a loop of links" if is_loop_of_links(path) else "there is no such file"
+        raise InputError(f"--native {show(path)}: {reason}")
     return file
 
 

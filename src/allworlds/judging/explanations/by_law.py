@@ -32,6 +32,9 @@ FLUSH = (
 )
 """The question about a program that was silent for too long."""
 
+NEWLINE = "Does every line of the program end in a newline? Until it does, it is not read."
+"""The question about one that has begun a line."""
+
 NO_ACTION = ("a line that is no JSON", "a line that is no object", "it has none of the keys")
 """Words of the observation of a program that prints anything else than actions."""
 
@@ -141,7 +144,8 @@ def tell_timeout(story: Story) -> Telling:
     """Tell the ending, and that a program may be waiting with its line in a buffer."""
     told = ending("The explorer was silent for too long.")(story)
     if is_program(story.finding.explorer):
-        told.sentences.insert(1, FLUSH)
+        begun = "of one)" in str(story.finding.seen)
+        told.sentences.insert(1, NEWLINE if begun else FLUSH)
     return told
 
 
