@@ -117,7 +117,14 @@ def test_every_block_of_the_page_does_what_the_page_says(page, shell, tmp_path, 
 def test_what_is_not_run_says_why():
     pages = {page: (ROOT / page).read_text(encoding="utf-8") for page in PAGES}
     reasons = {block.reason for text in pages.values() for block in blocks(text) if block.reason}
-    usual = {"needs a cluster", "takes hours", "takes minutes", "needs Coq", "installs a package", "is a gate"}
+    usual = {
+        "needs a cluster",
+        "takes hours",
+        "takes minutes",
+        "needs Coq",
+        "installs a package",
+        "is a gate",
+    }
     assert reasons <= usual
     for page, text in pages.items():
         known = text.count("<!-- not run: ")
