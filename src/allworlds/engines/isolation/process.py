@@ -382,10 +382,15 @@ def limit_memory(megabytes: int, besides: int = 0) -> None:
 
     _, most = resource.getrlimit(resource.RLIMIT_AS)
     size = min(megabytes + besides << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
-    resource.setrlimit(resource.RLIMIT_AS, (size, size))
-    try:
-        mmap.mmap(-1, mmap.PAGESIZE).close()
-    except OSError:
+    # With such a limit the process would come to its end when its stack grows.
+    too_small = size < address_space() << 20
+    if not too_small:
+        resource.setrlimit(resource.RLIMIT_AS, (size, size))
+        try:
+            mmap.mmap(-1, mmap.PAGESIZE).close()
+        except OSError:
+            too_small = True
+    if too_small:
         raise InputError(
             f"memory {megabytes} MB is probably too small: a process is larger before it begins"
-        ) from None
+        )
