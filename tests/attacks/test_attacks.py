@@ -144,7 +144,10 @@ def test_an_attack_gets_its_verdict_and_leaves_nothing_behind(attack, function, 
 
 
 def tried_in_compiled_code():
-    """Each attack on who plays, or on what is played twice, wherever the kernel can judge."""
+    """Each attack on who plays, or on what is played twice, wherever the kernel can judge.
+
+    Libraries alone are tried with two workers, too: only with them does compiled code also play.
+    """
     kinds = ("state", "reaching", "dying", "libraries")
     # What is left to the Python engine, what names its engine, and what looks for worlds alone.
     others = {"all", "--memory", "--engine", "--where"}
@@ -152,7 +155,7 @@ def tried_in_compiled_code():
         alone = others & {*attack.options} or attack.name == "reaching/trusted_to_be_honest"
         if attack.file.parent.name in kinds and not attack.signal and not alone:
             for function in attack.verdicts:
-                for workers in (1, 2):
+                for workers in (1, 2) if attack.file.parent.name == "libraries" else (1,):
                     name = f"{attack.name}-{function or 'exec'}-{workers}"
                     yield pytest.param(attack, function, workers, id=name)
 
