@@ -38,11 +38,14 @@ def prudent(
 
     Cost: at most (1) + (2) of Section VI traversals.
     """
-    return (yield from _Prudent(first, notice, settled).explore())
+    return (yield from Prudent(first, notice, settled).explore())
 
 
-class _Prudent(Greedy):
+class Prudent(Greedy):
+    """The state of an exploration that stays near v0 while the settled part is long."""
+
     def next_dart(self, unexplored: list[int]) -> int:
+        """The nearest dart, or in a long world the one nearest to v0 and the robot."""
         if not self._is_long():
             return super().next_dart(unexplored)
         log = self.log
@@ -66,4 +69,4 @@ class _Prudent(Greedy):
         return 4 * max(self.distance.values()) ** 2 > 9 * len(self.distance)
 
 
-__all__ = ["prudent"]
+__all__ = ["Prudent", "prudent"]
