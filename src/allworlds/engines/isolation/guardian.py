@@ -111,8 +111,6 @@ class _Guardian:
         self._nurseries: dict[ReachNursery, tuple[socket.socket, int]] = {}
         self._relay = Relay()
         self._selector.register(self._relay, EVENT_READ)
-        self._signalled, self._signals = socket.socketpair()
-        self._selector.register(self._signalled, EVENT_READ)
 
     def run(self) -> NoReturn:
         """Serve until the owner is gone; then end everything."""
@@ -123,18 +121,20 @@ class _Guardian:
         for terminating in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(terminating, lambda *_: self._end_all())
         # The end or the stop of a child ends the waiting.
-        for one in (self._signalled, self._signals):
+        signalled, signals = socket.socketpair()
+        self._selector.register(signalled, EVENT_READ)
+        for one in (signalled, signals):
             one.setblocking(False)  # noqa: FBT003  # it takes no keyword
         signal.signal(signal.SIGCHLD, lambda *_: None)
-        signal.set_wakeup_fd(self._signals.fileno(), warn_on_full_buffer=False)
+        signal.set_wakeup_fd(signals.fileno(), warn_on_full_buffer=False)
         with suppress(EOFError):
             while os.getppid() == self._parent:
                 for key, _ in self._selector.select(LOOK):
                     if key.fileobj is self._relay:
                         self._relay.pass_on()
                         continue
-                    if key.fileobj is self._signalled:
-                        self._signalled.recv(1 << 12)
+                    if key.fileobj is signalled:
+                        signalled.recv(1 << 12)
                         continue
                     assert isinstance(key.fileobj, socket.socket)
                     # One that was ended by a request heard just before is heard no more.
