@@ -49,9 +49,11 @@ def pytest_configure(config):
 
     The first would go on wherever the second pauses, and the mark ``no_cover`` would be void.
 
-    Interrupts reach the tests that make them also where they begin ignored, as in the background.
+    Signals reach the tests that make them also where they begin ignored: interrupts in the
+    background, hangups under nohup.
     """
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
     begun = Coverage.current()
     if hasattr(config, "workerinput") and begun:
         begun.stop()
