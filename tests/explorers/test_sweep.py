@@ -43,7 +43,7 @@ def test_it_is_right_if_it_sweeps_wherever_it_can(example, monkeypatch, edges):
     assert report.traversals > allworlds.check("prudent", edges=edges).traversals  # it did sweep
 
 
-@pytest.mark.parametrize(("far", "cost"), [(1, 832), slow(2, 7_799), slow(3, 33_081)])
+@pytest.mark.parametrize(("far", "cost"), [(1, 832), slow(2, 7_799)])
 def test_it_walks_against_the_adversary_what_the_page_says(far, cost):
     adversary = Adversary(CorridorShape(far, usual_degree(far)), 1)
     report = allworlds.run(f"{EXAMPLE}:sweep", adversary, bound="none")
