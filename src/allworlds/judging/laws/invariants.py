@@ -31,19 +31,18 @@ def invariant_1(case: Case) -> Violation | None:
     every edge of S has been walked.
     """
     for steps, checkpoint in case.checkpoints:
-        embedding = embed(case, case.trail[steps], checkpoint)
-        if isinstance(embedding, BrokenInvariant):
-            return _violation(
-                "invariant-1", "S is the explored part of the world", steps, embedding
-            )
-        for d, e in enumerate(checkpoint.alpha):
-            if e != d and case.walked.get(embedding[d], steps) >= steps:
-                reason = BrokenInvariant(
-                    f"S holds an edge at its dart {d} that has never been walked"
-                )
-                return _violation(
-                    "invariant-1", "S is the explored part of the world", steps, reason
-                )
+        if broken := _wrong_part(case, steps, checkpoint):
+            return _violation("invariant-1", "S is the explored part of the world", steps, broken)
+    return None
+
+
+def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> BrokenInvariant | None:
+    embedding = embed(case, case.trail[steps], checkpoint)
+    if isinstance(embedding, BrokenInvariant):
+        return embedding
+    for d, e in enumerate(checkpoint.alpha):
+        if e != d and case.walked.get(embedding[d], steps) >= steps:
+            return BrokenInvariant(f"S holds an edge at its dart {d} that has never been walked")
     return None
 
 
@@ -54,17 +53,23 @@ def invariant_2(case: Case) -> Violation | None:
     to an edge of S.
     """
     for steps, checkpoint in case.checkpoints:
-        alpha = checkpoint.alpha
-        for d, e in enumerate(alpha):
-            if e != d and 0 <= e < len(alpha) and alpha[e] == e:
-                return _violation(
-                    "invariant-2",
-                    "U holds the unexplored darts at explored vertices, and no others",
-                    steps,
-                    BrokenInvariant(
-                        f"dart {e} is in U, but it is the other end of the explored dart {d}"
-                    ),
-                )
+        if broken := _half_entered(checkpoint):
+            return _violation(
+                "invariant-2",
+                "U holds the unexplored darts at explored vertices, and no others",
+                steps,
+                broken,
+            )
+    return None
+
+
+def _half_entered(checkpoint: Checkpoint) -> BrokenInvariant | None:
+    alpha = checkpoint.alpha
+    for d, e in enumerate(alpha):
+        if e != d and 0 <= e < len(alpha) and alpha[e] == e:
+            return BrokenInvariant(
+                f"dart {e} is in U, but it is the other end of the explored dart {d}"
+            )
     return None
 
 
@@ -131,18 +136,17 @@ def first_wrong(case: Case) -> tuple[int, str] | None:
     Where S is right with another ``here``, that is what is wrong.
     """
     for steps, checkpoint in case.checkpoints:
-        single = replace(case, checkpoints=((steps, checkpoint),))
-        broken = invariant_2(single) or invariant_1(single)
+        broken = _half_entered(checkpoint)
         if broken is None:
-            continue
-        darts = len(checkpoint.sigma)
-        for here in range(darts if darts <= len(case.map.sigma) else 0):
-            other = replace(checkpoint, here=here)
-            moved = replace(case, checkpoints=((steps, other),))
-            if not invariant_2(moved) and not invariant_1(moved):
-                stands = f"the robot stands at dart {here} of it"
-                return steps, f"S is right, but here = {show(checkpoint.here)}, where {stands}"
-        return steps, str(broken.seen).removeprefix(f"{at_checkpoint(steps)}: ")
+            broken = _wrong_part(case, steps, checkpoint)
+            if broken is None:
+                continue
+            darts = len(checkpoint.sigma)
+            for here in range(darts if darts <= len(case.map.sigma) else 0):
+                if _wrong_part(case, steps, replace(checkpoint, here=here)) is None:
+                    stands = f"the robot stands at dart {here} of it"
+                    return steps, f"S is right, but here = {show(checkpoint.here)}, where {stands}"
+        return steps, broken.reason
     return None
 
 
