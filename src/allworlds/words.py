@@ -13,9 +13,8 @@ _MISLEADING = re.compile(
 ends of lines are none of them."""
 
 COMMAND = re.compile(r"(?<![^\r\n])[^\S\r\n]*::|##(?:vso)?\[")
-"""What makes a line a command for the runner of a CI service, which takes a carriage return for the
-end of a line, too.  Source: actions/runner, ActionCommand.cs: ``::`` at the beginning, ``##[``
-anywhere; Azure Pipelines likewise ``##vso[``."""
+"""The part that makes a line a command for the runner of a CI service, taken widely: ``::`` at the
+beginning of a line, which a carriage return ends, too; ``##[`` and ``##vso[`` anywhere."""
 
 
 def escaped(text: str) -> str:
@@ -44,6 +43,11 @@ def number(value: int) -> str:
 def plural(count: int, one: str, many: str = "") -> str:
     """Count and noun in words: ``1 world``, ``2 worlds``."""
     return f"{number(count)} {one if count == 1 else many or one + 's'}"
+
+
+def ended_by(code: int) -> str:
+    """``exit code 1``, or ``signal 11`` for a return code below zero, as of :mod:`subprocess`."""
+    return f"exit code {code}" if code >= 0 else f"signal {-code}"
 
 
 def size(edges: int, vertices: int) -> str:

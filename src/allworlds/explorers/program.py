@@ -41,7 +41,7 @@ from allworlds.protocol import (
     Told,
     action_from_json,
 )
-from allworlds.words import plural
+from allworlds.words import ended_by, plural
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24
@@ -372,12 +372,8 @@ class Program:
     def _ended(self, seen: str) -> ExplorerFault:
         """The fault of a program that has ended, or has closed a pipe, which ``seen`` tells."""
         assert self._process is not None
-        try:
-            code = self._process.wait(1)
-            how = f"exit code {code}" if code >= 0 else f"signal {-code}"
-            seen = f"the end of its process ({how})"
-        except subprocess.TimeoutExpired:
-            pass
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            seen = f"the end of its process ({ended_by(self._process.wait(1))})"
         if self._process.returncode == 0 and not self._heard:
             seen += ", before a line of this episode: one process plays many, until its input ends"
         code = self._process.returncode

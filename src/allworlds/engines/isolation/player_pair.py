@@ -54,7 +54,7 @@ MOST_LOSSES = 20
 """The number of losses that are put down to the machine, if no fresh player repeats them."""
 
 STOPPED = "a process was stopped again and again, perhaps by the explorer"
-"""What is said when processes stand still, and nobody knows why."""
+"""The sentence about processes that stand still for a reason that is not known."""
 
 M = TypeVar("M")
 

@@ -40,6 +40,7 @@ from allworlds.engines.isolation.process_tree import (
 )
 from allworlds.explorers import HASH_SEED
 from allworlds.inputs import InputError
+from allworlds.words import ended_by
 
 BEAT_WORDS = 2
 """The shared memory: the number of the current run, and the turns of the explorer in it."""
@@ -329,8 +330,7 @@ class Process:
             if time.monotonic() > deadline:
                 return "the end of the process's pipe", False
             time.sleep(0.01)
-        how = f"exit code {code}" if code >= 0 else f"signal {-code}"
-        return f"the end of the process ({how})", code < 0
+        return f"the end of the process ({ended_by(code)})", code < 0
 
     def close(self) -> None:
         """End the process now, and all that it has started."""

@@ -38,7 +38,7 @@ class Record(NamedTuple):
 
 
 RECORD_ENDS = "nothing: the record ends here"
-"""What is expected of an explorer at the end of its recorded percepts."""
+"""The expectation at the end of the recorded percepts of an explorer."""
 
 
 class Recorded:

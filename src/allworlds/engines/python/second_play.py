@@ -253,7 +253,7 @@ class PlayedTwice:
                     if settled.violation is None:
                         self.earlier.keep(play)
                     yield play.one, self._seeded(settled)
-            if self._waited_enough:
+            if self._waited_enough():
                 break
         else:
             scripts.finish()
@@ -262,9 +262,8 @@ class PlayedTwice:
         if unlike:
             yield from self._by_seed(unlike, remark)
 
-    @property
     def _waited_enough(self) -> bool:
-        """Whether silences have taken too long; then the unit is given up."""
+        """Give the unit up if silences have taken too long; return whether they have."""
         each = self.players.answer_timeout
         if self._silences < 2 or self._silences * WAITS * each < MOST_WAITED:
             return False
@@ -277,11 +276,10 @@ class PlayedTwice:
     ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
         """The outcomes of runs that are tried once more; of a unit that is given up one silence."""
         for play in doubtful:
-            if not _is_silent(play.log):
-                yield play.one, self._once_more(unit, play, remark)
-                continue
             outcome = self._once_more(unit, play, remark)
             yield play.one, outcome
+            if not _is_silent(play.log):
+                continue
             if _law_of(outcome) != "timeout":
                 self._silences -= 1
             elif self.given_up:
