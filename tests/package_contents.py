@@ -25,6 +25,7 @@ NEEDED = {
         "noxfile.py",
         "corpus/manifest.json",
         "examples/c/algorithm1.c",
+        "examples/javascript/algorithm1.js",
         "proofs/check.py",
         "proofs/coq/Main.v",
         "CHANGELOG.md",

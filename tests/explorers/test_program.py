@@ -1,6 +1,7 @@
 """One process behind many episodes; see tests/engines/test_workers.py for what goes wrong."""
 
 import json
+import shutil
 import sys
 
 import pytest
@@ -8,6 +9,8 @@ import pytest
 from allworlds.explorers import Program
 from allworlds.inputs import InputError
 from allworlds.protocol import Checkpoint, ExplorerFault, Move, Percept
+from allworlds.studies.check import check
+from native_libraries import EXAMPLES
 from processes import PATIENCE
 
 SCRIPT = """
@@ -155,3 +158,15 @@ def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monke
     }.items():
         with pytest.raises(InputError, match=reason):
             Program(command, 1.0)
+
+
+@pytest.mark.slow
+def test_the_example_in_javascript_walks_as_the_built_in_does():
+    if shutil.which("node") is None:
+        pytest.skip("there is no node")
+    program, built_in = (
+        check(name, edges=3, engine="python")
+        for name in (f"exec:node {EXAMPLES}/javascript/algorithm1.js", "algorithm1")
+    )
+    assert program.exit_code == 0
+    assert program.levels == built_in.levels
