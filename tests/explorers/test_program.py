@@ -123,7 +123,7 @@ def test_the_words_for_a_program_without_a_line_are_true_of_it(tmp_path, kind):
     code, law, seen = AFTER_ITS_LINE[kind]
     script = tmp_path / "script.py"
     beginning = "import os, sys, time\nraw = lambda text: os.write(1, text.encode())\n"
-    script.write_text(f"{beginning}{code}\n")
+    script.write_text(f"{beginning}sys.stdin.readline()\n{code}\n")
     program = Program(f"{sys.executable} {script}", PATIENCE)
     walk = program.explore(Percept(1))
     next(walk)

@@ -141,7 +141,7 @@ def test_bearings_of_the_wrong_sign_are_named_where_the_map_is_right_by_symmetry
     assert finding.law == "pose"
     told = explain(finding)
     assert told.slip == "bearings anticlockwise"
-    undecided = told_of_run(replace(finding, chirality=None))
+    undecided = told_of_run(replace(finding, chirality=None, misreading=None))
     assert "or the bearings are counted anticlockwise" in undecided.sentences[0]
 
 

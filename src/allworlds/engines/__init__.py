@@ -67,7 +67,7 @@ if TYPE_CHECKING:
     from allworlds.engines.kernel.schedules import search as search
     from allworlds.engines.other_worlds import (
         confirmed as confirmed,
-        shown_chirality as shown_chirality,
+        played_elsewhere as played_elsewhere,
     )
     from allworlds.engines.progress import Listener as Listener, Once as Once, Silent as Silent
     from allworlds.engines.python.comparison import nondeterministic as nondeterministic

@@ -18,6 +18,8 @@
     the file and the line of one;
 ``program``
     a program in any language behind a pipe;
+``translated``
+    an explorer with one wrong convention, and a translator that puts it right;
 ``stepping``
     explorers as objects, which can be copied;
 ``command_words``
@@ -98,6 +100,7 @@ if TYPE_CHECKING:
         HASH_SEED as HASH_SEED,
         NATIVE as NATIVE,
         SHIELD as SHIELD,
+        TRANSLATED as TRANSLATED,
         Subject as Subject,
         built_in as built_in,
         command_of as command_of,
@@ -110,6 +113,8 @@ if TYPE_CHECKING:
         own_lighthouse as own_lighthouse,
         subject_known as subject_known,
         with_shield as with_shield,
+        with_translator as with_translator,
     )
+    from allworlds.explorers.translated import CONVENTIONS as CONVENTIONS
 else:
     open_door(__name__)

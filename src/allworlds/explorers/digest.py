@@ -15,9 +15,9 @@ from allworlds.explorers.subject import (
     Subject,
     command_of,
     entry_point,
+    innermost,
     is_library,
     path_of,
-    unshielded,
 )
 from allworlds.inputs import InputError, read_text, show
 from allworlds.protocol import SourceText, arguments_of, bytes_of, module_file
@@ -36,7 +36,7 @@ def content_digest(subject: Subject) -> str:
     Raises:
         InputError: if it exists in this process alone, or its file cannot be found.
     """
-    name = unshielded(subject.name)
+    name = innermost(subject.name)
     if name in BUILT_IN:
         return OURS
     if subject.source:
@@ -64,7 +64,7 @@ def with_content(subject: Subject) -> Subject:
 
     For a module inside a package the text is not enough: the package must be there.
     """
-    place, _, _ = unshielded(subject.name).partition("?")[0].rpartition(":")
+    place, _, _ = innermost(subject.name).partition("?")[0].rpartition(":")
     if (
         subject.own
         or subject.source

@@ -17,15 +17,19 @@ from allworlds.explorers.subject import (
     Subject,
     built_in,
     command_of,
+    convention_in,
     entry_point,
     entry_points,
     has_shield,
+    innermost,
     is_library,
     is_program,
+    is_translated,
+    one_inside,
     path_of,
     subject_of,
-    unshielded,
     with_shield,
+    with_translator,
 )
 from allworlds.inputs import InputError, show
 from allworlds.protocol import (
@@ -49,7 +53,7 @@ def source_of(name: str) -> SourceText | None:
     Raises:
         InputError: if the name is that of no explorer, or the file cannot be read.
     """
-    name = unshielded(name)
+    name = innermost(name)
     if is_program(name):
         return None
     if is_library(name):
@@ -90,7 +94,10 @@ def load(
         InputError: if there is none, it does not import, or it is no generator function.
     """
     if has_shield(name):
-        return with_shield(load(unshielded(name), answer_timeout, source))
+        return with_shield(load(one_inside(name), answer_timeout, source))
+    if is_translated(name):
+        inside = load(one_inside(name), answer_timeout, source)
+        return with_translator(inside, convention_in(name))
     if name in BUILT_IN:
         return built_in(name)
     if is_program(name):

@@ -13,10 +13,10 @@ from allworlds.explorers.moved import present_name
 from allworlds.explorers.subject import (
     command_of,
     entry_point,
+    innermost,
     is_library,
     is_program,
     path_of,
-    unshielded,
 )
 from allworlds.inputs import InputError
 from allworlds.protocol import module_file
@@ -49,7 +49,7 @@ def files_of_explorer(name: str) -> list[Path]:
 
     For a program they are the files that its command names.
     """
-    name = unshielded(name)
+    name = innermost(name)
     if is_program(name):
         try:
             words = shlex.split(command_of(name))
@@ -75,7 +75,7 @@ def place_of_explorer(name: str) -> SourceLine | None:
     for a program the first line of the last file that its command names, for a shared library
     the source of the same name beside it, or else the library.
     """
-    name = unshielded(name)
+    name = innermost(name)
     if name in BUILT_IN:
         return None
     try:

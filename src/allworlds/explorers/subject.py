@@ -18,6 +18,7 @@ from allworlds.explorers.builtin.shield import Shield
 from allworlds.explorers.program import Program, ProgramRuns
 from allworlds.explorers.shared_library.native import NativeExplorer
 from allworlds.explorers.stepping import CopyingExplorer, SteppedRuns, SteppingExplorer, stepping
+from allworlds.explorers.translated import CONVENTIONS, Translated
 from allworlds.inputs import InputError, show
 from allworlds.protocol import (
     Checkpoint,
@@ -33,7 +34,9 @@ ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
 NATIVE = "native:"
 SHIELD = "shield:"
-"""The beginnings of the names of programs, of shared libraries, and of explorers with a shield."""
+TRANSLATED = "translated:"
+"""The beginnings of the names of programs, of shared libraries, and of explorers with a shield or
+behind a translator."""
 
 SHIELD_BOUND = "9*paper"
 """The bound that every explorer with a shield keeps."""
@@ -55,7 +58,8 @@ class Subject:
         name: by which it is found again: a built-in name, ``module:attribute``,
             ``path/to/file.py:attribute``, an entry point, each of which may end in ``?key=value``,
             ``exec:COMMAND`` or ``native:PATH``;
-            any of them with a shield as ``shield:NAME``.
+            any of them with a shield as ``shield:NAME``, or behind a translator as
+            ``translated:CONVENTION:NAME``.
         keywords: the ones of ``choices``, ``told``, ``notice`` and ``settled`` that it takes.
         explore: the generator function; None where another process finds it by its name, so
             that its code never gets into this one.
@@ -64,7 +68,7 @@ class Subject:
         program: the user's program behind it, if there is one that is run here.
         native: the shared library behind it, if there is one that is run here.
         steps: the object or the class behind it, if it is one.
-        inside: the explorer inside, if this one has a shield and is run here.
+        inside: the explorer inside a shield or behind a translator, if it is run here.
     """
 
     name: str
@@ -86,7 +90,7 @@ class Subject:
     def is_program(self) -> bool:
         """Whether it is a program behind a pipe, by its name, here and in other processes.
 
-        A program with a shield is still a program.
+        A program with a shield, or behind a translator, is still a program.
         """
         return is_program(self.name)
 
@@ -94,7 +98,7 @@ class Subject:
     def compiled(self) -> bool:
         """Whether it is a shared library, by its name, here and in other processes.
 
-        False with a shield: then Python calls it, as any other explorer.
+        False with a shield or a translator: then Python calls it, as any other explorer.
         """
         return self.name.startswith(NATIVE)
 
@@ -182,12 +186,12 @@ class Subject:
 
 def is_program(name: str) -> bool:
     """Whether that is the name of a program behind a pipe, as ``exec:COMMAND``."""
-    return unshielded(name).startswith(EXEC)
+    return innermost(name).startswith(EXEC)
 
 
 def is_library(name: str) -> bool:
     """Whether that is the name of a shared library, as ``native:PATH``."""
-    return unshielded(name).startswith(NATIVE)
+    return innermost(name).startswith(NATIVE)
 
 
 def has_shield(name: str) -> bool:
@@ -195,37 +199,73 @@ def has_shield(name: str) -> bool:
     return name.startswith(SHIELD)
 
 
-def unshielded(name: str) -> str:
-    """The name without the shield, if there is one."""
-    while has_shield(name):
-        name = name.removeprefix(SHIELD)
+def is_translated(name: str) -> bool:
+    """Whether that is the name of an explorer behind a translator."""
+    return name.startswith(TRANSLATED)
+
+
+def convention_in(name: str) -> str:
+    """The name of the convention in ``translated:CONVENTION:NAME``.
+
+    Raises:
+        InputError: if there is no such convention.
+    """
+    convention = name.split(":", 2)[1]
+    if convention not in CONVENTIONS:
+        legal = ", ".join(CONVENTIONS)
+        raise InputError(f"convention {show(convention)} is not one of {legal}")
+    return convention
+
+
+def one_inside(name: str) -> str:
+    """The name without its shield, or without its translator."""
+    return name.removeprefix(SHIELD) if has_shield(name) else name.split(":", 2)[-1]
+
+
+def innermost(name: str) -> str:
+    """The name without shields and translators."""
+    while has_shield(name) or is_translated(name):
+        name = one_inside(name)
     return name
 
 
 def with_shield(inside: Subject) -> Subject:
     """The explorer with a shield; one shield is enough."""
-    if has_shield(inside.name):
-        return inside
-    name, keywords = SHIELD + inside.name, inside.keywords - {"notice", "settled"}
+    return inside if has_shield(inside.name) else _around(inside, SHIELD, _shield)
+
+
+def with_translator(inside: Subject, convention: str) -> Subject:
+    """The explorer behind the translator of a convention."""
+    name = f"{TRANSLATED}{convention}:"
+    return _around(inside, name, lambda explore: Translated(explore, CONVENTIONS[convention]))
+
+
+def _around(
+    inside: Subject, before: str, wrapped: Callable[[Callable[..., Any]], Callable[..., Any]]
+) -> Subject:
+    name, keywords = before + inside.name, inside.keywords - {"notice", "settled"}
     if inside.explore is None:
         return Subject(name, keywords, source=inside.source)
-    explore = inside.explore if isinstance(inside.explore, Shield) else Shield(inside.explore)
-    return Subject(name, keywords, explore, source=inside.source, inside=inside)
+    return Subject(name, keywords, wrapped(inside.explore), source=inside.source, inside=inside)
+
+
+def _shield(explore: Callable[..., Any]) -> Shield:
+    return explore if isinstance(explore, Shield) else Shield(explore)
 
 
 def command_of(name: str) -> str:
     """The command of a program of that name."""
-    return unshielded(name).removeprefix(EXEC)
+    return innermost(name).removeprefix(EXEC)
 
 
 def path_of(name: str) -> str:
     """The path of a shared library of that name."""
-    return unshielded(name).removeprefix(NATIVE)
+    return innermost(name).removeprefix(NATIVE)
 
 
 def named_on_command_line(name: str) -> list[str]:
     """The arguments of the command line that name an explorer."""
-    if has_shield(name):
+    if has_shield(name) or is_translated(name):
         return [name]
     if is_program(name):
         return ["--exec", command_of(name)]
@@ -354,7 +394,7 @@ def entry_point(plain: str) -> importlib.metadata.EntryPoint | None:
 def names_explorer(text: str) -> bool:
     """Whether a text has the form of an explorer's name; whether there is one is not checked."""
     plain = text.partition("?")[0]
-    if has_shield(text) or plain in BUILT_IN or entry_point(plain):
+    if has_shield(text) or is_translated(text) or plain in BUILT_IN or entry_point(plain):
         return True
     return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
 

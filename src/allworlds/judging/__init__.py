@@ -59,6 +59,10 @@ if TYPE_CHECKING:
         Explanation as Explanation,
         explain as explain,
     )
+    from allworlds.judging.explanations.misread import (
+        may_be_misread as may_be_misread,
+        small_worlds as small_worlds,
+    )
     from allworlds.judging.explanations.named_walk import Walked as Walked
     from allworlds.judging.explanations.spending import Spending as Spending
     from allworlds.judging.explanations.story import Belief as Belief, Story as Story
@@ -79,6 +83,7 @@ if TYPE_CHECKING:
         canonical_world as canonical_world,
         place_of as place_of,
     )
+    from allworlds.judging.findings.misreading import Misreading as Misreading
     from allworlds.judging.findings.rules import (
         Among as Among,
         AskedRules as AskedRules,

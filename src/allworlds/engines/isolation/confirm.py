@@ -34,6 +34,7 @@ from allworlds.judging import (
     Fault,
     Finding,
     Log,
+    LostRun,
     Over,
     Rules,
     UncheckedAmbiguous,
@@ -110,6 +111,23 @@ def examine_apart(
                 hash_seed,
             )
     return replace(outcome, output=heard.text)
+
+
+def outcomes_apart(
+    subject: Subject,
+    rules: Rules,
+    worlds: Sequence[World],
+    limits: Limits,
+    hash_seed: int | None = None,
+) -> Iterator[Outcome | LostRun]:
+    """The judged runs of a user's explorer in these worlds, each played once, in any order."""
+    most = max(world.map.edge_count for world in worlds)
+    engine = PythonEngine(Scope(Extent(MapClass.MAPS, most), rules), keep=1)
+    unit = GivenWorlds(tuple((canonical_world(world), place_of(world)) for world in worlds))
+    with _players(subject, limits, hash_seed) as players:
+        once = PlayedTwice(engine, subject.name, players)
+        for _, outcome in once.played_once(unit, [*engine.runs(unit)]):
+            yield outcome
 
 
 def walk_apart(

@@ -10,7 +10,7 @@ from typing import Annotated, Any, NamedTuple, Self
 
 from allworlds.document import replace
 from allworlds.engines.units.kept_form import Form
-from allworlds.judging import Chirality, Finding, Rules
+from allworlds.judging import Chirality, Finding, Misreading, Rules
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
@@ -18,6 +18,8 @@ def finding_to_record(finding: Finding) -> dict[str, Any]:
     record = {**finding.to_json(), "machine": finding.machine, "traced": finding.traced}
     if finding.chirality:
         record["chirality"] = asdict(finding.chirality)
+    if finding.misreading:
+        record["misreading"] = asdict(finding.misreading)
     return record
 
 
@@ -28,6 +30,7 @@ def finding_from_record(document: Mapping[str, Any]) -> Finding:
         machine=document["machine"],
         traced=document["traced"],
         chirality=Chirality(**document["chirality"]) if "chirality" in document else None,
+        misreading=Misreading(**document["misreading"]) if "misreading" in document else None,
     )
 
 

@@ -112,7 +112,7 @@ def tell_no_estimate(story: Story) -> Telling:
     if built:
         told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
         told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
-    if built and "must be a permutation" in message:
+    if built and "must be a permutation" in message and not story.finding.misreading:
         told.append(ANTICLOCKWISE)
     told += _tell_first_wrong(story)
     return Telling([*told, _say_last_step(story)], story.checkpoint)
@@ -155,7 +155,7 @@ def tell_budget(story: Story) -> Telling:
     why = _tell_first_wrong(story)
     if not why and str(story.finding.seen).startswith("checkpoint "):
         why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
-    if not why:
+    if not why and not story.finding.misreading:  # which is the cause
         why = [*(tell_rounds(story) or [_say_last_step(story)]), SHOW]
     return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
 

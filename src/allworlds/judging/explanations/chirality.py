@@ -29,12 +29,16 @@ def chiral_worlds(finding: Finding) -> Iterator[World]:
 
     They have its lighthouse, and are simple or planar where its world is.
     """
-    like = next(each for each in NARROWEST if each.includes(finding.world.map))
     for edges in range(1, LARGEST + 1):
-        for map_ in rooted_maps(edges, like):
+        for map_ in rooted_maps(edges, narrowest_class(finding)):
             place = next(iter(finding.rules.kind.places(map_, 0)), None)
             if place and not isomorphism(map_, map_.mirrored()):
                 yield World(map_, place, 0)
+
+
+def narrowest_class(finding: Finding) -> MapClass:
+    """The narrowest of the usual classes that holds the finding's world."""
+    return next(each for each in NARROWEST if each.includes(finding.world.map))
 
 
 def chirality_in(world: World, answer: CombinatorialMap) -> Chirality | None:

@@ -7,6 +7,7 @@ from typing import Annotated
 from allworlds.document import Aside, Natural, Positive, Report, Some, Text, about, computed
 from allworlds.inputs import InputError, show
 from allworlds.judging.explanations.by_law import teller_of
+from allworlds.judging.explanations.misread import misread_name, tell_misreading
 from allworlds.judging.explanations.spending import Spending
 from allworlds.judging.explanations.story import Story
 from allworlds.judging.findings.finding import Finding
@@ -76,13 +77,14 @@ def explain(
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
     story = Story(finding)
     telling = teller_of(finding.law)(story)
+    misread = tell_misreading(finding)
     return Explanation(
         step=telling.step,
-        sentences=tuple(telling.sentences),
+        sentences=(*misread, *telling.sentences),
         robot=story.walked[-1],
         answer=telling.answer,
         other=telling.other,
-        slip=telling.slip or None,
+        slip=misread_name(finding) or telling.slip or None,
         number=number,
         findings=findings,
         finding=finding,

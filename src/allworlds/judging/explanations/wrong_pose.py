@@ -47,7 +47,7 @@ def tell_pose(story: Story) -> Telling:
             f"{BOTH}, but in {shown.where}, the explorer's map is the mirror image, too.",
             f"Therefore {HERE}: {where}.",
         ]
-    elif bearings:
+    elif bearings and not story.finding.misreading:  # which says so before
         name = bearings.name
         told = [f"The map is right, but {HERE}: {where}.", f"Or: {bearings.sentence}"]
     else:

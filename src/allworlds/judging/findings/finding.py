@@ -22,6 +22,7 @@ from allworlds.document import (
 )
 from allworlds.explorers import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs import InputError, parse_json, show
+from allworlds.judging.findings.misreading import Misreading
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.findings.sense_of_rotation import Chirality
 from allworlds.judging.laws.case import Value
@@ -59,7 +60,8 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
 
     ``at`` holds the place and ``under`` the rules, where they need not be made of the world and the
     options. The ``machine`` may be the cause. A run that has killed its worker is ``traced``, so
-    that its walk is known, when it is reported. The ``chirality`` is what a chiral world showed.
+    that its walk is known, when it is reported. The ``chirality`` is what a chiral world showed,
+    and the ``misreading`` what a translator did.
     """
 
     version: Annotated[Literal[1], about("the version of findings")]
@@ -125,6 +127,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     machine: Aside[bool] = False
     traced: Aside[bool] = True
     chirality: Aside[Chirality | None] = None
+    misreading: Aside[Misreading | None] = None
 
     @cached_property
     def rules(self) -> Rules:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from allworlds.document import replace
-from allworlds.engines import Limits, shown_chirality, single_run, subject_of
+from allworlds.engines import Limits, played_elsewhere, single_run, subject_of
 from allworlds.inputs import InputError, answers, show
 from allworlds.judging import (
     Chirality,
     Explanation,
     Finding,
     explain as explained,
+    may_be_misread,
     needs_a_chiral_world,
 )
 from allworlds.studies.explain.explain_request import ExplainRequest
@@ -19,9 +20,9 @@ from allworlds.studies.explain.explain_request import ExplainRequest
 def explain(request: ExplainRequest) -> Explanation:
     """Explain the finding in plain words.
 
-    Where the world is its own mirror image, and both a wrong ``here`` and wrong rotations would
-    explain the answer, the recorded explorer is played in a world that tells them apart, unless
-    it does something else now.
+    Where a wrong convention may be the cause, the recorded explorer is played behind translators;
+    where both a wrong ``here`` and wrong rotations would explain the answer, since the world is
+    its own mirror image, in a world that tells them apart; unless it does something else now.
 
     Raises:
         InputError: if the transcript of the finding is no walk in its world, or its answer is
@@ -30,25 +31,30 @@ def explain(request: ExplainRequest) -> Explanation:
     finding = request.finding
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    if needs_a_chiral_world(finding):
+    if needs_a_chiral_world(finding) or may_be_misread(finding):
         limits = Limits(answer_timeout=request.answer_timeout)
-        finding = replace(finding, chirality=_played(finding, limits))
+        finding = _played(finding, limits)
     return explained(finding, number=request.number, findings=request.findings)
 
 
-def _played(finding: Finding, limits: Limits) -> Chirality | None:
-    """The sense of rotation that the recorded explorer shows, if it is still the same."""
+def _played(finding: Finding, limits: Limits) -> Finding:
+    """The finding with what the recorded explorer shows elsewhere, if it is still the same."""
     try:
         subject = subject_of(finding.explorer, limits)
     except InputError as error:
-        return Chirality("unknown", f"the explorer cannot be run ({error})")
+        return _undecided(finding, f"the explorer cannot be run ({error})")
     run = single_run(
         subject, finding.world, finding.rules, finding.choices, limits, finding.hash_seed
     )
     now = run.finding
     if now is None or not _alike(now, finding):
-        return Chirality("unknown", "the explorer has changed since, and was not played again")
-    return shown_chirality(finding, subject, limits)
+        return _undecided(finding, "the explorer has changed since, and was not played again")
+    return played_elsewhere(finding, subject, limits)
+
+
+def _undecided(finding: Finding, why: str) -> Finding:
+    needs = needs_a_chiral_world(finding)
+    return replace(finding, chirality=Chirality("unknown", why) if needs else None)
 
 
 def _alike(one: Finding, other: Finding) -> bool:

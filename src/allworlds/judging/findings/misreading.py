@@ -1,0 +1,20 @@
+"""The convention that an explorer has wrong, seen by playing it behind a translator."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Misreading:
+    """The result of playing the explorer of a finding behind a translator: no law was broken.
+
+    Attributes:
+        convention: the name in :data:`allworlds.explorers.CONVENTIONS`.
+        runs: the number of runs besides that of the finding.
+        edges: the largest number of edges of their worlds.
+    """
+
+    convention: str
+    runs: int
+    edges: int
