@@ -16,8 +16,8 @@
     a digest of an explorer's code, independent of its name;
 ``source_line``
     the file and the line of one;
-``program``
-    a program in any language behind a pipe;
+``program``, ``program_lines``
+    a program in any language behind a pipe, and the lines between;
 ``translated``
     an explorer with one wrong convention, and a translator that puts it right;
 ``stepping``

@@ -1,20 +1,11 @@
-"""A program in any language as an explorer: JSON lines over a pipe.
+"""A program in any language as an explorer: lines of JSON over a pipe.
 
-One process plays many episodes.  To it: ``{"episode": 1, "percept": P}`` (with ``"told"``
-if there is something to tell), then ``{"percept": P}`` after each action.  From it:
-``{"move": k}``, ``{"drop": true}``, ``{"pick": true}``, ``{"write": k}``,
-``{"checkpoint": {...}}`` (unanswered) or ``{"estimate": {"sigma", "alpha", "here"}}`` or
-``{"ambiguous": {"sigma", "alpha", "degree", "marks", "here"}}``, or ``{"answer": VALUE}`` where
-the task is not ``map``.  Unknown keys are ignored by both sides.
-
-A program whose first line is ``{"forks": true}`` (unanswered) can keep its state:  to it
-``{"fork": N}`` (unanswered) and later, in place of an ``episode``, ``{"goto": N, "percept": P}``.
+One process plays many episodes; :mod:`allworlds.explorers.program_lines` has the lines.
 """
 
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import secrets
 import select
@@ -23,42 +14,28 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Generator, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Generator
 from random import Random
-from typing import Any, Literal, NamedTuple
+from typing import Literal
 
 from allworlds.explorers.command_words import missing_script, obstacle, syntax_error
-from allworlds.inputs import SHOWN, InputError, show
-from allworlds.maps import CombinatorialMap, InvalidMap
-from allworlds.protocol import (
-    Action,
-    Ambiguous,
-    Checkpoint,
-    Estimate,
-    ExplorerFault,
-    Percept,
-    Told,
-    action_from_json,
+from allworlds.explorers.program_lines import (
+    EpisodeEnd,
+    Message,
+    answering,
+    beginning,
+    forking,
+    going_to,
+    message_of,
+    says_it_forks,
+    shown,
 )
+from allworlds.inputs import InputError, show
+from allworlds.protocol import Action, Checkpoint, ExplorerFault, Percept, Told
 from allworlds.words import ended_by, plural
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24
-SAYINGS = ("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer")
-"""A line of the program has exactly one of these keys."""
-
-ANSWERS = {"estimate", "ambiguous", "answer"}
-"""The keys of a line that ends an episode."""
-
-SHORT = 64
-"""Lines of fewer bytes, as most are, are parsed once."""
-
-
-class EpisodeEnd(NamedTuple):
-    """The answer of an episode, which is over."""
-
-    answer: object
 
 
 class Program:
@@ -158,7 +135,7 @@ class Program:
             if not finished:
                 self._kill()
 
-    def begin(self, first: Percept, told: Told) -> Action | Checkpoint | EpisodeEnd:
+    def begin(self, first: Percept, told: Told) -> Message:
         """Begin an episode; return the first message.
 
         Raises:
@@ -167,7 +144,7 @@ class Program:
         self._begin(first, told)
         return self._next_message()
 
-    def go_on(self, percept: Percept | None) -> Action | Checkpoint | EpisodeEnd:
+    def go_on(self, percept: Percept | None) -> Message:
         """Answer an action, and return the next message; a checkpoint is not answered.
 
         Raises:
@@ -176,16 +153,16 @@ class Program:
         if self._from is not None:
             assert percept is not None
             self._empty()
-            self._send(b'{"goto": %d, ' % self._from + _answering(percept)[1:])
+            self._send(going_to(self._from, percept))
             self._from = None
         elif not self._unanswered:
             assert percept is not None
-            self._send(_answering(percept))
+            self._send(answering(percept))
         return self._next_message()
 
     def fork(self, number: int) -> None:
         """Ask the program to keep its state by that number."""
-        self._send(b'{"fork": %d}\n' % number)
+        self._send(forking(number))
 
     def goto(self, number: int) -> None:
         """Let the program go on from that state with the next percept."""
@@ -195,32 +172,20 @@ class Program:
             )
         self._from, self._unanswered = number, False
 
-    def _next_message(self) -> Action | Checkpoint | EpisodeEnd:
+    def _next_message(self) -> Message:
         """The program's next message."""
         line = self._line()
-        action = _short_action(line) if len(line) < SHORT else None
-        self._unanswered = False
-        if action is not None:
-            return action
-        message = self._message(line)
-        if self._lines == 1 and message.get("forks") is True:
+        if self._lines == 1 and says_it_forks(line):
             self.forks = True
-            return self._next_message()
-        if (said := _sayings(message)) != 1:
-            keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
-            raise self._fault("illegal-action", f"the line {_short(message)}: {keys}")
-        action = action_from_json(message)
-        if action is not None:
-            return action
-        if "checkpoint" in message:
-            self._unanswered = True
-            return _checkpoint(message["checkpoint"])
-        if message.keys() & ANSWERS:
-            if self._out:
-                raise self._fault("illegal-action", f"a line after its answer: {_text(self._out)}")
-            return EpisodeEnd(_answer(message))
-        legal = "move takes an integer, write one from 0 on, drop and pick take true"
-        raise self._fault("illegal-action", f"the line {_short(message)}: {legal}")
+            line = self._line()
+        try:
+            message = message_of(line)
+        except ExplorerFault as fault:
+            raise self._fault(fault.law, fault.seen, fault.detail) from None
+        self._unanswered = isinstance(message, Checkpoint)
+        if isinstance(message, EpisodeEnd) and self._out:
+            raise self._fault("illegal-action", f"a line after its answer: {shown(self._out)}")
+        return message
 
     def close(self) -> None:
         """Close the program's input, wait a second for its end, then kill it."""
@@ -239,16 +204,14 @@ class Program:
             self._start()
         self._empty()
         self._heard, self._from = False, None
-        number = self._numbers.getrandbits(53)
-        heard = b"" if told is None else b'"told": %b, ' % json.dumps(told).encode()
-        self._send(b'{"episode": %d, ' % number + heard + _answering(first)[1:])
+        self._send(beginning(self._numbers.getrandbits(53), first, told))
 
     def _empty(self) -> None:
         """Raise ExplorerFault if the program has said more than it was asked for."""
         self._read(0)
         self._err.clear()
         if self._out:
-            raise self._fault("illegal-action", f"a line before it was asked: {_text(self._out)}")
+            raise self._fault("illegal-action", f"a line before it was asked: {shown(self._out)}")
 
     def _start(self) -> None:
         try:
@@ -309,15 +272,6 @@ class Program:
             unread = f"it writes on, and for {self._timeout:g} s it has read nothing of the answers"
             raise self._fault("illegal-action", unread, machine=True)
         self._send(line)
-
-    def _message(self, line: bytes) -> dict[str, Any]:
-        try:
-            message = json.loads(line)
-        except (ValueError, RecursionError):
-            raise self._fault("illegal-action", f"a line that is no JSON: {_text(line)}") from None
-        if not isinstance(message, dict):
-            raise self._fault("illegal-action", f"a line that is no object: {_text(line)}")
-        return message
 
     def _line(self) -> bytes:
         deadline = time.monotonic() + self._timeout
@@ -403,87 +357,14 @@ class Program:
         self,
         law: Literal["crash", "timeout", "illegal-action", "no-estimate"],
         seen: str,
+        detail: str = "",
         *,
         machine: bool = False,
     ) -> ExplorerFault:
         self._drain()
-        detail = self._err.decode(errors="replace")
-        told = f"stderr:\n{detail}" if detail else ""
-        return ExplorerFault(law, seen, told, machine=machine)
-
-
-def _sayings(message: dict[str, Any]) -> int:
-    """The number of keys of :data:`SAYINGS` in a message."""
-    return sum(key in message for key in SAYINGS)
-
-
-@lru_cache(maxsize=1 << 12)
-def _short_action(line: bytes) -> Action | None:
-    """The action of a short line; None if the line must be parsed more carefully."""
-    try:
-        message = json.loads(line)
-    except (ValueError, RecursionError):
-        return None
-    one = isinstance(message, dict) and _sayings(message) == 1
-    return action_from_json(message) if one else None
-
-
-@lru_cache(maxsize=1 << 12)
-def _answering(percept: Percept) -> bytes:
-    """The line that answers an action."""
-    return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
-
-
-def _checkpoint(value: object) -> Checkpoint:
-    if not isinstance(value, dict):
-        raise ExplorerFault("illegal-action", f"a checkpoint that is no object: {_short(value)}")
-    if missing := _missing(value):
-        raise ExplorerFault("illegal-action", f"a checkpoint without {missing}: {_short(value)}")
-    return Checkpoint(value["sigma"], value["alpha"], value["here"])
-
-
-def _answer(message: dict[str, Any]) -> object:
-    if "estimate" in message:
-        return _estimate(message["estimate"])
-    if "answer" in message:
-        return message["answer"]
-    return _ambiguous(message["ambiguous"])
-
-
-def _estimate(value: object) -> Estimate:
-    if not isinstance(value, dict):
-        raise ExplorerFault("no-estimate", f"an estimate that is no object: {_short(value)}")
-    if missing := _missing(value):
-        raise ExplorerFault("no-estimate", f"an estimate without {missing}: {_short(value)}")
-    try:
-        return Estimate(CombinatorialMap.from_json(value), value["here"])
-    except InvalidMap as error:
-        raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
-
-
-def _ambiguous(value: object) -> Ambiguous:
-    if not isinstance(value, dict):
-        raise ExplorerFault("no-estimate", f"a quotient that is no object: {_short(value)}")
-    if missing := _missing(value, ("sigma", "alpha", "degree", "marks", "here")):
-        raise ExplorerFault("no-estimate", f"a quotient without {missing}: {_short(value)}")
-    return Ambiguous(*(value[key] for key in ("sigma", "alpha", "degree", "marks", "here")))
-
-
-def _missing(value: dict[str, Any], keys: Sequence[str] = ("sigma", "alpha", "here")) -> str:
-    """The missing keys of a checkpoint or an answer, in words."""
-    return " and ".join(key for key in keys if key not in value)
-
-
-def _short(value: object) -> str:
-    try:
-        text = json.dumps(value)
-    except (RecursionError, ValueError):  # nested too deeply, or an integer too long
-        return show(value)
-    return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
-
-
-def _text(line: bytes | bytearray) -> str:
-    return repr(line[:SHOWN].decode(errors="replace"))
+        said = self._err.decode(errors="replace")
+        told = [detail, f"stderr:\n{said}" if said else ""]
+        return ExplorerFault(law, seen, "\n\n".join(filter(None, told)), machine=machine)
 
 
 class ProgramRuns:
@@ -508,7 +389,7 @@ class ProgramRuns:
         """Go on from the state that is kept by that number."""
         self._program.goto(place)
 
-    def _message(self, asked: Callable[[], Action | Checkpoint | EpisodeEnd]) -> object:
+    def _message(self, asked: Callable[[], Message]) -> object:
         try:
             message = asked()
         except BaseException:
