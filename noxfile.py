@@ -113,8 +113,9 @@ def proofs(session: nox.Session) -> None:
 
 @nox.session
 def full(session: nox.Session) -> None:
-    """Go further with what is extracted from Coq (nox -s proofs builds it)."""
-    session.install(".[proofs]")
+    """Run the longest tests, then go further with what Coq extracts (nox -s proofs builds it)."""
+    session.install(".[browser,dev,docs]")
+    session.run("pytest", "-n", "auto", "--dist", "worksteal", "-m", "long", "--durations=25")
     further = ("walked", "judged", "checked", "folded", "shielded")
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
     session.run("python", "proofs/certified.py", "--edges", "5", *limits)

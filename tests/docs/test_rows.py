@@ -56,6 +56,7 @@ def test_the_columns_are_those_of_the_page(command):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_worlds_in_which_algorithm_1_walks_less_are_as_many_as_the_page_says():
     rows = allworlds.compare("algorithm1", "greedy", edges=5, by="world").records()
     less = [row for row in rows if row["explorer"] == "greedy" and row["ratio"] > 1]

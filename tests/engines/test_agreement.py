@@ -214,6 +214,7 @@ assert max(row.worst for row in worst(edges=3).rows) == 11
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_where_each_index_is_checked_the_engines_say_the_same(tmp_path):
     environment = {
         **os.environ,

@@ -12,7 +12,7 @@ from allworlds.evidence.mutants.explorers import (
 from allworlds.evidence.mutants.judges import WEAK_JUDGES
 from allworlds.inputs import InputError
 from allworlds.judging import LAWS, PRECEDENCE
-from small import slow
+from small import long
 
 SMALLER = 1
 # Whom it takes three edges to kill, and whom four: every smaller map is its own mirror image.
@@ -23,9 +23,9 @@ TAKE_THREE = [
 TAKE_FOUR = ["confirmed-too-early", "mirror-accepted"]
 
 
-@pytest.fixture(scope="module", params=[2, slow(4)])
+@pytest.fixture(scope="module", params=[2, long(4)])
 def full(request, untraced):
-    """Every mutant; with -m slow at the bound of the command."""
+    """Every mutant; in the long run at the bound of the command, which .ci/run takes, too."""
     with untraced():
         return mutants(edges=request.param)
 

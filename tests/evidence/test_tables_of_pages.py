@@ -90,6 +90,7 @@ def test_the_table_of_small_worlds_is_that_of_the_program_as_far_as_it_is_quick(
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_tables_of_small_worlds_are_those_of_the_program():
     assert rows(EXPLORERS, "small worlds") == [*small_worlds()]
     assert rows(EXPLORERS, "beside algorithm 1") == [*beside_algorithm_1()]

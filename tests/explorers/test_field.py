@@ -165,6 +165,7 @@ def test_the_shortest_word_for_small_cubic_maps_is_found_by_trying_all(monkeypat
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_13_offsets_visit_every_cubic_map_with_at_most_6_edges(monkeypatch):
     # 13 is what the issue of the project's user expects.
     universal = loaded("universal", monkeypatch)

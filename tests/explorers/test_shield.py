@@ -26,7 +26,7 @@ from allworlds.inputs import InputError
 from allworlds.judging import Rules, paper_bound
 from allworlds.maps import rooted_maps
 from allworlds.protocol import Checkpoint, Drop, ExplorerFault
-from small import slow
+from small import long, slow
 
 NOT_MENDED = {"state-kept": "nondeterministic"}
 """The mutants that a shield cannot make right, and the law that they break all the same."""
@@ -131,7 +131,7 @@ def checked(explorer, edges):
 # ---------------------------------------------------------------- it is right
 
 
-@pytest.mark.parametrize("edges", [2, slow(4)])
+@pytest.mark.parametrize("edges", [2, slow(3), long(4)])
 @pytest.mark.parametrize("mutant", [*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS], ids=lambda m: m.name)
 def test_every_wrong_explorer_is_made_right(mutant, edges):
     report = checked(mutant.explorer(), edges)

@@ -14,7 +14,7 @@ from allworlds.explorers.builtin.unforgetting import Spread
 from allworlds.judging import paper_bound
 from allworlds.maps import dense, from_cycles, lattice, rooted_code, rooted_maps
 from allworlds.protocol import Checkpoint, Choices, Percept, policy_named
-from small import maps, slow
+from small import long, maps, slow
 
 OURS = [remembering, greedy, prudent]
 ours = pytest.mark.parametrize("explore", OURS, ids=lambda explore: explore.__name__)
@@ -69,7 +69,7 @@ GREEDY = [3, 60, 989, 16836, 308937]
     ("explore", "edges"),
     [
         *((explore, edges) for explore in (greedy, prudent) for edges in (1, 2, 3)),
-        *(slow(greedy, 4), slow(greedy, 5), slow(prudent, 4)),
+        *(slow(greedy, 4), long(greedy, 5), slow(prudent, 4)),
     ],
 )
 def test_all_runs_together_are_as_long_as_those_of_another_implementation(explore, edges):
@@ -77,7 +77,7 @@ def test_all_runs_together_are_as_long_as_those_of_another_implementation(explor
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("edges", [1, 2, 3, slow(4), slow(5)])
+@pytest.mark.parametrize("edges", [1, 2, 3, slow(4), long(5)])
 def test_remembering_never_walks_more_than_algorithm_1_with_the_same_choices(edges):
     compared, walked = Counter(), 0
     for run in every_run(edges):

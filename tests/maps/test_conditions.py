@@ -18,7 +18,7 @@ from allworlds.maps import (
     source_of,
 )
 from allworlds.maps.bruteforce import rooted_maps_by_permutations
-from small import all_maps, slow
+from small import all_maps, long, slow
 
 NAMES = [
     *("cubic", "regular:2", "regular:4", "eulerian", "trees", "girth:2", "girth:3"),
@@ -64,7 +64,7 @@ TOGETHER = [
 ]
 
 
-@pytest.mark.parametrize("edges", [1, 2, 3, slow(4), slow(6)])
+@pytest.mark.parametrize("edges", [1, 2, 3, slow(4), long(6)])
 @pytest.mark.parametrize("name", TOGETHER)
 def test_several_conditions_leave_what_each_of_them_leaves(name, edges):
     parts = [condition_named(part) for part in name.split(AND)]

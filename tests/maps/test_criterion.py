@@ -24,7 +24,7 @@ from allworlds.studies.ambiguity import class_of, projection_of
 from allworlds.studies.ambiguity.lifting import lifts, uniform_permutations
 from allworlds.studies.ambiguity.marked_code import is_least_rooting, least_rooting
 from allworlds.world import Position, World
-from small import slow
+from small import long
 
 
 @cache
@@ -72,7 +72,7 @@ def groups(maps):
 
 @pytest.mark.slow
 @pytest.mark.no_cover
-@pytest.mark.parametrize("edges", [1, 2, 3, 4, 5, slow(6)])
+@pytest.mark.parametrize("edges", [1, 2, 3, 4, 5, long(6)])
 def test_the_criterion_and_burnsides_count_are_right_for_every_marked_map(edges):
     maps = marked_maps(edges)
     found = groups(maps)

@@ -321,6 +321,7 @@ def test_no_changed_formula_is_accepted(checkers, proofs, refuted, name):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("name", FORMULAS)
 def test_no_changed_formula_is_accepted_in_the_long_run(checkers, proofs, refuted, name):
     tries = 20 if name in LARGE else 60 if name[-1] == "3" else 200

@@ -222,6 +222,7 @@ def test_nor_any_of_a_sample_of_larger_ones(checkers, meant, lighthouse, map_cla
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("lighthouse", LIGHTHOUSES)
 @pytest.mark.parametrize("map_class", CLASSES)
 def test_nor_any_two_with_three_edges(checkers, meant, lighthouse, map_class):

@@ -70,6 +70,7 @@ def test_edges_of_small_maps_cross_at_a_good_angle_and_else_keep_apart():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_so_do_those_of_every_map_with_four_edges():
     maps = [map_ for map_ in unrooted_maps(4) if map_.edge_count == 4]
     assert len(maps) == 107

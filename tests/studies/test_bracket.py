@@ -14,7 +14,7 @@ from allworlds.studies.optimum.knowledge import Places
 from allworlds.studies.optimum.place_tables import place_table
 from allworlds.studies.optimum.strategy_making import made_strategy
 from allworlds.world import worlds
-from small import slow
+from small import long
 
 
 def nothing():
@@ -55,7 +55,7 @@ def twin_of(name):
     return twin_of_worlds("bouquets with 3 loops" if "nothing known" in name else name)
 
 
-NAMES = [slow(name) if "3 loops" in name or "nothing" in name else name for name in GIVEN]
+NAMES = [long(name) if "3 loops" in name or "nothing" in name else name for name in GIVEN]
 
 
 def states(name, number):
@@ -158,6 +158,7 @@ def bracket_of(loops):
 
 # The optimum is 26; see docs/figures/optimum-bouquets.csv.
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_bounds_of_five_loops_hold_whenever_the_search_is_stopped():
     made, seen = bracket_of(5), set()
 

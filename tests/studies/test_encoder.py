@@ -8,6 +8,7 @@ from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formul
 from allworlds.studies.ambiguity.smt.question import Sizes
 from allworlds.studies.ambiguity.smt.solvers import Clock, solve_with_z3
 from searches import question
+from small import long
 
 ANY = Degrees()
 
@@ -51,7 +52,7 @@ def counted(path, edges, map_class, degrees=ANY, fewest=1, most=None):
         *(("simple", m, count) for m, count in enumerate((1, 2, 6, 23), 1)),
         *(("planar", m, count) for m, count in enumerate((2, 9, 54), 1)),
         *(("planar-simple", m, count) for m, count in enumerate((1, 2, 6, 23), 1)),
-        pytest.param("maps", 4, 706, marks=pytest.mark.slow),
+        long("maps", 4, 706),
         pytest.param("planar", 4, 378, marks=pytest.mark.slow),
     ],
 )

@@ -25,7 +25,7 @@ from allworlds.protocol import Estimate, Move
 from allworlds.studies import check as checker
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
-from small import slow
+from small import long, slow
 
 pytestmark = pytest.mark.usefixtures("no_orphans")
 check = partial(checker.check, engine="python")
@@ -56,7 +56,7 @@ def test_the_default_job_has_8954_worlds():
     assert (report.worlds, report.runs, report.verdict) == (8954, 50727, Verdict.HOLDS)
 
 
-@pytest.mark.parametrize("vertices", [4, slow(5)])
+@pytest.mark.parametrize("vertices", [4, long(5)])
 def test_vertices_alone_bound_the_simple_classes(vertices):
     report = check(map_class="simple", vertices=vertices, workers=2)
     # Rooted simple maps on 2..5 vertices: 1, 3, 32, 3965; with a bearing: 1, 5, 79, 14239.

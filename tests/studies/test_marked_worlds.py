@@ -75,6 +75,7 @@ def test_grouping_by_what_words_of_motions_show_gives_the_same_table(map_class):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_grouping_gives_the_same_table_with_five_edges():
     assert numbers(census(edges=5).rows[-1]) == second_route(5, "maps")
 

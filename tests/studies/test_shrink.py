@@ -9,10 +9,10 @@ from allworlds.protocol import Estimate
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.fuzz.shrink import shrink
 from allworlds.world import Directional, World
-from small import slow
+from small import long, slow
 
 
-@pytest.fixture(scope="module", params=[(5, 4), slow((9, 6))])
+@pytest.fixture(scope="module", params=[(5, 4), long((9, 6))])
 def shrunk(request, planted, untraced):
     """An explorer whose error begins at that size, how many edges these are, and the sample."""
     edges, degree = request.param

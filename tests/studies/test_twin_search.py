@@ -19,7 +19,7 @@ from allworlds.studies.ambiguity.smt.question import Sizes
 from allworlds.studies.ambiguity.smt.witness import bisimulation, code, same_world_from
 from allworlds.world import Compass, Directional, Nothing, Position, World, flaw
 from searches import question
-from small import slow
+from small import long, slow
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 needs_python_sat = pytest.mark.skipif(
@@ -39,7 +39,7 @@ def sizes(result):
         ("maps", 2, (2, 1)),
         ("planar", 3, (3, 1)),
         ("simple", 6, (6, 4)),
-        pytest.param("planar-simple", 8, (8, 7), marks=pytest.mark.slow),
+        long("planar-simple", 8, (8, 7)),
     ],
 )
 def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class, edges, found):
@@ -62,7 +62,7 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
         slow("position", "simple", 5),
         slow("position", "planar-simple", 5),
         slow("directional", "maps", 4),
-        pytest.param("directional", "maps", 5, marks=pytest.mark.slow),
+        long("directional", "maps", 5),
     ],
 )
 def test_where_there_is_no_pair_every_level_has_a_checked_proof(

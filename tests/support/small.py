@@ -20,6 +20,10 @@ PLANE = CombinatorialMap((1, 2, 3, 0), (1, 0, 3, 2))
 TORUS = CombinatorialMap((1, 2, 3, 0), (2, 3, 0, 1))
 
 
+LONG = (pytest.mark.slow, pytest.mark.long)
+"""The marks of a test that is left to ``nox -s full``."""
+
+
 def stepped(world, dart, action):
     """The dart after an action of a robot without markers, and what is sensed there."""
     state, percept = world.step(State(dart), action)
@@ -29,6 +33,11 @@ def stepped(world, dart, action):
 def slow(*values):
     """Parameters that are left to ``pytest -m slow``."""
     return pytest.param(*values, marks=pytest.mark.slow)
+
+
+def long(*values):
+    """Parameters that are left to ``nox -s full``."""
+    return pytest.param(*values, marks=LONG)
 
 
 def all_maps(most):
