@@ -1,5 +1,6 @@
 """A wrong convention is named: the explorer is right behind a translator, and only behind that."""
 
+import re
 import shutil
 
 import pytest
@@ -90,6 +91,12 @@ def first_finding(name, **rules):
 
 def test_there_is_a_slip_for_each_convention():
     assert {*SLIPS.values()} == {*CONVENTIONS}
+
+
+def test_the_page_names_each_convention():
+    page = (EXAMPLES.parent / "docs" / "protocol.md").read_text(encoding="utf-8")
+    told = page.partition("`translated:CONVENTION:EXPLORER`")[2].partition("##")[0]
+    assert re.findall("`(motions-[^`]+|bearings-[^`]+)`", told) == [*CONVENTIONS]
 
 
 @pytest.mark.parametrize("slip", SLIPS)
