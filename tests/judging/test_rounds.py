@@ -84,7 +84,7 @@ def test_edges_that_were_never_walked_are_counted():
 
     _, told, back, _, _ = explained(in_one_face, "cube")
     assert told.endswith("it met no new edge; 8 edges it never met.")
-    assert back.startswith("If a way back begins at step 5: motions a, b, c are undone")
+    assert back.startswith("Look at its ways back: motions a, b, c are undone")
 
 
 def retracing(way_back):
@@ -113,7 +113,7 @@ def test_the_rule_of_ways_back_that_is_told_is_true():
 
 def test_a_wrong_way_back_is_named_where_every_edge_was_walked():
     told = explained(retracing(lambda k: (0, 1, 2)), "theta")
-    assert f"If a way back begins at step 3: {WAY_BACK}." in told
+    assert f"Look at its ways back: {WAY_BACK}." in told
 
     def forgetting(_):
         for k in count():
@@ -123,7 +123,7 @@ def test_a_wrong_way_back_is_named_where_every_edge_was_walked():
     _, walked, why, back, _, _ = explained(forgetting, "theta")
     assert "it had walked every edge of the world" in walked
     assert "the robot is not where the explorer believes" in why
-    assert back == f"If a way back begins at step 3: {WAY_BACK}."
+    assert back == f"Look at its ways back: {WAY_BACK}."
 
 
 def test_the_budget_that_was_asked_for_is_told_as_that():

@@ -40,7 +40,9 @@ _MOTIONS = "Motion k leaves by the k-th dart clockwise from the dart by which th
 
 CONVENTIONS = {
     "motions-anticlockwise": Convention(
-        "counts motions anticlockwise", f"{_MOTIONS}.", motion=lambda k: -k
+        "counts motions anticlockwise (or else sigma and bearings)",
+        f"{_MOTIONS}.",
+        motion=lambda k: -k,
     ),
     "motions-from-1": Convention(
         "counts motions from 1", f"{_MOTIONS}, and that dart is number 0.", motion=lambda k: k - 1
@@ -51,7 +53,7 @@ CONVENTIONS = {
         motion=lambda k: k + 1,
     ),
     "bearings-anticlockwise": Convention(
-        "counts bearings anticlockwise",
+        "counts bearings anticlockwise (or else sigma and motions)",
         "A bearing counts the darts clockwise, from the dart by which the robot arrives to the "
         "pointed dart.",
         bearing=lambda b: -b,

@@ -50,8 +50,11 @@ PANIC = "panicked at"
 OUTSIDE = re.compile(r"\(signal (6|7|8|11)\)")
 """The end of a process by what it does to memory: SIGABRT, SIGBUS, SIGFPE, SIGSEGV."""
 
-SHOW = "An explorer that shows a checkpoint after each edge is told the first wrong one."
-"""The advice for a walk without an end."""
+SHOW = (
+    "A checkpoint after each edge would show the first wrong S; where the explorer shows them, all "
+    "of them fit the world."
+)
+"""The advice for a walk without an end and without a wrong checkpoint."""
 
 UNDEFINED = (
     "Was a value undefined: a return that was forgotten, or a generator that had ended already?"
@@ -152,10 +155,12 @@ def tell_timeout(story: Story) -> Telling:
 def tell_budget(story: Story) -> Telling:
     """Tell whose the budget is, and whether the robot went round, or found no new edge."""
     how = "The explorer did not end within its step budget, so the run was stopped."
-    why = _tell_first_wrong(story)
-    if not why and str(story.finding.seen).startswith("checkpoint "):
+    wrong = _tell_first_wrong(story)
+    if wrong or story.finding.misreading:  # that is the cause
+        return Telling([*wrong, how], story.checkpoint)
+    if str(story.finding.seen).startswith("checkpoint "):
         why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
-    if not why and not story.finding.misreading:  # which is the cause
+    else:
         why = [*(tell_rounds(story) or [_say_last_step(story)]), SHOW]
     return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
 

@@ -48,7 +48,9 @@ def tell_misreading(finding: Finding) -> list[str]:
         return []
     convention = CONVENTIONS[shown.convention]
     name = f"{TRANSLATED}{shown.convention}:{finding.explorer}"
-    others = f"{plural(shown.runs, 'run')} with up to {plural(shown.edges, 'edge')}"
+    kind = narrowest_class(finding).value
+    runs = f"{plural(shown.runs, 'run')} in the class {kind}"
+    others = f"any of the {runs} with up to {plural(shown.edges, 'edge')}"
     told = f"The explorer {convention.wrong}. Once that is put right for it, it breaks no law here"
     return [
         f"{told}, nor in {others}.",

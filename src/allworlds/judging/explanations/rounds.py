@@ -75,15 +75,15 @@ def tell_rounds(story: Walked) -> list[str]:
     return [
         f"{step} it had walked every edge of the world, and yet it went on.",
         why,
-        *(_tell_ways_back(story, len(actions)) or [f"Look at its ways back: {WAY_BACK}."]),
+        f"Look at its ways back: {WAY_BACK}.",
     ]
 
 
 def _tell_ways_back(story: Walked, end: int) -> list[str]:
-    """Tell how a way back is walked, where one begins before that step."""
+    """Tell how a way back is walked, where one may begin before that step."""
     actions, turns = story.transcript.actions[:end], story.sensed
     back = (i for i, action in enumerate(actions) if i and action == Move(0))
-    first = next((i + 1 for i in back if turns[i].degree > 1), None)
-    if first is None or all(action == Move(0) for action in actions):
+    may_begin = any(turns[i].degree > 1 for i in back)
+    if not may_begin or all(action == Move(0) for action in actions):
         return []
-    return [f"If a way back begins at step {first}: {WAY_BACK}."]
+    return [f"Look at its ways back: {WAY_BACK}."]

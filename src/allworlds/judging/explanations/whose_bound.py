@@ -37,7 +37,7 @@ def tell_whose_budget(finding: Finding) -> str:
         told = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
     return (
         f"In a world with {world} the budget is {plural(value, 'traversal')}, {told}. An explorer "
-        "that is right and walks more needs another one: --step-budget N."
+        "that is right and walks more needs a larger budget: --step-budget N."
     )
 
 
