@@ -15,10 +15,12 @@ from allworlds.judging.laws.second_opinion import verdict
 from allworlds.maps import CombinatorialMap, rooted_maps, unrooted_code
 from allworlds.protocol import Checkpoint, Estimate, Percept, Transcript
 from allworlds.world import Directional, World
-from small import all_maps, slow, stepped
+from small import all_maps, long, slow, stepped
 
 PARTS = 8
-EACH_PART = [slow(4, PARTS, k) for k in range(PARTS)]  # edges, one of so many, from the k-th
+EACH_PART = [slow(4, PARTS, 0), *(long(4, PARTS, k) for k in range(1, PARTS))]
+"""Edges, one world of so many, from the k-th."""
+
 NOTHING_SENSED = Transcript(Percept(1))
 
 

@@ -234,6 +234,7 @@ def test_a_file_that_coq_could_not_name_is_refused(written):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_coq_and_the_package_say_the_same_of_every_mutant(trees):
     if not (COQ / "DecisionTrees.vo").exists():
         pytest.skip("not built: make -C proofs/coq")

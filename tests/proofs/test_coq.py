@@ -223,6 +223,7 @@ def built(tmp_path_factory):
 @needs_coq
 @builds
 @pytest.mark.slow
+@pytest.mark.long
 def test_every_headline_theorem_is_closed_under_the_global_context(built):
     checked = subprocess.run(["make", "-C", str(built), "assumptions"], check=False)
     assert checked.returncode == 0

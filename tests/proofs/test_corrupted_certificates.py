@@ -255,6 +255,7 @@ def test_a_certificate_that_a_change_has_made_false_is_refused(trees, tmp_path, 
 
 @needs_coq
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_certificate_that_a_change_has_left_true_is_accepted(trees, tmp_path):
     """Else refusals would say nothing."""
     true = {
