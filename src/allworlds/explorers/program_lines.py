@@ -45,7 +45,7 @@ class EpisodeEnd(NamedTuple):
 
 
 Message: TypeAlias = Action | Checkpoint | EpisodeEnd
-"""What a line of the program says."""
+"""A line of the program, as a value."""
 
 
 # ---------------------------------------------------------------- to the program

@@ -85,9 +85,8 @@ def examine_apart(
 
     Both players have the hash seed, if one is given.
     """
-    engine = PythonEngine(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
-    canonical, place = canonical_world(world), place_of(world)
-    unit = GivenWorlds(((canonical, place),))
+    engine, unit = _of_these(rules, (world,))
+    ((canonical, place),) = unit.worlds
     with _players(subject, limits, hash_seed) as players:
         twice = PlayedTwice(engine, subject.name, players, alone=True)
         placed = {0: OneRun(0, place, canonical)}
@@ -121,13 +120,18 @@ def outcomes_apart(
     hash_seed: int | None = None,
 ) -> Iterator[Outcome | LostRun]:
     """The judged runs of a user's explorer in these worlds, each played once, in any order."""
-    most = max(world.map.edge_count for world in worlds)
-    engine = PythonEngine(Scope(Extent(MapClass.MAPS, most), rules), keep=1)
-    unit = GivenWorlds(tuple((canonical_world(world), place_of(world)) for world in worlds))
+    engine, unit = _of_these(rules, worlds)
     with _players(subject, limits, hash_seed) as players:
         once = PlayedTwice(engine, subject.name, players)
         for _, outcome in once.played_once(unit, [*engine.runs(unit)]):
             yield outcome
+
+
+def _of_these(rules: Rules, worlds: Sequence[World]) -> tuple[PythonEngine, GivenWorlds]:
+    """An engine that judges by these rules, and these worlds as its unit."""
+    most = max(world.map.edge_count for world in worlds)
+    engine = PythonEngine(Scope(Extent(MapClass.MAPS, most), rules), keep=1)
+    return engine, GivenWorlds(tuple((canonical_world(w), place_of(w)) for w in worlds))
 
 
 def walk_apart(
