@@ -190,8 +190,11 @@ def shows(*checkpoint):
     ("checkpoint", "wrong"),
     [
         (((0, 2, 3, 1), (1, 1, 2, 3), 1), "dart 1 is in U, but it is the other end of"),
-        (((0, 2, 1), (1, 0, 2), 1), "sigma(2) = 1 does not fit the world at the end of the walk"),
-        (((0, 2, 3, 1), (1, 0, 2, 3), 2), "S is right, but here = 2, where the robot stands at d"),
+        (
+            ((0, 2, 1), (1, 0, 2), 1),
+            "with the robot at dart 1, sigma(2) = 1 is not so in the world",
+        ),
+        (((0, 2, 3, 1), (1, 0, 2, 3), 2), "S is right, but here = 2; the robot stands at dart 1"),
     ],
 )
 def test_what_is_wrong_with_a_checkpoint_is_named(checkpoint, wrong):

@@ -2,6 +2,8 @@
 
 ``builtin``
     the explorers that come with the package, one a module;
+``names``
+    names of explorers, and what is known by a name alone;
 ``subject``
     an explorer as a check speaks of it;
 ``loading``
@@ -72,6 +74,19 @@ if TYPE_CHECKING:
         with_content as with_content,
     )
     from allworlds.explorers.loading import load as load, source_of as source_of
+    from allworlds.explorers.names import (
+        EXEC as EXEC,
+        NATIVE as NATIVE,
+        SHIELD as SHIELD,
+        TRANSLATED as TRANSLATED,
+        command_of as command_of,
+        is_library as is_library,
+        is_program as is_program,
+        named_on_command_line as named_on_command_line,
+        names_explorer as names_explorer,
+        own_bound as own_bound,
+        own_lighthouse as own_lighthouse,
+    )
     from allworlds.explorers.program import Program as Program
     from allworlds.explorers.shared_library.header import header_text as header_text
     from allworlds.explorers.shared_library.library import INTERFACE_VERSION as INTERFACE_VERSION
@@ -96,21 +111,10 @@ if TYPE_CHECKING:
     )
     from allworlds.explorers.stepping import CopyingExplorer as CopyingExplorer
     from allworlds.explorers.subject import (
-        EXEC as EXEC,
         HASH_SEED as HASH_SEED,
-        NATIVE as NATIVE,
-        SHIELD as SHIELD,
-        TRANSLATED as TRANSLATED,
         Subject as Subject,
         built_in as built_in,
-        command_of as command_of,
         in_process_subject as in_process_subject,
-        is_library as is_library,
-        is_program as is_program,
-        named_on_command_line as named_on_command_line,
-        names_explorer as names_explorer,
-        own_bound as own_bound,
-        own_lighthouse as own_lighthouse,
         subject_known as subject_known,
         with_shield as with_shield,
         with_translator as with_translator,

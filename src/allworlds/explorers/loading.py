@@ -8,14 +8,7 @@ from typing import Any
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.moved import present_name
-from allworlds.explorers.program import Program
-from allworlds.explorers.shared_library.library import Library, library_path
-from allworlds.explorers.shared_library.native import NativeExplorer
-from allworlds.explorers.spelling import no_explorer
-from allworlds.explorers.subject import (
-    EXPLORER,
-    Subject,
-    built_in,
+from allworlds.explorers.names import (
     command_of,
     convention_in,
     entry_point,
@@ -27,6 +20,15 @@ from allworlds.explorers.subject import (
     is_translated,
     one_inside,
     path_of,
+)
+from allworlds.explorers.program import Program
+from allworlds.explorers.shared_library.library import Library, library_path
+from allworlds.explorers.shared_library.native import NativeExplorer
+from allworlds.explorers.spelling import no_explorer
+from allworlds.explorers.subject import (
+    EXPLORER,
+    Subject,
+    built_in,
     subject_of,
     with_shield,
     with_translator,

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.moved import present_name
-from allworlds.explorers.subject import (
+from allworlds.explorers.names import (
     command_of,
     entry_point,
     innermost,

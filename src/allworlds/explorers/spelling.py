@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches
 from pathlib import Path
 
-from allworlds.explorers.subject import (
+from allworlds.explorers.names import (
     convention_in,
     has_shield,
     is_program,

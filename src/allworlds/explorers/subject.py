@@ -1,11 +1,9 @@
-"""Explorers under test: their names, their keywords, and the ways in which they are played."""
+"""Explorers under test: their keywords, and the ways in which they are played."""
 
 from __future__ import annotations
 
-import importlib.metadata
 import importlib.util
 import inspect
-import re
 import sys
 from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext
@@ -15,11 +13,20 @@ from typing import Any
 from allworlds.explorers.builtin.algorithm1 import nobody, unseen
 from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
 from allworlds.explorers.builtin.shield import Shield
+from allworlds.explorers.names import (
+    LIGHTHOUSE,
+    NATIVE,
+    SHIELD,
+    TRANSLATED,
+    has_shield,
+    is_program,
+    own_bound,
+)
 from allworlds.explorers.program import Program, ProgramRuns
 from allworlds.explorers.shared_library.native import NativeExplorer
 from allworlds.explorers.stepping import CopyingExplorer, SteppedRuns, SteppingExplorer, stepping
 from allworlds.explorers.translated import CONVENTIONS, Translated
-from allworlds.inputs import InputError, show
+from allworlds.inputs import InputError
 from allworlds.protocol import (
     Checkpoint,
     Choices,
@@ -27,27 +34,12 @@ from allworlds.protocol import (
     Player,
     SourceText,
     Told,
-    points_of,
 )
-
-ENTRY_POINTS = "allworlds.explorers"
-EXEC = "exec:"
-NATIVE = "native:"
-SHIELD = "shield:"
-TRANSLATED = "translated:"
-"""The beginnings of the names of programs, of shared libraries, and of explorers with a shield or
-behind a translator."""
-
-SHIELD_BOUND = "9*paper"
-"""The bound that every explorer with a shield keeps."""
 
 HASH_SEED = "PYTHONHASHSEED"
 """The variable of the environment from which an interpreter takes its hash seed."""
 
 EXPLORER = "an explorer is def explore(first) with yield, or a class with step(percept)"
-
-LIGHTHOUSE = "directional"
-"""The lighthouse of users' explorers unless another is named."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,51 +176,6 @@ class Subject:
         return closing(behind) if behind else nullcontext()
 
 
-def is_program(name: str) -> bool:
-    """Whether that is the name of a program behind a pipe, as ``exec:COMMAND``."""
-    return innermost(name).startswith(EXEC)
-
-
-def is_library(name: str) -> bool:
-    """Whether that is the name of a shared library, as ``native:PATH``."""
-    return innermost(name).startswith(NATIVE)
-
-
-def has_shield(name: str) -> bool:
-    """Whether that is the name of an explorer with a shield, as ``shield:NAME``."""
-    return name.startswith(SHIELD)
-
-
-def is_translated(name: str) -> bool:
-    """Whether that is the name of an explorer behind a translator."""
-    return name.startswith(TRANSLATED)
-
-
-def convention_in(name: str) -> str:
-    """The name of the convention in ``translated:CONVENTION:NAME``.
-
-    Raises:
-        InputError: if there is no such convention.
-    """
-    convention = name.split(":", 2)[1]
-    if convention not in CONVENTIONS:
-        legal = ", ".join(CONVENTIONS)
-        raise InputError(f"convention {show(convention)} is not one of {legal}")
-    return convention
-
-
-def one_inside(name: str) -> str:
-    """The name without its shield, or without its translator."""
-    return name.removeprefix(SHIELD) if has_shield(name) else name.split(":", 2)[-1]
-
-
-def innermost(name: str) -> str:
-    """The name without shields and translators."""
-    while has_shield(name) or is_translated(name):
-        name = one_inside(name)
-    return name
-
-
 def with_shield(inside: Subject) -> Subject:
     """The explorer with a shield; one shield is enough."""
     return inside if has_shield(inside.name) else _around(inside, SHIELD, _shield)
@@ -251,51 +198,6 @@ def _around(
 
 def _shield(explore: Callable[..., Any]) -> Shield:
     return explore if isinstance(explore, Shield) else Shield(explore)
-
-
-def command_of(name: str) -> str:
-    """The command of a program of that name."""
-    return innermost(name).removeprefix(EXEC)
-
-
-def path_of(name: str) -> str:
-    """The path of a shared library of that name."""
-    return innermost(name).removeprefix(NATIVE)
-
-
-def named_on_command_line(name: str) -> list[str]:
-    """The arguments of the command line that name an explorer."""
-    if has_shield(name) or is_translated(name):
-        return [name]
-    if is_program(name):
-        return ["--exec", command_of(name)]
-    if is_library(name):
-        return ["--native", path_of(name)]
-    return [name]
-
-
-def own_bound(name: str, lighthouse: str) -> str | None:
-    """The own bound of the explorer of that name under this lighthouse; None if it has none.
-
-    Lighthouses are written ``KIND[:key=value,...]``; the bound holds under all options of the kind
-    that the explorer is written for.
-
-    Raises:
-        InputError: if it has a shield, which helps under the directional lighthouse alone.
-    """
-    kinds = {str(text).partition(":")[0] for text in (lighthouse, own_lighthouse(name))}
-    if has_shield(name):
-        if len(kinds) > 1:
-            raise InputError(
-                f"a shield needs the directional lighthouse, not {show(str(lighthouse))}"
-            )
-        return SHIELD_BOUND
-    return BUILT_IN[name].bound if name in BUILT_IN and len(kinds) == 1 else None
-
-
-def own_lighthouse(name: str) -> str:
-    """The lighthouse of the explorer of that name unless another is named."""
-    return BUILT_IN[name].lighthouse if name in BUILT_IN else LIGHTHOUSE
 
 
 def built_in(name: str) -> Subject:
@@ -376,27 +278,6 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
             f"{name} must be callable as explore(first), with choices and told at most: {error}"
         ) from None
     return keywords
-
-
-def entry_points() -> dict[str, importlib.metadata.EntryPoint]:
-    """The explorers that other packages offer, by their names."""
-    return points_of(ENTRY_POINTS)
-
-
-def entry_point(plain: str) -> importlib.metadata.EntryPoint | None:
-    """The explorer that another package offers by a name; None if there is none.
-
-    A name with a colon is that of a function: packages are not asked, which takes some time.
-    """
-    return None if ":" in plain else entry_points().get(plain)
-
-
-def names_explorer(text: str) -> bool:
-    """Whether a text has the form of an explorer's name; whether there is one is not checked."""
-    plain = text.partition("?")[0]
-    if has_shield(text) or is_translated(text) or plain in BUILT_IN or entry_point(plain):
-        return True
-    return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
 
 
 def _is_found_by_name(explore: Any) -> bool:

@@ -205,7 +205,7 @@ def _unlike(finding: Finding, again: Log) -> Finding:
     """The finding of an explorer that does something else in a fresh process."""
     if finding.law in LOST:
         return replace(finding, confirmed=False)
-    broken = nondeterministic(f"it breaks the law {finding.law} in some plays alone")
+    broken = nondeterministic(f"it breaks the law {finding.law} in some plays only")
     actions = tuple(map(number_of, finding.transcript.actions))
     before = Log(actions, (), Fault(f"what breaks the law {finding.law}", "", ""))
     return replace(

@@ -31,9 +31,23 @@ def invariant_1(case: Case) -> Violation | None:
     every edge of S has been walked.
     """
     for steps, checkpoint in case.checkpoints:
-        if broken := _wrong_part(case, steps, checkpoint):
+        if broken := _wrong_s(case, steps, checkpoint):
             return _violation("invariant-1", "S is the explored part of the world", steps, broken)
     return None
+
+
+def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> BrokenInvariant | None:
+    """The reason why S is wrong; where it is right with another ``here``, that is the reason."""
+    broken = _wrong_part(case, steps, checkpoint)
+    darts = len(checkpoint.sigma)
+    if broken and darts <= len(case.map.sigma):
+        for here in range(darts):
+            if _wrong_part(case, steps, replace(checkpoint, here=here)) is None:
+                shown = show(checkpoint.here)
+                return BrokenInvariant(
+                    f"S is right, but here = {shown}; the robot stands at dart {here} of S"
+                )
+    return broken
 
 
 def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> BrokenInvariant | None:
@@ -121,7 +135,7 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
                 queue.append(y)
             elif image[y] != true:
                 return BrokenInvariant(
-                    f"{name}({x}) = {y} does not fit the world at the end of the walk so far"
+                    f"with the robot at dart {here}, {name}({x}) = {y} is not so in the world"
                 )
     if len(queue) < size:
         return BrokenInvariant(
@@ -131,22 +145,10 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
 
 
 def first_wrong(case: Case) -> tuple[int, str] | None:
-    """The steps before the first checkpoint that breaks an invariant, and what is wrong with it.
-
-    Where S is right with another ``here``, that is what is wrong.
-    """
+    """The steps before the first checkpoint that breaks an invariant, and what is wrong with it."""
     for steps, checkpoint in case.checkpoints:
-        broken = _half_entered(checkpoint)
-        if broken is None:
-            broken = _wrong_part(case, steps, checkpoint)
-            if broken is None:
-                continue
-            darts = len(checkpoint.sigma)
-            for here in range(darts if darts <= len(case.map.sigma) else 0):
-                if _wrong_part(case, steps, replace(checkpoint, here=here)) is None:
-                    stands = f"the robot stands at dart {here} of it"
-                    return steps, f"S is right, but here = {show(checkpoint.here)}, where {stands}"
-        return steps, broken.reason
+        if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
+            return steps, broken.reason
     return None
 
 
