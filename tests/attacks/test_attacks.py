@@ -117,15 +117,11 @@ def judged(verdict, code, out, said):
 
 
 def tried():
-    """Each attack with 1 and with 2 workers; in the quick run some.
-
-    What does not damage processes, and keeps nothing, meets two workers in the long run.
-    """
+    """Each attack with 1 and with 2 workers: some in the quick run, most with 2 in the long one."""
     for attack in attacks():
         for function in attack.verdicts:
             for workers in (1, 2):
-                shared = attack.file.parent.name in ("state", "dying", "libraries")
-                marks = pytest.mark.slow if workers == 1 or shared else LONG
+                marks = pytest.mark.slow if workers == 1 else LONG
                 marks = () if attack.quick == workers else marks
                 name = f"{attack.name}-{function or 'exec'}-{workers}"
                 yield pytest.param(attack, function, workers, marks=marks, id=name)
@@ -163,10 +159,10 @@ def tried_in_compiled_code():
             for function in attack.verdicts:
                 for workers in (1, 2) if attack.file.parent.name == "libraries" else (1,):
                     name = f"{attack.name}-{function or 'exec'}-{workers}"
-                    yield pytest.param(attack, function, workers, id=name)
+                    marks = pytest.mark.slow if workers == 1 else LONG
+                    yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 
-@pytest.mark.slow
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize(("attack", "function", "workers"), [*tried_in_compiled_code()])
 def test_an_attack_gets_the_same_verdict_where_compiled_code_judges(

@@ -4,6 +4,7 @@ import pytest
 
 from attacks.reading import attacks
 from attacks.test_attacks import Scene, judged, placed
+from small import LONG
 
 NOT_MENDED = {"crash", "timeout", "nondeterministic"}
 """What a process does, and not an explorer."""
@@ -22,7 +23,7 @@ def tried():
         if attack.signal or "--lighthouse" in attack.options:
             continue
         for function in attack.verdicts:
-            marks = () if attack.name in QUICK else pytest.mark.slow
+            marks = () if attack.name in QUICK else LONG
             name = f"{attack.name}-{function or 'exec'}"
             yield pytest.param(attack, function, marks=marks, id=name)
 

@@ -88,6 +88,7 @@ def test_a_users_explorer_and_a_program_get_the_same_world_as_the_built_in_one(c
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_users_explorer_that_shows_what_it_has_settled_is_treated_as_the_built_in_one(cli, mine):
     _, told = made_for(cli, "algorithm1", size="2")
     _, other = made_for(cli, f"{mine / 'mine.py'}:explore", size="2")

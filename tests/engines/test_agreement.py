@@ -115,6 +115,7 @@ def test_totals_are_those_of_independent_programs():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_premise_holds_on_every_bearing(monkeypatch):
     # Raises where anything differs; up to m = 4 each check with the kernel does this itself.
     monkeypatch.setattr(agreement, "AGREEMENT_EDGES", 5)

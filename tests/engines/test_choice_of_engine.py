@@ -66,6 +66,7 @@ def test_an_engine_that_is_none_is_refused():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_auto_takes_the_kernel_from_five_edges_on_wherever_it_can():
     assert check(edges=4).engine == "python"
     assert check(edges=5).engine == "kernel"

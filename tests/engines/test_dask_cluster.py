@@ -24,6 +24,7 @@ from allworlds.inputs import InputError
 from allworlds.version import __version__
 from clusters import cluster_apart, cluster_here
 from kept_jobs import EXPLORERS
+from small import long
 
 distributed = pytest.importorskip("distributed")
 pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
@@ -387,7 +388,7 @@ SILENCE = 10.0
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("verb", ["check", "worst", "count"])
+@pytest.mark.parametrize("verb", ["check", long("worst"), long("count")])
 def test_a_worker_that_is_stopped_is_given_up(verb, apart):
     job, after = {
         "check": (lambda **more: check(edges=4, engine="python", **more), 300),

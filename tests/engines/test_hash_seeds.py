@@ -24,6 +24,7 @@ from allworlds.maps import Extent, MapClass
 from allworlds.studies.check import check
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
+from small import long
 
 
 class Seeded:
@@ -136,7 +137,7 @@ class Ends(Silent):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", CHECKS)
+@pytest.mark.parametrize("name", [long(name) if name == "walks" else name for name in CHECKS])
 def test_a_check_of_an_explorer_that_goes_by_hashes_is_the_same_whenever_that_is_noticed(
     name, tmp_path, monkeypatch
 ):
@@ -164,6 +165,7 @@ def test_a_check_of_an_explorer_that_goes_by_hashes_is_the_same_whenever_that_is
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_sample_of_an_explorer_that_goes_by_hashes_is_shrunk_with_every_seed(tmp_path):
     module = tmp_path / "by_hashes.py"
     # It is right with seed 0, and wrong with seed 1.

@@ -8,6 +8,7 @@ import pytest
 from allworlds import ambiguity, check, worst
 from allworlds.engines import Silent, Tally
 from allworlds.engines.units import levels
+from small import long
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("compiled")]
 
@@ -66,9 +67,7 @@ def growth_of(name, **more):
 
 @pytest.mark.early
 @pytest.mark.no_cover
-@pytest.mark.parametrize(
-    "name", [pytest.param("python", marks=pytest.mark.slow), "compiled", "worst", "census"]
-)
+@pytest.mark.parametrize("name", [long("python"), "compiled", "worst", "census"])
 def test_memory_does_not_grow_with_the_units(name, tmp_path):
     # A census keeps what each of its worlds shows, and so grows with the worlds of its units.
     most = 2 * MOST if name == "census" else MOST

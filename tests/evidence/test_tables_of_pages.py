@@ -108,6 +108,7 @@ def test_the_table_of_six_edges_is_that_of_the_program_as_far_as_it_is_compiled(
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_table_of_shields_is_that_of_the_program():
     assert rows(EXPLORERS, "shields") == [*shields()]
 

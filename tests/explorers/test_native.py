@@ -144,6 +144,7 @@ def test_the_worst_of_a_library_without_choices_is_that_of_its_check(without_cho
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.usefixtures("compiled")
 def test_both_engines_find_the_same_most_expensive_runs_of_a_library(without_choices):
     by_kernel, by_python = (

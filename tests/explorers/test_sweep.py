@@ -10,7 +10,7 @@ import allworlds
 from allworlds.maps import CorridorShape, usual_degree
 from allworlds.outcome import Verdict
 from allworlds.world import Adversary
-from small import slow
+from small import long
 
 ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "examples" / "python" / "sweep.py"
@@ -28,7 +28,7 @@ def test_it_is_right_in_every_small_world():
     assert allworlds.check(f"{EXAMPLE}:sweep", edges=3, bound="none").verdict is Verdict.HOLDS
 
 
-@pytest.mark.parametrize("edges", [3, slow(4)])
+@pytest.mark.parametrize("edges", [3, long(4)])
 def test_it_is_right_if_it_sweeps_wherever_it_can(example, monkeypatch, edges):
     class Eager(example.Sweep):
         credit = inf
@@ -43,7 +43,7 @@ def test_it_is_right_if_it_sweeps_wherever_it_can(example, monkeypatch, edges):
     assert report.traversals > allworlds.check("prudent", edges=edges).traversals  # it did sweep
 
 
-@pytest.mark.parametrize(("far", "cost"), [(1, 832), slow(2, 7_799)])
+@pytest.mark.parametrize(("far", "cost"), [(1, 832), long(2, 7_799)])
 def test_it_walks_against_the_adversary_what_the_page_says(far, cost):
     adversary = Adversary(CorridorShape(far, usual_degree(far)), 1)
     report = allworlds.run(f"{EXAMPLE}:sweep", adversary, bound="none")

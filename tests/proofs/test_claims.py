@@ -37,6 +37,7 @@ def copied(proofs, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_every_claim_holds_by_the_files_alone_and_without_any_package(copied):
     # -S: no site-packages; so neither a solver nor this project can be imported.
     code, said = check(copied)

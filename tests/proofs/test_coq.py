@@ -272,6 +272,7 @@ def test_a_certificate_with_a_changed_class_is_no_theorem(built, tmp_path):
 
 @needs_programs
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_certified_programs_agree_with_the_python_ones():
     low = ("walked", "judged", "checked", "folded")
     limits = [word for name in low for word in (f"--{name}-edges", "2")]

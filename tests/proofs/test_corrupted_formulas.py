@@ -11,6 +11,8 @@ import shutil
 
 import pytest
 
+from small import long
+
 SEED = 18
 FORMULAS = [
     *(f"no-twins-directional/m{m}" for m in range(1, 6)),
@@ -394,7 +396,7 @@ def test_each_line_of_a_changed_proof_that_is_accepted_follows_from_the_formula(
                     assert not solving.solve(assumptions=[-literal for literal in clause]), number
 
 
-@pytest.mark.parametrize("tries", [150, pytest.param(3000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("tries", [150, long(3000)])
 def test_no_proof_however_changed_refutes_a_formula_that_has_a_model(checkers, proofs, tries):
     world = checkers("world_clauses")
     asked = world.Asked("position", "maps")

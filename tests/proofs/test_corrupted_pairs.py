@@ -82,6 +82,7 @@ def test_no_change_of_one_part_of_a_pair_is_accepted_but_a_harmless_one(
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("name", PAIRS)
 def test_no_change_of_one_part_of_a_pair_is_accepted_in_the_long_run(
     checkers, checker_of, proofs, name

@@ -158,6 +158,7 @@ def test_z3_proves_every_statement_and_no_statement_is_vacuous(proofs):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @needs_cvc5
 def test_cvc5_proves_every_statement_and_no_statement_is_vacuous(proofs):
     code, said = run(proofs, "--solver", "cvc5")
@@ -202,6 +203,7 @@ def test_cvc5_refutes_every_damaged_statement_by_a_finite_model(opinions, tmp_pa
 
 @needs_cvc5
 @pytest.mark.slow
+@pytest.mark.long
 def test_without_any_one_hypothesis_there_is_a_finite_countermodel(opinions, tmp_path):
     questions = []
     for name in sorted(set(opinions.statements()) - ONLY_INFINITE):

@@ -186,6 +186,7 @@ def test_a_check_of_another_form_is_refused(statements):
 
 @needs_coq
 @pytest.mark.slow
+@pytest.mark.long
 def test_coq_finds_what_the_texts_do_not_show(statements, monkeypatch, capsys):
     """The reader of the texts is made blind for one file; Coq names what it has overlooked."""
     development, _ = statements.read(COQ)

@@ -14,6 +14,7 @@ from allworlds.maps import (
 )
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.text import draw, rotation_table
+from small import long
 
 NAMES = ["loop", "edge", "theta", "theta-torus", "two-loops-torus", "k4", "wheel-4", "fig1-left"]
 
@@ -74,7 +75,7 @@ def without_numbers(text):
 
 @pytest.mark.slow
 @pytest.mark.no_cover
-@pytest.mark.parametrize("edges", [1, 2, 3])
+@pytest.mark.parametrize("edges", [1, 2, long(3)])
 def test_the_drawing_and_the_table_are_exact_for_every_small_map(edges):
     for map_ in all_maps(edges):
         scene = Scene(map_, map_.sigma[0])

@@ -13,6 +13,7 @@ from allworlds.outcome import Interrupted
 from allworlds.protocol import Estimate, Schedules
 from allworlds.reports import text
 from allworlds.world import Directional, World
+from small import long
 
 
 def by_hand(name, edges):
@@ -77,7 +78,7 @@ def test_algorithm_1_under_another_lighthouse_is_played():
 
 
 @pytest.mark.early
-@pytest.mark.parametrize("edges", [2, pytest.param(3, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("edges", [2, long(3)])
 def test_the_least_world_and_the_first_choices_are_told_whoever_was_faster(edges):
     reports = [worst("remembering", edges=edges, workers=workers) for workers in (1, 2)]
     assert reports[0] == reports[1]

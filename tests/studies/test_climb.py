@@ -338,6 +338,7 @@ def test_the_plot_names_its_families_and_explorers(report):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_plot_is_the_same_for_the_same_report(report):
     pytest.importorskip("matplotlib")
     assert file_of("compare", "plot", report) == file_of("compare", "plot", report)

@@ -184,7 +184,7 @@ def test_unless_more_are_asked_for_a_check_ends_with_its_first_finding(explorers
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("edges", "keep"), [(3, 3), slow(4, 12)])
+@pytest.mark.parametrize(("edges", "keep"), [(3, 3), long(4, 12)])
 @pytest.mark.parametrize("name", ["everywhere", "here_of_another"])
 def test_one_worker_and_three_say_the_same(wrong, name, edges, keep):
     reports = [

@@ -99,6 +99,7 @@ def test_no_planar_simple_world_with_fewer_than_eight_edges_is_ambiguous(edges):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_smallest_planar_simple_ambiguous_worlds_have_eight_edges_and_seven_vertices():
     rows = census(edges=8, map_class="planar-simple").rows
     assert rows[7].classes > 0

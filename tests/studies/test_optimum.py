@@ -19,7 +19,7 @@ from allworlds.studies.optimum.in_every_world import most_expensive
 from allworlds.studies.optimum.minimax_of_worlds import Solved
 from allworlds.studies.optimum.strategy import Branch, Strategy, StrategyLeaf, StrategyStep
 from allworlds.world import Directional, World
-from small import EDGE, LOOP, all_maps, slow
+from small import EDGE, LOOP, all_maps, long, slow
 
 
 def worlds(edges):
@@ -118,7 +118,7 @@ def test_relabelling_the_worlds_changes_nothing():
     assert minimax(shifted).strategy == minimax(given(worlds(2))).strategy
 
 
-@pytest.mark.parametrize("edges", [2, slow(4)])
+@pytest.mark.parametrize("edges", [2, long(4)])
 def test_the_table_has_every_directional_explorer_and_none_is_better(edges):
     report = allworlds.optimum(edges=edges)
     assert [row.optimum for row in report.rows] == [0, 1, 4, 9][:edges]

@@ -12,7 +12,7 @@ from allworlds.judging import Answered, play
 from allworlds.maps import CorridorShape, augmented, family, rooted_isomorphism
 from allworlds.protocol import Checkpoint, Choices, Drop, Move, policy_named
 from allworlds.world import Deciding, IllegalAction, adversary_named
-from small import slow
+from small import long
 
 TESTERS = ("algorithm1", "remembering", "greedy", "prudent")
 
@@ -55,7 +55,7 @@ def assert_a_bad_world(size, explorer, seed=1, policy="fifo"):
 # Pairs that answers exclude: 56, 675 and 3,192 by a second program, from another matching.
 @pytest.mark.parametrize("explorer", TESTERS)
 @pytest.mark.parametrize(
-    ("size", "excluded"), [("1", 56), ("2", 675), ("1x14", 30), ("2x14", 99), slow("3", 3192)]
+    ("size", "excluded"), [("1", 56), ("2", 675), ("1x14", 30), ("2x14", 99), long("3", 3192)]
 )
 def test_a_tester_walks_as_much_as_the_theorem_says_and_the_same_in_the_world_left(
     explorer, size, excluded
@@ -65,7 +65,7 @@ def test_a_tester_walks_as_much_as_the_theorem_says_and_the_same_in_the_world_le
 
 @pytest.mark.parametrize("policy", ["lifo", "nearest", "random:1", "random:2"])
 @pytest.mark.parametrize("explorer", TESTERS[:2])
-@pytest.mark.parametrize("size", ["1", slow("2"), slow("2x14")])
+@pytest.mark.parametrize("size", ["1", long("2"), long("2x14")])
 def test_no_order_of_darts_and_hypotheses_helps_a_tester(size, explorer, policy):
     assert_a_bad_world(size, explorer, policy=policy)
 

@@ -13,7 +13,7 @@ from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import World, flaw, own_corpus
 from allworlds.world.corpus import MANIFEST, load_corpus
-from small import slow
+from small import long, slow
 
 CORPUS = own_corpus()
 
@@ -82,7 +82,7 @@ def test_a_pair_with_one_class_changed_is_no_longer_proved(entry):
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("most", [4, slow(6)])
+@pytest.mark.parametrize("most", [4, long(6)])
 @entries("counts")
 def test_the_enumeration_gives_the_known_numbers(entry, most):
     known = CORPUS.document(entry)
