@@ -149,6 +149,7 @@ def tried_in_compiled_code():
     """Each attack on who plays, or on what is played twice, wherever the kernel can judge.
 
     Libraries alone are tried with two workers, too: only with them does compiled code also play.
+    All but the first of each file is left to the long run.
     """
     kinds = ("state", "reaching", "dying", "libraries")
     # What is left to the Python engine, what names its engine, and what looks for worlds alone.
@@ -156,10 +157,10 @@ def tried_in_compiled_code():
     for attack in attacks():
         alone = others & {*attack.options} or attack.name == "reaching/trusted_to_be_honest"
         if attack.file.parent.name in kinds and not attack.signal and not alone:
-            for function in attack.verdicts:
+            for number, function in enumerate(attack.verdicts):
                 for workers in (1, 2) if attack.file.parent.name == "libraries" else (1,):
                     name = f"{attack.name}-{function or 'exec'}-{workers}"
-                    marks = pytest.mark.slow if workers == 1 else LONG
+                    marks = LONG if number or workers == 2 else pytest.mark.slow
                     yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 

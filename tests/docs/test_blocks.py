@@ -8,6 +8,7 @@ import pytest
 
 from page_blocks import blocks, commands, shows, write
 from shells import shell_in
+from small import LONG
 
 ROOT = Path(__file__).parents[2]
 PAGES = ["README.md", *sorted(p.relative_to(ROOT).as_posix() for p in ROOT.glob("docs/**/*.md"))]
@@ -31,16 +32,20 @@ SLOW = {
     "docs/how-to/rows.md",
     "docs/paper.md",
     "docs/python.md",
+    "docs/trust.md",
+    "docs/tutorial.md",
+}
+"""Pages whose commands take more than some seconds, or a compiler."""
+
+LONGEST = {
     "docs/research/class.md",
     "docs/research/cost.md",
     "docs/research/sensor.md",
     "docs/research/sequence.md",
     "docs/research/task.md",
     "docs/theory.md",
-    "docs/trust.md",
-    "docs/tutorial.md",
 }
-"""Pages whose commands take more than some seconds, or a compiler."""
+"""Pages that are left to the long run."""
 
 ELSEWHERE = {
     "README.md": ("sh", "tests/project/test_readme.py compares these lines with what CI runs"),
@@ -77,6 +82,8 @@ def shell(tmp_path):
 
 
 def with_weight(page):
+    if page in LONGEST:
+        return pytest.param(page, marks=LONG)
     return pytest.param(page, marks=[pytest.mark.slow] if page in SLOW else [])
 
 
@@ -129,7 +136,7 @@ def test_what_is_not_run_says_why():
     for page, text in pages.items():
         known = text.count("<!-- not run: ")
         assert known == sum(1 for block in blocks(text) if block.reason), page
-    assert set(ELSEWHERE) | SLOW | set(PROGRAMS) <= set(PAGES)
+    assert set(ELSEWHERE) | SLOW | LONGEST | set(PROGRAMS) <= set(PAGES)
 
 
 def test_the_comparison_of_outputs_sees_a_difference():

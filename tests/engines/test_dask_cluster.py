@@ -368,7 +368,7 @@ def apart(tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["python", "kernel", "foreign"])
+@pytest.mark.parametrize("name", ["python", long("kernel"), long("foreign")])
 def test_a_worker_that_is_killed_changes_nothing(name, apart, tmp_path):
     job, after = {
         "python": (lambda **more: check(edges=4, engine="python", **more), 300),

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import allworlds
-from small import long
+from small import LONG
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = Path(allworlds.__file__).parent
@@ -25,15 +25,10 @@ MUTANTS = {
     "edges miscounted": ("judged.explored += size(changed)", "judged.explored += 2"),
 }
 
-FIRST = ("another rotation",)
-"""The mutants of which each change of the project is a test; each takes the compiler anew."""
-
-pytestmark = [pytest.mark.slow, pytest.mark.no_cover]
+pytestmark = [*LONG, pytest.mark.no_cover]  # each mutant takes the compiler anew
 
 
-@pytest.mark.parametrize(
-    "mutant", [None, *(name if name in FIRST else long(name) for name in MUTANTS)]
-)
+@pytest.mark.parametrize("mutant", [None, *MUTANTS])
 def test_a_damaged_embedding_fails_the_tests_of_it(mutant, tmp_path):
     copy = tmp_path / "allworlds"
     shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))

@@ -4,8 +4,9 @@ import pytest
 
 from allworlds import check, merge
 from native_libraries import example
+from small import LONG
 
-pytestmark = pytest.mark.slow
+pytestmark = LONG
 
 
 def test_a_native_explorer_is_scaled_out_in_compiled_code(tmp_path):

@@ -111,6 +111,7 @@ def test_bad_arguments_are_said_in_a_line(built, capfd, arguments, said):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_both_checkers_say_the_same_of_every_mutant(built):
     assert built.checkers_agree(2)
 
