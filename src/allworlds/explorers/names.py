@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import re
+from typing import TYPE_CHECKING
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.translated import CONVENTIONS
 from allworlds.inputs import InputError, show
 from allworlds.protocol import points_of
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
@@ -99,12 +102,12 @@ def names_explorer(text: str) -> bool:
     return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
 
 
-def entry_points() -> dict[str, importlib.metadata.EntryPoint]:
+def entry_points() -> dict[str, EntryPoint]:
     """The explorers that other packages offer, by their names."""
     return points_of(ENTRY_POINTS)
 
 
-def entry_point(plain: str) -> importlib.metadata.EntryPoint | None:
+def entry_point(plain: str) -> EntryPoint | None:
     """The explorer that another package offers by a name; None if there is none.
 
     A name with a colon is that of a function: packages are not asked, which takes some time.

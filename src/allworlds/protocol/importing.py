@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import hashlib
 import importlib
-import importlib.metadata
 import importlib.util
 import linecache
 import sys
@@ -17,7 +16,7 @@ from dataclasses import dataclass
 from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from allworlds.inputs import (
     SHOWN,
@@ -28,6 +27,9 @@ from allworlds.inputs import (
     read_text,
     show,
 )
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,9 +64,11 @@ def text_of(place: str) -> SourceText | None:
     return SourceText(str(file), read_text(str(file)))
 
 
-def points_of(group: str) -> dict[str, importlib.metadata.EntryPoint]:
+def points_of(group: str) -> dict[str, EntryPoint]:
     """The entry points of a group that other packages offer, by their names."""
-    return {point.name: point for point in importlib.metadata.entry_points(group=group)}
+    from importlib.metadata import entry_points
+
+    return {point.name: point for point in entry_points(group=group)}
 
 
 def module_named(name: str) -> Any:

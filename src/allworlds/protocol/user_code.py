@@ -16,10 +16,9 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from functools import cache
-from importlib.metadata import EntryPoint
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from allworlds.inputs import InputError, did_you_mean, show
 from allworlds.protocol.importing import (
@@ -37,6 +36,9 @@ from allworlds.protocol.importing import (
     text_of,
 )
 from allworlds.protocol.model_calls import loaded, tried
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 Argument: TypeAlias = int | bool | str
 """The value of an argument in a name."""
