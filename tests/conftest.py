@@ -7,7 +7,6 @@ import pkgutil
 import signal
 import subprocess
 import sys
-from collections import Counter
 from contextlib import ExitStack, contextmanager
 
 import pytest
@@ -43,11 +42,6 @@ settings.load_profile("same-every-time")
 
 PATIENCE = 600
 """Seconds after which a slow test hangs."""
-
-TRACED = 3
-"""The number of cases of a test that are traced for coverage; the others mostly take the same ways.
-
-So the coverage that is measured is a lower bound."""
 
 
 def pytest_configure(config):
@@ -166,12 +160,7 @@ def pytest_collection_modifyitems(items):
     So the compiler works while the first tests run.  Slow tests, and those that wait for the
     compiler, have more time before they count as hanging.
     """
-    cases = Counter()
     for item in items:
-        if not item.get_closest_marker("slow"):
-            cases[test := item.nodeid.partition("[")[0]] += 1
-            if cases[test] > TRACED:
-                item.add_marker("no_cover")
         slow = item.get_closest_marker("slow") or needs_kernel(item)
         if slow and not item.get_closest_marker("timeout"):
             item.add_marker(pytest.mark.timeout(PATIENCE))

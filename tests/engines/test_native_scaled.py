@@ -6,7 +6,7 @@ from allworlds import check, merge
 from native_libraries import example
 from small import LONG
 
-pytestmark = LONG
+pytestmark = [*LONG]
 
 
 def test_a_native_explorer_is_scaled_out_in_compiled_code(tmp_path):
