@@ -117,11 +117,14 @@ def judged(verdict, code, out, said):
 
 
 def tried():
-    """Each attack with 1 and with 2 workers: some in the quick run, most with 2 in the long one."""
+    """Each attack with 1 and with 2 workers; some in the quick run.
+
+    With two, and all but the first of each file, most are left to the long run.
+    """
     for attack in attacks():
-        for function in attack.verdicts:
+        for number, function in enumerate(attack.verdicts):
             for workers in (1, 2):
-                marks = pytest.mark.slow if workers == 1 else LONG
+                marks = LONG if number or workers == 2 else pytest.mark.slow
                 marks = () if attack.quick == workers else marks
                 name = f"{attack.name}-{function or 'exec'}-{workers}"
                 yield pytest.param(attack, function, workers, marks=marks, id=name)

@@ -37,6 +37,7 @@ def test_a_wrong_explorer_in_a_library_is_killed_in_the_same_world(mutant):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
 def test_every_wrong_explorer_in_a_library_is_killed_in_the_same_world(mutant):
     same(mutant, "kernel")

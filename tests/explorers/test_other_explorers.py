@@ -10,7 +10,7 @@ from allworlds.maps import MapClass, named_map, rooted_code, rooted_maps
 from allworlds.protocol import Ambiguous, Drop, Estimate, Move, Pick
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Position, World, lighthouse_named
-from small import EDGE, LOOP, all_maps, slow
+from small import EDGE, LOOP, all_maps, long, slow
 
 
 def explored(name, map_, start=0):
@@ -91,7 +91,7 @@ def test_with_labels_every_world_is_mapped_and_no_edge_is_walked_three_times():
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("most", [3, slow(4)])
+@pytest.mark.parametrize("most", [3, long(4)])
 def test_under_position_the_answer_is_a_map_exactly_where_only_one_looks_so(most):
     for map_ in all_maps(most):
         answer, dart, _, _ = explored("quotient", map_)

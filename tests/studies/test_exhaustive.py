@@ -272,7 +272,7 @@ def test_a_shell_script_can_be_an_explorer():
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
-    ("edges", "shards"), [(3, 1), (3, 2), (3, 5), slow(4, 1), slow(4, 2), slow(4, 5)]
+    ("edges", "shards"), [(3, 1), (3, 2), (3, 5), long(4, 1), slow(4, 2), long(4, 5)]
 )
 def test_the_shards_make_the_whole(edges, shards):
     whole = check(edges=edges)
