@@ -16,6 +16,7 @@ from allworlds.verbs import VERBS
 from kept_jobs import EXPLORERS
 from recorded.record import least
 from schemas.validating import complaints
+from small import long
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -47,11 +48,10 @@ HEARD = {
 }
 
 
-LONG = {"count compiled": pytest.mark.slow}
-
-
 @pytest.mark.no_cover
-@pytest.mark.parametrize("name", [pytest.param(name, marks=LONG.get(name, ())) for name in HEARD])
+@pytest.mark.parametrize(
+    "name", [long(name) if name == "count compiled" else name for name in HEARD]
+)
 def test_what_is_promised_is_done(name):
     heard = Adds()
     HEARD[name](heard)

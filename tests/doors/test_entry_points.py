@@ -102,6 +102,7 @@ def test_what_a_distribution_offers_is_used_by_its_name(installed):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_run_directories_and_the_census_take_them(installed):
     words = [*CHECK, "--task", "my-word?word=here", "--run", "rd"]
     assert installed(*words)[0] == 0

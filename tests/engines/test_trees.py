@@ -155,6 +155,7 @@ def test_one_chunk_after_the_other_makes_the_whole_tree(monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_what_is_walked_as_a_tree_is_told_as_ever():
     with_copies, without = (check(f"native:{copies('', '', *more)}", edges=5) for more in WAYS)
     one, other = (report.to_json() for report in (with_copies, without))
@@ -182,6 +183,7 @@ def test_python_and_compiled_code_walk_the_same_tree(map_class):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_an_object_that_can_be_copied_is_told_as_one_that_cannot(tmp_path):
     plain = tmp_path / "plain.py"
     text = (EXAMPLES / "python" / "stepping.py").read_text(encoding="utf-8")

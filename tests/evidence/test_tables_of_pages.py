@@ -33,7 +33,7 @@ from evidence.write import (
     six_edges,
     small_worlds,
 )
-from small import slow
+from small import long
 
 
 def rows(page, name):
@@ -51,7 +51,7 @@ def test_every_table_that_a_page_marks_is_written():
         assert marked == [name for where, name, _ in PLACES if where == page]
 
 
-@pytest.mark.parametrize("far", [1, slow(2)])
+@pytest.mark.parametrize("far", [1, long(2)])
 def test_the_table_of_the_adversary_is_that_of_its_runs(far):
     *_, row = against_the_adversary(far, far)
     assert rows(EXPLORERS, "adversary")[far + 1] == row

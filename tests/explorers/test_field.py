@@ -74,6 +74,7 @@ def test_an_explorer_of_the_field_holds(asked, options):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(("asked", "options"), FURTHER.items(), ids=lambda each: str(each)[:40])
 def test_an_explorer_of_the_field_holds_further(asked, options):
     assert checked(*asked, options).verdict.value == "holds"

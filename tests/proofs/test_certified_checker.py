@@ -117,6 +117,7 @@ def test_both_checkers_say_the_same_of_every_mutant(built):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_other_explorers_than_those_that_are_named_are_noticed(built, capsys, monkeypatch):
     honest = built.served
     monkeypatch.setattr(built, "served", lambda _name, policy="fifo": honest("algorithm1", policy))

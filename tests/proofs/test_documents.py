@@ -188,6 +188,7 @@ def variants(term, sorts):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_models_with_one_value_changed_are_true_exactly_where_z3_says_so(checkers, proofs):
     smtlib = checkers("smtlib")
     chance = random.Random(18)

@@ -62,6 +62,7 @@ def test_formulas_and_proofs_of_a_search_are_those_of_its_question(
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @needs_python_sat
 def test_a_search_with_degrees_and_a_walk_is_read_back(checkers, tmp_path):
     bounds = {"vertices": 5, "edges": 8, "map_class": "planar-simple"}

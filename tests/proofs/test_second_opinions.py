@@ -151,6 +151,7 @@ def answers(opinions, questions, seconds):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_z3_proves_every_statement_and_no_statement_is_vacuous(proofs):
     code, said = run(proofs, "--solver", "z3")
     assert code == 0, said

@@ -29,6 +29,7 @@ def by_hand(name, edges):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_worst_and_best_are_those_of_every_schedule_played_by_hand():
     report = worst("remembering", edges=3, workers=2)
     assert report.exit_code == 0

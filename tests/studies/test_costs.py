@@ -52,6 +52,7 @@ def test_the_worst_case_of_the_worlds_with_a_first_percept_is_their_minimax(edge
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_optimum_of_the_larger_worlds_for_which_it_is_told_is_found():
     told = {degree for degree in range(1, 11) if is_easy(5, degree)}
     assert told == set(range(4, 11))

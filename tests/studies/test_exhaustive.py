@@ -51,6 +51,7 @@ def test_algorithm_1_holds_in_all_small_worlds():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_default_job_has_8954_worlds():
     report = check(workers=2)
     assert (report.worlds, report.runs, report.verdict) == (8954, 50727, Verdict.HOLDS)

@@ -82,6 +82,7 @@ def test_the_same_world_under_other_names_is_the_same(kind):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.no_cover
 def test_directional_worlds_are_told_apart_unless_they_are_the_same():
     # All pairs with at most three edges: a directional marker settles the map and the pose.
