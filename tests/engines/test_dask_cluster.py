@@ -54,7 +54,7 @@ def test_small_levels_are_not_sent(here, monkeypatch):
                 sent.add(part.unit.edges)
                 yield part
 
-    monkeypatch.setattr("allworlds.engines.engine_table.Dask", Noted)
+    monkeypatch.setattr("allworlds.engines.transports.dask_cluster.Dask", Noted)
     monkeypatch.setattr(compiled, "SOON", 100)
     monkeypatch.setattr(compiled, "SOON_WALKED", 200_000)
     assert check(edges=6, engine="kernel", dask=here).worlds == 119_364

@@ -75,7 +75,7 @@ def _home(name):
         if hasattr(wing, name):
             return wing.__name__
     owner = next(kind for kind in CompareRequest.__mro__ if hasattr(_module(kind), name))
-    return getattr(_module(owner), name).__module__
+    return getattr(_module(owner), name).__module__.removesuffix("._local")  # pathlib of 3.13
 
 
 def _module(kind):

@@ -12,7 +12,6 @@ from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.transports.dask_cluster import Dask
 from allworlds.engines.transports.split import Split
 from allworlds.engines.transports.threads import Threads
 from allworlds.engines.units.effort import DaskCluster
@@ -107,6 +106,8 @@ class Compiled:
         near = Threads(workers, job.deadline, BATCH)
         if job.cluster is None:
             return ReadyEngine(near, engine)
+        from allworlds.engines.transports.dask_cluster import Dask
+
         far = Dask(job.cluster, workers, job.deadline)
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
 
@@ -118,8 +119,10 @@ def players_for(job: Job) -> Transport[Any]:
     return _cluster(job, job.cluster)
 
 
-def _cluster(job: Job, cluster: DaskCluster) -> Dask:
+def _cluster(job: Job, cluster: DaskCluster) -> Transport[Any]:
     """A cluster, on each worker of which an explorer is played as it would be here."""
+    from allworlds.engines.transports.dask_cluster import Dask
+
     subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
     if subject.from_user and not subject.importable:
         raise InputError(

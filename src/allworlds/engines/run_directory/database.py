@@ -13,7 +13,7 @@ import shutil
 import sqlite3
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -229,20 +229,21 @@ def reading(path: Path) -> Iterator[Database]:
     """
     if not (path / FILE).is_file():
         raise InputError(f"{show(str(path))} is no run directory: it holds no {FILE}")
-    with tempfile.TemporaryDirectory() as copies, saying_where(path):
+    with ExitStack() as stack:
+        copies = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        stack.enter_context(saying_where(path))
         try:
             connection = _connected(f"file:{_quoted(path / FILE)}?mode=ro")
+            stack.callback(connection.close)
             connection.execute("SELECT count(*) FROM sqlite_master")
         except sqlite3.OperationalError:
             # Where nothing can be written the log of the last additions cannot be looked into.
             for file in path.glob(f"{FILE}*"):
                 if not file.name.endswith("-shm"):
-                    shutil.copyfile(file, Path(copies) / file.name)
-            connection = _connected(f"file:{_quoted(Path(copies) / FILE)}?mode=rw")
-        try:
-            yield Database(path, connection, _looked_through(path, connection))
-        finally:
-            connection.close()
+                    shutil.copyfile(file, copies / file.name)
+            connection = _connected(f"file:{_quoted(copies / FILE)}?mode=rw")
+            stack.callback(connection.close)
+        yield Database(path, connection, _looked_through(path, connection))
 
 
 def _connected(address: str) -> sqlite3.Connection:
