@@ -22,9 +22,6 @@ PROGRAMS = {"README.md": "mine.py"}
 SLOW = {
     "README.md",
     "docs/ambiguity.md",
-    "docs/explorers.md",
-    "docs/how-to/bound.md",
-    "docs/how-to/certificate.md",
     "docs/how-to/ci.md",
     "docs/how-to/languages.md",
     "docs/how-to/lighthouse.md",
@@ -38,6 +35,9 @@ SLOW = {
 """Pages whose commands take more than some seconds, or a compiler."""
 
 LONGEST = {
+    "docs/explorers.md",
+    "docs/how-to/bound.md",
+    "docs/how-to/certificate.md",
     "docs/research/class.md",
     "docs/research/cost.md",
     "docs/research/sensor.md",

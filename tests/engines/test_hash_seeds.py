@@ -24,7 +24,6 @@ from allworlds.maps import Extent, MapClass
 from allworlds.studies.check import check
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
-from small import long
 
 
 class Seeded:
@@ -137,7 +136,8 @@ class Ends(Silent):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [long(name) if name == "walks" else name for name in CHECKS])
+@pytest.mark.long
+@pytest.mark.parametrize("name", CHECKS)
 def test_a_check_of_an_explorer_that_goes_by_hashes_is_the_same_whenever_that_is_noticed(
     name, tmp_path, monkeypatch
 ):
