@@ -116,16 +116,17 @@ def judged(verdict, code, out, said):
     return report
 
 
-def tried():
-    """Each attack with 1 and with 2 workers; some in the quick run.
+def weight(number, workers):
+    """The marks of an attack outside the quick run: its number in its file, and the workers."""
+    return LONG if number or workers == 2 else pytest.mark.slow
 
-    With two, and all but the first of each file, most are left to the long run.
-    """
+
+def tried():
+    """Each attack with 1 and with 2 workers; some in the quick run."""
     for attack in attacks():
         for number, function in enumerate(attack.verdicts):
             for workers in (1, 2):
-                marks = LONG if number or workers == 2 else pytest.mark.slow
-                marks = () if attack.quick == workers else marks
+                marks = () if attack.quick == workers else weight(number, workers)
                 name = f"{attack.name}-{function or 'exec'}-{workers}"
                 yield pytest.param(attack, function, workers, marks=marks, id=name)
 
@@ -152,7 +153,6 @@ def tried_in_compiled_code():
     """Each attack on who plays, or on what is played twice, wherever the kernel can judge.
 
     Libraries alone are tried with two workers, too: only with them does compiled code also play.
-    All but the first of each file is left to the long run.
     """
     kinds = ("state", "reaching", "dying", "libraries")
     # What is left to the Python engine, what names its engine, and what looks for worlds alone.
@@ -163,7 +163,7 @@ def tried_in_compiled_code():
             for number, function in enumerate(attack.verdicts):
                 for workers in (1, 2) if attack.file.parent.name == "libraries" else (1,):
                     name = f"{attack.name}-{function or 'exec'}-{workers}"
-                    marks = LONG if number or workers == 2 else pytest.mark.slow
+                    marks = weight(number, workers)
                     yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 

@@ -234,6 +234,22 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
         assert set(kept) < set(read.keys())
 
 
+def test_a_file_that_cannot_be_read_is_left_closed(finished, monkeypatch):
+    real, made = sqlite3.connect, []
+
+    def noted(*address, **options):
+        made.append(real(*address, **options))
+        return made[-1]
+
+    (finished / FILE).write_bytes(b"somebody else's" * 100)
+    monkeypatch.setattr(sqlite3, "connect", noted)
+    with pytest.raises(InputError, match="not a database"), reading(finished):
+        pass
+    (connection,) = made
+    with pytest.raises(sqlite3.ProgrammingError, match="closed"):
+        connection.execute("SELECT 1")
+
+
 def test_a_directory_that_cannot_be_written_can_be_read(finished, monkeypatch):
     real, refused = sqlite3.connect, []
 

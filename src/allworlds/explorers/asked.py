@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Annotated, Any
 
-from allworlds.explorers.names import (
-    EXEC,
-    NATIVE,
-)
+from allworlds.explorers.names import EXEC, NATIVE
 from allworlds.inputs import SCOPE, Argument, InputError, Named, Option, Request, show
 
 DEFAULT_EXPLORER = "algorithm1"

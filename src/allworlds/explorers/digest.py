@@ -10,17 +10,9 @@ from pathlib import Path
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.moved import present_name
-from allworlds.explorers.names import (
-    command_of,
-    entry_point,
-    innermost,
-    is_library,
-    path_of,
-)
+from allworlds.explorers.names import command_of, entry_point, innermost, is_library, path_of
 from allworlds.explorers.program import Program
-from allworlds.explorers.subject import (
-    Subject,
-)
+from allworlds.explorers.subject import Subject
 from allworlds.inputs import InputError, read_text, show
 from allworlds.protocol import SourceText, arguments_of, bytes_of, module_file
 

@@ -263,17 +263,15 @@ def _opened(path: Path, identity: Identity) -> Database:
                 "give a new or an empty one"
             )
         return database.created(path, identity)
-    with ExitStack() as at_failure:
-        opened = database.opened(path)
-        at_failure.callback(opened.close)
-        its = opened.identity
-        said = identity.difference(its)
-        if not said and its.shard != identity.shard:
-            said = f"is of shard {its.shard}, not {identity.shard}"
-        if said:
-            raise InputError(f"run directory {show(str(path))} {said}")
-        at_failure.pop_all()
-        return opened
+    opened = database.opened(path)
+    its = opened.identity
+    said = identity.difference(its)
+    if not said and its.shard != identity.shard:
+        said = f"is of shard {its.shard}, not {identity.shard}"
+    if said:
+        opened.close()
+        raise InputError(f"run directory {show(str(path))} {said}")
+    return opened
 
 
 class Lock:
