@@ -1,11 +1,9 @@
 """Found beside expected: whatever is changed of what is expected, the claim fails."""
 
-from dataclasses import replace as replaced
-
 import pytest
 
 import allworlds
-from allworlds.document import replace
+from allworlds.document import replace, replace as replaced
 from allworlds.engines.isolation.jobs import HarnessError
 from allworlds.evidence.claims import claim_table, ledger
 from allworlds.evidence.claims.claim_table import CHECKS

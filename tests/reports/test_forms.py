@@ -2,7 +2,6 @@
 
 import ast
 import csv
-import dataclasses
 import io
 import re
 from pathlib import Path
@@ -10,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from allworlds import reports
+from allworlds.document import replace
 from allworlds.reports import FORMATS, CsvRows, file_of, formats_of
 from allworlds.reports.csv_rows import csv_rows
 from allworlds.reports.plain_text import brief, text
@@ -145,7 +145,7 @@ def test_rows_are_numbers_and_words_and_a_missing_one_is_an_empty_cell():
     rows = CsvRows(
         {"name": str, "costs": int, "much": float}, [["a|b", 1000, 2.5], ["=1", None, 3.0]]
     )
-    told = dataclasses.replace(telling(None, CELLS), rows=lambda: rows)
+    told = replace(telling(None, CELLS), rows=lambda: rows)
     assert csv_rows(told) == "name,costs,much\na|b,1000,2.5\n=1,,3.0\n"
     assert rows.records[1] == {"name": "=1", "costs": None, "much": 3.0}
     assert csv_rows(telling(None, CELLS)) == ""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Annotated, Any
 
 import allworlds
@@ -12,6 +11,7 @@ from allworlds.cli.files import Files, ensure_directory
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import emit
 from allworlds.cli.watch import kept_in, watched
+from allworlds.document import replace
 from allworlds.inputs import EFFORT, InputError, Option, fields_of, show
 from allworlds.studies.check import CheckRequest
 

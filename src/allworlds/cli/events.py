@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import replace
 from time import monotonic
 from typing import Any, TextIO, TypeVar
 
@@ -13,6 +12,7 @@ from typing_extensions import override
 
 from allworlds.cli.options import LongOutputGroup, OutputGroup
 from allworlds.cli.output import Progress, complain
+from allworlds.document import replace
 from allworlds.engines import Listener
 from allworlds.inputs import InputError, a_path, answer, show
 from allworlds.outcome import Result

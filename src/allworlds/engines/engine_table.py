@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from functools import partial
 from typing import Annotated, Any, Protocol, TypeAlias
 
-from allworlds.document import one_of
+from msgspec import Struct
+
+from allworlds.document import one_of, replace
 from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER
 from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
@@ -20,8 +21,7 @@ from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError, lack_of, show
 
 
-@dataclass(frozen=True, slots=True)
-class ReadyEngine:
+class ReadyEngine(Struct, frozen=True):
     """An engine made ready, and the transport by which units get to it and tallies back."""
 
     transport: Transport[Any]

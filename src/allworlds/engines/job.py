@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.units.effort import DaskCluster, Limits
 from allworlds.explorers import Subject
 
 
-@dataclass(frozen=True, slots=True)
-class Job:
+class Job(Struct, frozen=True):
     """A check as an engine gets it.
 
     Attributes:

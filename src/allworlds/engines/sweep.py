@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
+from allworlds.document import replace
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.isolation.jobs import Unsettled
 from allworlds.engines.progress import NOBODY, Listener

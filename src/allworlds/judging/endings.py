@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
-from dataclasses import dataclass
 from itertools import islice
 from typing import Annotated, Any, TypeAlias
 
@@ -15,8 +14,7 @@ from allworlds.maps import CombinatorialMap, InvalidMap, numbering
 from allworlds.protocol import Ambiguous, Estimate
 
 
-@dataclass(frozen=True, slots=True)
-class Answered:
+class Answered(Struct, frozen=True):
     """The explorer has returned a well-formed estimate."""
 
     estimate: Estimate
@@ -44,8 +42,7 @@ class LostRun(Fault, frozen=True, tag="lost"):
     """The process of the run was lost, so its walk is not known."""
 
 
-@dataclass(frozen=True, slots=True)
-class Undecided:
+class Undecided(Struct, frozen=True):
     """The explorer has returned a well-formed rooted quotient, and no map.
 
     Attributes:
@@ -55,8 +52,7 @@ class Undecided:
     quotient: Ambiguous
 
 
-@dataclass(frozen=True, slots=True)
-class Said:
+class Said(Struct, frozen=True):
     """The explorer has returned an answer that is no map, where any answer may be given.
 
     Attributes:

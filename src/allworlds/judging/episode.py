@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Generator, Iterable, MutableSequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol, TypeAlias
+
+from msgspec import Struct, field
 
 from allworlds.inputs import SHOWN, InputError, integer, let_users_interrupt, show
 from allworlds.judging.endings import (
@@ -91,8 +92,7 @@ class Log(NamedTuple):
     widths: tuple[int, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Episode:
+class Episode(Struct, frozen=True):
     """The log of one run in its world.
 
     Attributes:
@@ -213,8 +213,7 @@ def _published(shown: Iterable[Shown]) -> tuple[tuple[int, Checkpoint], ...]:
     return tuple([(steps, Checkpoint(sigma, alpha, here)) for steps, sigma, alpha, here in shown])
 
 
-@dataclass(slots=True)
-class _Run:
+class _Run(Struct):
     world: Environment
     budget: int
     beat: MutableSequence[int]

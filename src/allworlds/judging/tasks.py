@@ -11,6 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
+from msgspec import Struct
+
 from allworlds.inputs import InputError, a_text, show
 from allworlds.judging.endings import Answered, Ending, Over, Said, Undecided
 from allworlds.judging.walk_log import WalkLog
@@ -26,8 +28,7 @@ Ends: TypeAlias = Callable[[World, WalkLog], bool]
 MAP = "map"
 
 
-@dataclass(frozen=True, slots=True)
-class TaskKind:
+class TaskKind(Struct, frozen=True):
     """A task that comes with this program.
 
     Attributes:
@@ -39,8 +40,7 @@ class TaskKind:
     judge: Judge | None
 
 
-@dataclass(frozen=True, slots=True)
-class EndingJudge:
+class EndingJudge(Struct, frozen=True):
     """A judge that ends the run, too; one of the user's has such an attribute ``over``.
 
     Attributes:
@@ -127,8 +127,7 @@ JUDGE = Role(
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Task:
+class Task(Struct, frozen=True):
     """A task: the criterion of a finished run, in a form that other processes can load.
 
     Attributes:

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from typing import Self
+
+from msgspec import Struct, field
 
 from allworlds.maps import Dart
 from allworlds.protocol import Action, Move, Percept, Transcript
 from allworlds.world import World
 
 
-@dataclass(slots=True)
-class WalkLog:
+class WalkLog(Struct):
     """A log that knows its world; while the run goes on, it grows.
 
     Its elements are the steps, pairs of an action and the percept that answered it.

@@ -6,10 +6,11 @@ A new file of a report is a module of this package, and an entry of the table.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cache
 from inspect import getdoc
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from allworlds.inputs import ensure_installed
 from allworlds.lazy import loaded
@@ -21,8 +22,7 @@ if TYPE_CHECKING:
     from allworlds.reports.telling import ToldResult
 
 
-@dataclass(frozen=True, slots=True)
-class Format:
+class Format(Struct, frozen=True):
     """A file format of reports.
 
     Attributes:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, TypeAlias
+
+from msgspec import Struct
 
 from allworlds.protocol import Action, Percept
 from allworlds.reports.telling import ToldWalk
@@ -13,8 +14,7 @@ Value: TypeAlias = int | float | str | bool | None
 """A value of a row; None where there is none."""
 
 
-@dataclass(frozen=True, slots=True)
-class CsvRows:
+class CsvRows(Struct, frozen=True):
     """Rows for programs.
 
     Attributes:

@@ -7,9 +7,11 @@ A module of ``tellings`` makes the telling of a verb's result.  A form of report
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
+from msgspec import Struct, field
+
+from allworlds.document import replace
 from allworlds.words import number
 
 if TYPE_CHECKING:
@@ -22,8 +24,7 @@ if TYPE_CHECKING:
     from allworlds.studies.run import Hypothesis
 
 
-@dataclass(frozen=True, slots=True)
-class Shown:
+class Shown(Struct, frozen=True):
     """A value of a table with a text of its own, flushed right like a number."""
 
     value: int | float | str
@@ -34,8 +35,7 @@ Cell: TypeAlias = int | str | Shown | None
 """A cell of a table; None where there is no value."""
 
 
-@dataclass(frozen=True, slots=True)
-class Headline:
+class Headline(Struct, frozen=True):
     """The first line.
 
     Attributes:
@@ -55,22 +55,19 @@ class Headline:
         return " ".join(f"{self.word}: {self.text}".split())
 
 
-@dataclass(frozen=True, slots=True)
-class Words:
+class Words(Struct, frozen=True):
     """A paragraph of plain text."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class ToldFacts:
+class ToldFacts(Struct, frozen=True):
     """Named sentences; one without a name goes on with the fact before."""
 
     entries: Sequence[tuple[str, str]]
 
 
-@dataclass(frozen=True, slots=True)
-class ToldTable:
+class ToldTable(Struct, frozen=True):
     """A table.
 
     Attributes:
@@ -109,16 +106,14 @@ def _text(cell: Cell) -> str:
             return number(cell)
 
 
-@dataclass(frozen=True, slots=True)
-class ToldPicture:
+class ToldPicture(Struct, frozen=True):
     """A picture of a map, with a caption."""
 
     title: str
     scene: Scene
 
 
-@dataclass(frozen=True, slots=True)
-class ShownMap:
+class ShownMap(Struct, frozen=True):
     """The part of the world that an explorer has shown, each dart and edge with its first step.
 
     Attributes:
@@ -130,8 +125,7 @@ class ShownMap:
     edges: dict[Dart, int]
 
 
-@dataclass(frozen=True, slots=True)
-class View:
+class View(Struct, frozen=True):
     """A picture in which a walk can be followed.
 
     Attributes:
@@ -153,8 +147,7 @@ class View:
     still: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Elsewhere:
+class Elsewhere(Struct, frozen=True):
     """The percepts of the same motions in another map.
 
     Attributes:
@@ -166,8 +159,7 @@ class Elsewhere:
     percepts: Sequence[Percept]
 
 
-@dataclass(frozen=True, slots=True)
-class ToldWalk:
+class ToldWalk(Struct, frozen=True):
     """A walk, step by step, with the pictures in which it can be followed.
 
     Attributes:
@@ -227,22 +219,19 @@ class SizeCost(NamedTuple):
     bound: int | None
 
 
-@dataclass(frozen=True, slots=True)
-class Costs:
+class Costs(Struct, frozen=True):
     """A column for each size: the largest cost beside the bound."""
 
     cells: Sequence[SizeCost]
 
 
-@dataclass(frozen=True, slots=True)
-class Curve:
+class Curve(Struct, frozen=True):
     """Traversals against the edges that they found."""
 
     spent: Spending
 
 
-@dataclass(frozen=True, slots=True)
-class Quote:
+class Quote(Struct, frozen=True):
     """Lines that are shown unchanged.
 
     Attributes:
@@ -260,8 +249,7 @@ class Quote:
     prefix: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class ToldRecord:
+class ToldRecord(Struct, frozen=True):
     """Data for programs, beside the text for people.
 
     Attributes:
@@ -281,8 +269,7 @@ Block: TypeAlias = (
 """A part of a section."""
 
 
-@dataclass(frozen=True, slots=True)
-class Section:
+class Section(Struct, frozen=True):
     """Blocks under a title.
 
     Attributes:
@@ -298,8 +285,7 @@ class Section:
     runs: Sequence[Section] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class ToldCase:
+class ToldCase(Struct, frozen=True):
     """One of the cases that were tried, as test runners count them."""
 
     name: str
@@ -309,8 +295,7 @@ class ToldCase:
     sections: Sequence[Section] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Suite:
+class Suite(Struct, frozen=True):
     """All cases, with named remarks."""
 
     verb: str
@@ -319,8 +304,7 @@ class Suite:
     cases: Sequence[ToldCase]
 
 
-@dataclass(frozen=True, slots=True)
-class ToldResult:
+class ToldResult(Struct, frozen=True):
     """Everything that a result says.
 
     Attributes:

@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, MutableSequence, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
 from itertools import zip_longest
 from typing import TypeAlias
 
+from msgspec import Struct
+
+from allworlds.document import replace
 from allworlds.engines.compiled.requests import level_of, walks
 from allworlds.engines.isolation.workers import Workers
 from allworlds.engines.kernel import engine as kernel
@@ -48,7 +50,7 @@ Outcomes: TypeAlias = dict[UnitOfRuns, list[Listed]]
 """The listed runs, by unit."""
 
 
-class ListingEngine(PythonEngine):
+class ListingEngine(PythonEngine, frozen=True):
     """The Python engine that lists each run of a built-in explorer instead of tallying it."""
 
     def for_built_in(
@@ -60,8 +62,7 @@ class ListingEngine(PythonEngine):
         return BoundListing(self.scope, subject)
 
 
-@dataclass(frozen=True, slots=True)
-class BoundListing:
+class BoundListing(Struct, frozen=True):
     """The listing engine with an explorer in this process."""
 
     scope: Scope

@@ -12,9 +12,10 @@ engine finds it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any, Self
+
+from msgspec import Struct, field
 
 from allworlds.engines.compiled.agreement import AGREEMENT_EDGES, compare_engines
 from allworlds.engines.compiled.requests import level_of, walks
@@ -48,8 +49,7 @@ SYMMETRY = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class CompiledEngine:
+class CompiledEngine(Struct, frozen=True):
     """The engine in which the kernel plays and judges, or walks, all runs of a unit.
 
     Attributes:

@@ -12,9 +12,11 @@ found so, a copy has gone another way than a run from its start.
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator
-from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
+from msgspec import Struct, field
+
+from allworlds.document import replace
 from allworlds.engines.compiled.stretches import (
     AGREEMENT_EDGES,
     DIFFERENT,
@@ -63,8 +65,7 @@ class WalkedTree(NamedTuple):
     lost: bool = False
 
 
-@dataclass(slots=True)
-class PlayedByTrees:
+class PlayedByTrees(Struct):
     """The engine with a user's explorer that perhaps can be copied.
 
     Attributes:

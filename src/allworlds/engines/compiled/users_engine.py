@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import MutableSequence
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.engines.compiled.stretches import PlayedByStretches
 from allworlds.engines.compiled.trees import PlayedByTrees
@@ -34,8 +35,7 @@ def load() -> None:
     load_generators()
 
 
-@dataclass(frozen=True, slots=True)
-class UsersEngine:
+class UsersEngine(Struct, frozen=True):
     """The engine in which a user's explorer plays in stretches or trees, and the kernel judges.
 
     Attributes:

@@ -5,15 +5,15 @@ from __future__ import annotations
 import pickle
 import socket
 import struct
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 _LENGTH = struct.Struct("<I")
 _MOST_DESCRIPTORS = 4
 
 
-@dataclass(frozen=True, slots=True)
-class Spawn:
+class Spawn(Struct, frozen=True):
     """Fork a process for a role.
 
     Attributes:
@@ -29,22 +29,19 @@ class Spawn:
     relayed: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class EndProcesses:
+class EndProcesses(Struct, frozen=True):
     """Kill processes with all that they have started; answered when they have ended."""
 
     pids: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class AskExitCode:
+class AskExitCode(Struct, frozen=True):
     """Ask for the exit code of a process."""
 
     pid: int
 
 
-@dataclass(frozen=True, slots=True)
-class Prepare:
+class Prepare(Struct, frozen=True):
     """Call a function without arguments: all that are forked later share the modules it loads.
 
     Attributes:
@@ -55,8 +52,7 @@ class Prepare:
     function: str
 
 
-@dataclass(frozen=True, slots=True)
-class ReachNursery:
+class ReachNursery(Struct, frozen=True):
     """Ask for a socket to a nursery; it is started if there is none.
 
     Attributes:
@@ -70,8 +66,7 @@ class ReachNursery:
     alike: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class ServeAnother:
+class ServeAnother(Struct, frozen=True):
     """Take the descriptor for the socket of another owner.  There is no answer."""
 
 

@@ -6,8 +6,9 @@ The answers of players are in :mod:`allworlds.engines.isolation.messages`.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from typing import Self
+
+from msgspec import Struct
 
 from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
 from allworlds.engines.python.play import Record
@@ -35,8 +36,7 @@ class GuardianLost(HarnessError, Unsettled):
 # ---------------------------------------------------------------- to a player
 
 
-@dataclass(frozen=True, slots=True)
-class PlayerSetup:
+class PlayerSetup(Struct, frozen=True):
     """A player's first message: the explorer that it loads.
 
     Answered by an ``ExplorerDescription``, or a ``Refusal``.
@@ -65,8 +65,7 @@ class PlayerSetup:
         return cls(subject.name, subject.source, *patience)
 
 
-@dataclass(frozen=True, slots=True)
-class PlayRuns:
+class PlayRuns(Struct, frozen=True):
     """Play runs of a unit in a drawn order; answered by ``RunLogs``, more than once.
 
     Attributes:
@@ -85,8 +84,7 @@ class PlayRuns:
     script: tuple[int, ...] | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class PlayRecords:
+class PlayRecords(Struct, frozen=True):
     """Play against recorded percepts alone, without a world; answered by ``RecordLogs``.
 
     If ``plain``, they are played as in worlds, and not by copies.
@@ -98,8 +96,7 @@ class PlayRecords:
     plain: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class PlayStretch:
+class PlayStretch(Struct, frozen=True):
     """Play many runs that stand in shared memory, and write their logs there.
 
     Answered by a ``StretchResult``.
@@ -123,8 +120,7 @@ class PlayStretch:
     compiled: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class PlayTree:
+class PlayTree(Struct, frozen=True):
     """Play a chunk of the tree of a unit; answered by a ``StretchResult``.
 
     Attributes:
@@ -142,8 +138,7 @@ class PlayTree:
     compiled: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class PlaySegments:
+class PlaySegments(Struct, frozen=True):
     """Play the segments of a chunk that stand in shared memory; answered by a ``StretchResult``.
 
     Attributes:
@@ -161,8 +156,7 @@ class PlaySegments:
     compiled: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class Trace:
+class Trace(Struct, frozen=True):
     """Play one world and send every step at once, because the process may not survive it.
 
     The schedules are all, or the policy's after the choices of ``script``.  If there is an

@@ -5,10 +5,12 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Callable, Generator, Iterator, MutableSequence, Sequence
-from dataclasses import dataclass, field, replace
 from random import Random
 from typing import Any, Protocol, TypeVar
 
+from msgspec import Struct, field
+
+from allworlds.document import replace
 from allworlds.engines.isolation.jobs import (
     HarnessError,
     PlayerSetup,
@@ -183,8 +185,7 @@ def _number(process: Process) -> int | None:
     return None if number == NO_RUN else number
 
 
-@dataclass(slots=True)
-class PlayerPair:
+class PlayerPair(Struct):
     """Two processes with one explorer: the first plays in worlds, the second against records.
 
     Attributes:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.engines.isolation.player_pair import WorkerEngine
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
@@ -11,8 +12,7 @@ from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 
 
-@dataclass(frozen=True, slots=True)
-class RefereeSetup:
+class RefereeSetup(Struct, frozen=True):
     """A referee's first message: the explorer whose runs it judges.
 
     Attributes:
@@ -26,8 +26,7 @@ class RefereeSetup:
     order: int
 
 
-@dataclass(frozen=True, slots=True)
-class UnitJob:
+class UnitJob(Struct, frozen=True):
     """Do a unit from run ``start`` on; answered by :class:`UnitProgress`, more than once."""
 
     engine: WorkerEngine
@@ -35,8 +34,7 @@ class UnitJob:
     start: int
 
 
-@dataclass(frozen=True, slots=True)
-class UnitProgress:
+class UnitProgress(Struct, frozen=True):
     """Answer to a :class:`UnitJob`: the result since the last one, up to the run ``next_run``."""
 
     next_run: int

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
+from allworlds.document import replace
 from allworlds.engines.isolation.jobs import PlayerSetup
 from allworlds.engines.isolation.player_pair import start_player
 from allworlds.engines.isolation.process import guardian

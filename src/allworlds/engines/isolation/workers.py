@@ -5,11 +5,12 @@ from __future__ import annotations
 import secrets
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 from itertools import islice
 from multiprocessing.connection import Connection, wait
 from random import Random
 from typing import Any, Self
+
+from msgspec import Struct, field
 
 from allworlds.engines.isolation.jobs import Unsettled
 from allworlds.engines.isolation.player_pair import STOPPED, WorkerEngine
@@ -44,16 +45,14 @@ MOST_ATTEMPTS = 3
 """The number of referees that are lost over one unit before it is given up."""
 
 
-@dataclass(slots=True)
-class _UnitTask:
+class _UnitTask(Struct):
     """A unit, and the run from which on it is still to be tallied."""
 
     unit: UnitOfRuns
     start: int = 0
 
 
-@dataclass(slots=True)
-class Workers:
+class Workers(Struct):
     """The transport into processes of their own.
 
     A worker is a referee with its players.  A user's code can kill the players, but not their
@@ -158,8 +157,7 @@ class Workers:
         return PartialResult(task.unit, tally, last=False)
 
 
-@dataclass(frozen=True, slots=True)
-class ThisProcess:
+class ThisProcess(Struct, frozen=True):
     """The transport for an explorer that no other process can find; it cannot be stopped here."""
 
     subject: Subject

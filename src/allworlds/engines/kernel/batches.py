@@ -10,9 +10,9 @@ from __future__ import annotations
 import ctypes
 import mmap
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+from msgspec import Struct
 from numpy import arange, array, asarray, frombuffer, int32, int64, uint8, zeros
 
 from allworlds.engines.kernel import logs, native, runs
@@ -34,8 +34,7 @@ from allworlds.engines.kernel.stretch import (
 from allworlds.engines.kernel.tables import tables
 
 
-@dataclass(frozen=True, slots=True)
-class LaidOutRuns:
+class LaidOutRuns(Struct, frozen=True):
     """A stretch that has been laid out.
 
     Attributes:

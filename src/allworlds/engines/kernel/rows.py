@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from allworlds.engines.kernel.tables import Tables
 
 
-@dataclass(frozen=True, slots=True)
-class LevelBounds:
+class LevelBounds(Struct, frozen=True):
     """The largest legal cost of every run of a level.
 
     Attributes:
@@ -24,8 +24,7 @@ class LevelBounds:
     by_largest: bool = False
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Level:
+class Level(Struct, frozen=True, eq=False):
     """The common data of all units of a level.
 
     Attributes:
@@ -54,8 +53,7 @@ class Level:
     tables: Tables
 
 
-@dataclass(frozen=True, slots=True)
-class Counts:
+class Counts(Struct, frozen=True):
     """The counts of the worlds of one size.
 
     Attributes:
@@ -97,8 +95,7 @@ class At(NamedTuple):
     place: int
 
 
-@dataclass(frozen=True, slots=True)
-class BrokenRun:
+class BrokenRun(Struct, frozen=True):
     """A run that breaks a law, in canonical numbering.
 
     Attributes:
@@ -115,8 +112,7 @@ class BrokenRun:
     law: str
 
 
-@dataclass(frozen=True, slots=True)
-class Listed:
+class Listed(Struct, frozen=True):
     """One run.
 
     Attributes:
@@ -132,8 +128,7 @@ class Listed:
     walk: int
 
 
-@dataclass(frozen=True, slots=True)
-class Rows:
+class Rows(Struct, frozen=True):
     """The outcome of a piece of work.
 
     Attributes:

@@ -5,7 +5,7 @@ Nothing is loaded with it, so that a process that only plays starts fast.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 # The columns of a segment: where its bytes and its percepts stand, how many motions it has, the
 # next segment behind the same branch, and the first one behind the branch at its end.  In place of
@@ -18,8 +18,7 @@ PERCEPT = 3
 """The number of bytes of a percept."""
 
 
-@dataclass(frozen=True, slots=True)
-class TreeRequest:
+class TreeRequest(Struct, frozen=True):
     """The data of a unit's tree that a player needs.
 
     Attributes:
@@ -38,8 +37,7 @@ class TreeRequest:
     prefix: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Chunk:
+class Chunk(Struct, frozen=True):
     """The beginning of a chunk.
 
     Attributes:

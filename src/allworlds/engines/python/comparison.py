@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
+from allworlds.document import replace
 from allworlds.engines.python.examiner import LOST, Outcome
 from allworlds.engines.python.play import RECORD_ENDS
 from allworlds.inputs import show

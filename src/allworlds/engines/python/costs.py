@@ -56,7 +56,7 @@ class CostTally(Tally):
             self.costs.update(other.costs)
 
 
-class CostEngine(PythonEngine):
+class CostEngine(PythonEngine, frozen=True):
     """The Python engine that returns the cost of every run, too."""
 
     def tally(self) -> CostTally:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import secrets
-from dataclasses import dataclass, field
 from random import Random
 from typing import Generic, TypeVar
+
+from msgspec import Struct, field
 
 FEW = 16
 """The least number of runs among which the order is drawn."""
@@ -23,8 +24,7 @@ FIRST, KEPT = 64, 256
 P = TypeVar("P")
 
 
-@dataclass(slots=True)
-class EarlierPlays(Generic[P]):
+class EarlierPlays(Struct, Generic[P]):
     """Plays that were equal twice, which are played again among those of other units and levels.
 
     Otherwise an explorer that counts the second plays would know which level they come from.

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import MutableSequence
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.explorers import Subject
 from allworlds.inputs import show
@@ -33,8 +34,7 @@ from allworlds.protocol import Answer, Choices, Transcript
 from allworlds.world import World
 
 
-@dataclass(frozen=True, slots=True)
-class Outcome:
+class Outcome(Struct, frozen=True):
     """One judged episode.
 
     Attributes:

@@ -11,9 +11,9 @@ the time at which that is noticed (:mod:`allworlds.engines.python.other_seeds`).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from typing import NamedTuple, Protocol, TypeVar
 
+from allworlds.document import replace
 from allworlds.engines.python.comparison import difference_of
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.scope import Scope

@@ -7,10 +7,11 @@ its name determines, so that the findings do not depend on the order of the unit
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 from zlib import crc32
+
+from msgspec import Struct
 
 from allworlds.document import replace
 from allworlds.engines.python.examiner import Outcome
@@ -34,8 +35,7 @@ def other_seeds(unit: UnitOfRuns) -> Sequence[int]:
     return every
 
 
-@dataclass(slots=True)
-class WithOtherSeeds:
+class WithOtherSeeds(Struct):
     """An engine that plays each unit once more with other seeds.
 
     Attributes:

@@ -7,7 +7,8 @@ follows both.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.maps import Dart, Decision, Gluing, MapClass
 from allworlds.protocol import Percept
@@ -15,8 +16,7 @@ from allworlds.protocol import Percept
 POINTED, MARKED = "directional", "position"
 
 
-@dataclass(frozen=True, slots=True)
-class PartialWorld:
+class PartialWorld(Struct, frozen=True):
     """A robot in a world of which a part is decided; a value.
 
     Attributes:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, MutableSequence, Sequence
-from dataclasses import dataclass, field
 from random import Random
 from typing import NamedTuple
+
+from msgspec import Struct, field
 
 from allworlds.engines.python.examiner import name_run
 from allworlds.engines.python.run_counter import RunCounter
@@ -69,8 +70,7 @@ def ending_maker(*, any_answer: bool) -> EndingOf:
     return any_ending_of if any_answer else ending_of
 
 
-@dataclass(slots=True)
-class ExplorerRunner:
+class ExplorerRunner(Struct):
     """A runner plays runs of an explorer in this process.
 
     Attributes:

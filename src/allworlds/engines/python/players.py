@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Protocol
+
+from msgspec import Struct
 
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import RunCounter
@@ -58,8 +59,7 @@ class Players(Protocol):
         """Go on in fresh processes; see the attributes of :class:`Tour`."""
 
 
-@dataclass(frozen=True, slots=True)
-class OneRun:
+class OneRun(Struct, frozen=True):
     """A run of a unit: its number there, the number of its place, and its world."""
 
     number: int
@@ -73,8 +73,7 @@ def placed_run(run: NumberedRun) -> OneRun:
     return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
 
 
-@dataclass(slots=True)
-class ScriptTracker:
+class ScriptTracker(Struct):
     """The script of each run's next log: one log for a run, or one for each schedule.
 
     Attributes:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, MutableSequence
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.examiner import Examiner, name_run
@@ -17,8 +18,7 @@ from allworlds.engines.python.tally import Tally
 from allworlds.explorers import Subject
 
 
-@dataclass(frozen=True, slots=True)
-class PythonEngine(RunCounter):
+class PythonEngine(RunCounter, frozen=True):
     """The engine in which every run of a unit is played, judged and tallied in Python."""
 
     def for_built_in(
@@ -45,8 +45,7 @@ class PythonEngine(RunCounter):
         return PlayedTwice(self, explorer, players, earlier)
 
 
-@dataclass(frozen=True, slots=True)
-class BoundPythonEngine:
+class BoundPythonEngine(Struct, frozen=True):
     """The Python engine with a built-in explorer, which is played in this process, and once."""
 
     engine: PythonEngine

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import islice
 from typing import Any, Protocol
+
+from msgspec import Struct
 
 from allworlds.engines.python.examiner import Outcome, Referee
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns, numbered_runs
@@ -29,8 +30,7 @@ class PartwiseEngine(Protocol):
         """Yield the number of the next run and the result since, at intervals and at the end."""
 
 
-@dataclass(frozen=True, slots=True)
-class RunCounter:
+class RunCounter(Struct, frozen=True):
     """The runs of units, and their counting.
 
     Attributes:

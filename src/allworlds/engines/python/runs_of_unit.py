@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Protocol, TypeAlias
+
+from msgspec import Struct
 
 from allworlds.engines.units.levels import LevelUnit
 from allworlds.maps import CombinatorialMap, Extent
@@ -25,8 +26,7 @@ class UnitOfRuns(Protocol):
         """Every map with its places, in a fixed order."""
 
 
-@dataclass(frozen=True, slots=True)
-class LevelRuns(LevelUnit):
+class LevelRuns(LevelUnit, frozen=True):
     """All maps of a level whose history begins with ``prefix``, with every place."""
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
@@ -35,8 +35,7 @@ class LevelRuns(LevelUnit):
             yield map_, list(enumerate(kind.places(map_, 0)))
 
 
-@dataclass(frozen=True, slots=True)
-class GivenWorlds:
+class GivenWorlds(Struct, frozen=True):
     """Chosen worlds, each with its own place; their start is dart 0."""
 
     worlds: tuple[tuple[World, int], ...]
@@ -48,8 +47,7 @@ class GivenWorlds:
             yield world.map, [(place, world.lighthouse)]
 
 
-@dataclass(frozen=True, slots=True)
-class NumberedRun:
+class NumberedRun(Struct, frozen=True):
     """A run of a unit: its number there, and where it takes place.
 
     Attributes:

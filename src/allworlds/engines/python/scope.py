@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
+
+from msgspec import Struct
+from msgspec.structs import force_setattr
 
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns
 from allworlds.engines.units.levels import SweptLevel, level_size, units_of_level
@@ -21,8 +23,7 @@ PIECE = 50
 """The given worlds that one worker does at a time."""
 
 
-@dataclass(frozen=True, slots=True)
-class Sample:
+class Sample(Struct, frozen=True):
     """A number of random worlds, drawn from a seed, each with a least number of edges.
 
     A shard of it is a range of these worlds.
@@ -38,7 +39,7 @@ class Sample:
 
     def __post_init__(self) -> None:
         for name in ("runs", "seed", "min_edges"):
-            object.__setattr__(self, name, an_integer(name, getattr(self, name)))
+            force_setattr(self, name, an_integer(name, getattr(self, name)))
         at_most("runs", self.runs, MOST_RUNS)
         if self.seed < 0:
             raise InputError(f"seed = {show(self.seed)}, but seeds are 0, 1, 2, ...")
@@ -48,8 +49,7 @@ class Sample:
             raise InputError(f"min-edges = {show(self.min_edges)} is not positive")
 
 
-@dataclass(frozen=True, slots=True)
-class Given:
+class Given(Struct, frozen=True):
     """Worlds that the user has chosen, with the numbers of their places; ascending by edges."""
 
     worlds: tuple[tuple[World, int], ...]
@@ -71,8 +71,7 @@ Coverage: TypeAlias = Whole | Shard | Sample | Given
 """The part of the worlds of an extent that is tried."""
 
 
-@dataclass(frozen=True)
-class Scope:
+class Scope(Struct, frozen=True, dict=True):
     """A class of worlds with its bounds, and the rules.
 
     Attributes:

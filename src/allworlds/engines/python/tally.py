@@ -5,8 +5,10 @@ from __future__ import annotations
 from bisect import insort
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Annotated, Any, NamedTuple, Self
+
+from msgspec.structs import asdict
 
 from allworlds.document import replace
 from allworlds.engines.units.kept_form import Form

@@ -11,7 +11,7 @@ An explorer that is known to go by hashes is played twice with one seed, on othe
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 SEEDS = 8
 """The number of hash seeds: 0 and those below this number."""
@@ -28,8 +28,7 @@ BEHIND, APART = SEEDS, 1 << 22
 number of second plays from which on; it takes a second to start."""
 
 
-@dataclass(slots=True)
-class Tour:
+class Tour(Struct):
     """The places of both players, as they change.
 
     A *place* is a hash seed, and the number of the process with that seed that forks the player.

@@ -15,10 +15,11 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from contextlib import ExitStack, suppress
-from dataclasses import dataclass
 from itertools import islice
 from typing import Any, Self
 from uuid import uuid4
+
+from msgspec import Struct
 
 from allworlds.engines.transports.dask_lanes import ClusterLost, Errand, LaneResult, done, end_job
 from allworlds.engines.transports.dask_local import local_cluster
@@ -62,8 +63,7 @@ def all_well() -> str:
     return ""
 
 
-@dataclass(slots=True)
-class Pace:
+class Pace(Struct):
     """The number of units in a task, by the cost of earlier ones.
 
     Attributes:

@@ -9,9 +9,10 @@ from __future__ import annotations
 import threading
 from collections import defaultdict
 from collections.abc import Callable
-from dataclasses import dataclass
 from time import monotonic, perf_counter
 from typing import Any, NamedTuple
+
+from msgspec import Struct
 
 from allworlds.engines.units.unit import Sum, Transport
 from allworlds.inputs import InputError
@@ -25,8 +26,7 @@ class ClusterLost(Exception):
     """Raised if workers are lost again and again, or the scheduler is lost."""
 
 
-@dataclass(frozen=True, slots=True)
-class Errand:
+class Errand(Struct, frozen=True):
     """The common part of all tasks of a level.
 
     Attributes:

@@ -6,11 +6,12 @@ import os
 import re
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import wraps
 from math import inf
 from pathlib import Path
 from typing import Annotated, Any
+
+from msgspec import Struct
 
 from allworlds.engines.progress import Listener, usual_listener
 from allworlds.inputs import (
@@ -220,8 +221,7 @@ LOCAL = "local"
 """The word in place of an address: a cluster of this machine alone, for the time of the job."""
 
 
-@dataclass(frozen=True, slots=True)
-class DaskCluster:
+class DaskCluster(Struct, frozen=True):
     """A Dask cluster that is to do the work.
 
     Attributes:

@@ -1,17 +1,20 @@
 """The form in which results are kept as JSON: it follows from the types of their fields.
 
-A dataclass is kept by its fields; a counter, or a dictionary whose keys are no texts, as pairs; and
-whatever has a ``from_json`` as that reads it.  Everything else is msgspec's business.
+A struct, or a dataclass, is kept by its fields; a counter, or a dictionary whose keys are no texts,
+as pairs; and whatever has a ``from_json`` as that reads it.  Everything else is msgspec's business.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import fields, is_dataclass
+from dataclasses import fields as fields_of_dataclass, is_dataclass
 from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, NamedTuple, TypeVar, Union, get_args, get_origin, get_type_hints
+
+from msgspec import Struct
+from msgspec.structs import fields
 
 from allworlds.document import Document, keys_of, plain, plain_at_once, taken
 from allworlds.inputs import InputError, show
@@ -78,7 +81,7 @@ def _own_form(kind: Any) -> Form | None:
         return _union([part for part in parts if part is not NoneType])
     if hasattr(kind, "from_json"):
         return Form(plain, kind.from_json)
-    if is_dataclass(kind) or (isinstance(kind, type) and issubclass(kind, Document)):
+    if is_dataclass(kind) or (isinstance(kind, type) and issubclass(kind, Struct)):
         return _by_fields(kind)
     return None
 
@@ -129,7 +132,11 @@ def _union(kinds: list[Any]) -> Form | None:
 def _by_fields(kind: Any) -> Form | None:
     hints = get_type_hints(kind, include_extras=True)
     document = issubclass(kind, Document)
-    names = [key.name for key in keys_of(kind)] if document else [f.name for f in fields(kind)]
+    if document:
+        names = [key.name for key in keys_of(kind)]
+    else:
+        told = fields_of_dataclass(kind) if is_dataclass(kind) else fields(kind)
+        names = [field.name for field in told]
     if not any(_own_form(hints[name]) for name in names):
         return None
     forms = {name: _form(hints[name]) for name in names}

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from random import Random
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.engines.progress import Listener
 from allworlds.engines.units.shards import WHOLE, Portion, Shard, dealt
@@ -28,8 +29,7 @@ COUNTABLE_WORLDS = 10**12
 """The number of worlds above which the counting of a level takes long, too."""
 
 
-@dataclass(frozen=True, slots=True)
-class LevelUnit:
+class LevelUnit(Struct, frozen=True):
     """All maps of a level whose history begins with ``prefix``."""
 
     edges: int
@@ -124,8 +124,7 @@ def level_size(extent: Extent, edges: int) -> int:
     return sum(cells_of_level(extent, edges).values())
 
 
-@dataclass(frozen=True, slots=True)
-class SweptLevel:
+class SweptLevel(Struct, frozen=True):
     """Units that are done as one: their result is reported if all of them are finished.
 
     Attributes:

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from heapq import heapify, heapreplace
 from typing import Annotated, TypeAlias
+
+from msgspec import Struct
 
 from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, an_integer, show
 
 
-@dataclass(frozen=True, slots=True)
-class Whole:
+class Whole(Struct, frozen=True):
     """Every world of the extent."""
 
     def __str__(self) -> str:
         return "0/1"
 
 
-@dataclass(frozen=True, slots=True)
-class Shard:
+class Shard(Struct, frozen=True):
     """The part of number ``index`` when every level is dealt out to ``count`` parts.
 
     Raises:

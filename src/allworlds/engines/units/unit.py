@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import Any, Generic, Protocol, Self, TypeVar
 
+from msgspec import Struct
 from typing_extensions import override
 
 
@@ -35,8 +35,7 @@ R_co = TypeVar("R_co", covariant=True)
 E_contra = TypeVar("E_contra", contravariant=True)
 
 
-@dataclass(frozen=True, slots=True)
-class PartialResult(Generic[U, R]):
+class PartialResult(Struct, Generic[U, R], frozen=True):
     """A part of a unit's result; ``last``: whether it completes the unit."""
 
     unit: U

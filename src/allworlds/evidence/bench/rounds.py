@@ -12,10 +12,11 @@ import shlex
 import subprocess
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 from typing import Annotated
+
+from msgspec import Struct
 
 from allworlds.document import (
     Aside,
@@ -74,8 +75,7 @@ PYTHON_EDGES = 4
 JUDGED_EDGES = 6
 
 
-@dataclass(frozen=True, slots=True)
-class Contender:
+class Contender(Struct, frozen=True):
     """Anything that walks every world with ``edges`` edges when it is called.
 
     Attributes:

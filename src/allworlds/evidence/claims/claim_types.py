@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
+
+from msgspec import Struct, field
 
 from allworlds.engines import EnginesDisagree
 from allworlds.maps import Disagreement
@@ -22,16 +23,14 @@ Shown: TypeAlias = int | float | str | Sequence[int | float | str]
 """A figure of a claim: a number, a name, or a list of these."""
 
 
-@dataclass(frozen=True, slots=True)
-class Picture:
+class Picture(Struct, frozen=True):
     """A world to be drawn beside a claim."""
 
     caption: str
     world: World
 
 
-@dataclass(frozen=True, slots=True)
-class Found:
+class Found(Struct, frozen=True):
     """The result of checking a sentence, independent of any expectation.
 
     Attributes:
@@ -50,22 +49,19 @@ class Found:
     told: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class NotChecked:
+class NotChecked(Struct, frozen=True):
     """The reason why the sentence could not be checked here."""
 
     reason: str
 
 
-@dataclass(frozen=True, slots=True)
-class ProgramFault:
+class ProgramFault(Struct, frozen=True):
     """The reason why no answer counts: two parts of this program disagree, or one has no answer."""
 
     reason: str
 
 
-@dataclass(frozen=True, slots=True)
-class InternalError:
+class InternalError(Struct, frozen=True):
     """An error of this program, by which nothing is known of the sentence.
 
     Attributes:
@@ -85,8 +81,7 @@ FAULTS = (Unfinished, Disagreement, EnginesDisagree, SolversDisagree, WrongTest)
 """The faults of this program that refute the claim that meets them."""
 
 
-@dataclass(frozen=True, slots=True)
-class Means:
+class Means(Struct, frozen=True):
     """Resources for checking claims.
 
     Attributes:

@@ -8,9 +8,9 @@ the outside.
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
+from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.evidence.claims.claim_types import Unfinished
@@ -21,8 +21,7 @@ from allworlds.protocol import Choices, Estimate, Move, Percept, Told, policy_na
 from allworlds.world import World, worlds
 
 
-@dataclass(frozen=True, slots=True)
-class PassWalked:
+class PassWalked(Struct, frozen=True):
     """One pass through the loop.
 
     Attributes:
@@ -43,8 +42,7 @@ class PassWalked:
     found: bool
 
 
-@dataclass(slots=True)
-class _BegunPass:
+class _BegunPass(Struct):
     vertices: int
     explored: int
     at: int

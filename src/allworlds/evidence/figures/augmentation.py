@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.engines import SingleRun
 from allworlds.evidence.figures.canvas import FAINT, INK, PAPER, Canvas
@@ -21,8 +22,7 @@ WORLD = "cube"
 RED, BLUE, GREEN = "#b2182b", "#2166ac", "#1b7837"
 
 
-@dataclass(frozen=True, slots=True)
-class KnownDarts:
+class KnownDarts(Struct, frozen=True):
     """S and U as darts of the world.
 
     Attributes:
@@ -38,8 +38,7 @@ class KnownDarts:
         return {map_.vertex_of[dart] for dart in self.explored | self.open}
 
 
-@dataclass(frozen=True, slots=True)
-class PassDrawn:
+class PassDrawn(Struct, frozen=True):
     """One round of lines 2 to 21.
 
     Attributes:
@@ -68,8 +67,7 @@ class PassDrawn:
         return self.added <= self.before.open
 
 
-@dataclass(frozen=True, slots=True)
-class Augmentation:
+class Augmentation(Struct, frozen=True):
     """Two passes of one run.
 
     Attributes:

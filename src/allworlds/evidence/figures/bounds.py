@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.engines import Limits, Listener
 from allworlds.evidence.figures.drawn import Table
@@ -24,8 +25,7 @@ MOST_FAR = 3
 """The largest number of far hubs of the corridors in which an adversary plays: some seconds."""
 
 
-@dataclass(frozen=True, slots=True)
-class BoundsCell:
+class BoundsCell(Struct, frozen=True):
     """The worlds of one size.
 
     Attributes:
@@ -48,8 +48,7 @@ class BoundsCell:
         return paper_bound(self.vertices, self.edges)
 
 
-@dataclass(frozen=True, slots=True)
-class CorridorCell:
+class CorridorCell(Struct, frozen=True):
     """Corridors with one number of far hubs.
 
     Attributes:
@@ -71,8 +70,7 @@ class CorridorCell:
         return paper_bound(self.vertices, self.edges)
 
 
-@dataclass(frozen=True, slots=True)
-class BoundsFigure:
+class BoundsFigure(Struct, frozen=True):
     """Worst cases and optima by size, and costs against the adversary of corridors.
 
     Attributes:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
+
+from msgspec import Struct, field
 
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.reports import Layout, layout
@@ -17,8 +18,7 @@ RADIUS = 9.0
 """Of a vertex, in the units of a layout."""
 
 
-@dataclass(frozen=True, slots=True)
-class Canvas:
+class Canvas(Struct, frozen=True):
     """A map that is being drawn.
 
     Attributes:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
+
+from msgspec import Struct
 
 from allworlds.document import (
     EXIT_CODE,
@@ -36,8 +37,7 @@ WORLDS, SEED, EDGES = 30, 1, 6
 MOST_EDGES = 7
 
 
-@dataclass(frozen=True, slots=True)
-class FigureNumbers:
+class FigureNumbers(Struct, frozen=True):
     """Numbers that determine a figure: graphs of a size, first seed, largest size."""
 
     worlds: int = WORLDS
@@ -68,8 +68,7 @@ class FigureNumbers:
         return cls(**numbers)
 
 
-@dataclass(frozen=True, slots=True)
-class Kind:
+class Kind(Struct, frozen=True):
     """A figure that can be asked for.
 
     Attributes:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.engines import Limits, Listener, subject_of
 from allworlds.evidence.figures.drawn import Table
@@ -49,8 +50,7 @@ TITLES = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Holes:
+class Holes(Struct, frozen=True):
     """Costs of the runs.
 
     Attributes:

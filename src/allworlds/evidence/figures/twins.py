@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.document import UNSET
 from allworlds.evidence.figures.canvas import FAINT, INK, PAPER, Canvas
@@ -30,8 +31,7 @@ WALK = "#ff9d1f"
 PAIR = ("fig1-left", "fig1-right")
 
 
-@dataclass(frozen=True, slots=True)
-class TwinsFigure:
+class TwinsFigure(Struct, frozen=True):
     """The pair, the proof that it is one, and the caption's walk in both."""
 
     compared: ComparedWorlds

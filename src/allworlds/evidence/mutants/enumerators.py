@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
 
@@ -57,8 +58,7 @@ def handles_left_out(edges: int) -> Iterator[CombinatorialMap]:
     return (map_ for map_ in rooted_maps(edges) if map_.is_planar)
 
 
-@dataclass(frozen=True, slots=True)
-class BrokenEnumerator:
+class BrokenEnumerator(Struct, frozen=True):
     """An enumerator of the class ``maps`` that is wrong."""
 
     enumerate: Enumerator

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass
 from functools import wraps
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.judging import TASKS, Judge, Task, WalkLog
 from allworlds.protocol import Move, Percept, Told, Transcript
@@ -30,8 +31,7 @@ def counts_one_too_few(_first: Percept, *, told: Told) -> Generator[Any, Any, in
     return vertices - (vertices > 2)
 
 
-@dataclass(frozen=True, slots=True)
-class WrongErrand:
+class WrongErrand(Struct, frozen=True):
     """An explorer that does another task wrong.
 
     Attributes:
@@ -93,8 +93,7 @@ def _judge(task: str) -> Judge:
     return judge
 
 
-@dataclass(frozen=True, slots=True)
-class WeakTaskJudge:
+class WeakTaskJudge(Struct, frozen=True):
     """A judge of tasks that is softened, or left out.
 
     Attributes:

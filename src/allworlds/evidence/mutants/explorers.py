@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass, replace
 from itertools import count, pairwise
 from typing import Any
 
+from msgspec import Struct
+
+from allworlds.document import replace
 from allworlds.evidence.mutants.unfair import NearestOnly
 from allworlds.explorers import Algorithm1, Walk
 from allworlds.maps import CombinatorialMap
@@ -302,8 +304,7 @@ class DegreeIgnored(Algorithm1):
         return [d for d in self.s.unexplored if d != goal and not expected[d].marks]
 
 
-@dataclass(frozen=True, slots=True)
-class WrongExplorer:
+class WrongExplorer(Struct, frozen=True):
     """A mutant of Algorithm 1.
 
     Attributes:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.judging import (
     Case,
@@ -54,8 +55,7 @@ def _map(case: Case) -> CombinatorialMap:
     return case.estimate.map
 
 
-@dataclass(frozen=True, slots=True)
-class WeakJudge:
+class WeakJudge(Struct, frozen=True):
     """A judge one of whose laws is softened, or left out.
 
     Attributes:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass, replace
 from typing import Any
 
+from msgspec import Struct
+
+from allworlds.document import replace
 from allworlds.explorers import BUILT_IN
 from allworlds.maps import cycles
 from allworlds.protocol import Ambiguous, Answer, Percept
@@ -28,8 +30,7 @@ def degrees_of_the_quotient(right: Answer) -> Answer:
     return replace(right, degree=[round_it[dart] for dart in range(len(right.sigma))])
 
 
-@dataclass(frozen=True, slots=True)
-class WrongLearner:
+class WrongLearner(Struct, frozen=True):
     """A mutant of the explorer ``quotient``.
 
     Attributes:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.judging.explanations.named_walk import Walked
 from allworlds.protocol import Move
@@ -22,8 +23,7 @@ WAY_BACK = (
 """The rule of ways back: a wrong one is a likely cause of a walk without an end."""
 
 
-@dataclass(frozen=True, slots=True)
-class Round:
+class Round(Struct, frozen=True):
     """The steps that a walk repeats until its end.
 
     Attributes:

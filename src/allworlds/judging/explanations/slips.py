@@ -7,8 +7,9 @@ world, so its sentence is true of the answer, whatever the cause was.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from typing import TypeAlias, TypeGuard
+
+from msgspec import Struct
 
 from allworlds.judging.explanations.story import Belief
 from allworlds.judging.findings.walks import trail_to
@@ -28,8 +29,7 @@ LARGEST = 40
 """Edges above which slips are not looked for: there are quadratically many, each compared anew."""
 
 
-@dataclass(frozen=True, slots=True)
-class Slip:
+class Slip(Struct, frozen=True):
     """The one difference between an answer and the world.
 
     Attributes:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from allworlds.judging.explanations.named_walk import Walked
 from allworlds.maps import Dart
 from allworlds.protocol import Move
 
 
-@dataclass(frozen=True, slots=True)
-class Spending:
+class Spending(Struct, frozen=True):
     """The traversals of a walk, and the edges that they found.
 
     Attributes:

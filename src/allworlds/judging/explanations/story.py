@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
+
+from msgspec import Struct
 
 from allworlds.inputs import InputError, show
 from allworlds.judging.explanations.named_walk import Walked
@@ -98,8 +99,7 @@ def _answer(seen: object) -> Estimate:
     return seen
 
 
-@dataclass(frozen=True, slots=True)
-class Telling:
+class Telling(Struct, frozen=True):
     """The explanation of a run that breaks a law.
 
     Attributes:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.judging.findings.divergence import Parting, find_parting
 from allworlds.judging.findings.walks import believed_percepts, trail_from, trail_to, true_trail
@@ -12,8 +13,7 @@ from allworlds.protocol import Estimate, Percept, Transcript
 from allworlds.world import World
 
 
-@dataclass(frozen=True, slots=True)
-class BelievedWalk:
+class BelievedWalk(Struct, frozen=True):
     """A walk in an answer beside the walk in the world.
 
     Attributes:

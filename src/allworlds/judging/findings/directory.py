@@ -5,9 +5,10 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from allworlds.inputs import InputError, show
 from allworlds.judging.findings.finding import Finding
@@ -17,8 +18,7 @@ DIGITS = 12
 """The hexadecimal digits of the digest in a file's name."""
 
 
-@dataclass(frozen=True, slots=True)
-class KeptFinding:
+class KeptFinding(Struct, frozen=True):
     """A finding with the name of its file."""
 
     name: str

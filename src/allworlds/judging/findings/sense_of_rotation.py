@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
+from msgspec import Struct
 
-@dataclass(frozen=True, slots=True)
-class Chirality:
+
+class Chirality(Struct, frozen=True):
     """The result of playing the explorer of a finding in a chiral world.
 
     Attributes:

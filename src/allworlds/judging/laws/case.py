@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, TypeAlias
+
+from msgspec import Struct
 
 from allworlds.maps import CombinatorialMap, Dart, carries, numbering
 from allworlds.protocol import Answer, Checkpoint, Estimate, Move, Transcript
 
 
-@dataclass(frozen=True)
-class Case:
+class Case(Struct, frozen=True, dict=True):
     """A finished run with the truth beside it.
 
     Attributes:
@@ -79,8 +79,7 @@ Value: TypeAlias = Estimate | int | str
 """An expectation, or an observation: estimates for map and pose, integers for bound, or texts."""
 
 
-@dataclass(frozen=True, slots=True)
-class Violation:
+class Violation(Struct, frozen=True):
     """A broken law.
 
     Attributes:

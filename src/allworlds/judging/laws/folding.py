@@ -8,7 +8,7 @@ with the log; without an open dart the result *is* the world.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from allworlds.protocol import Move, Percept, Transcript
 
@@ -17,8 +17,7 @@ class Contradiction(ValueError):
     """Raised if no world with a directional lighthouse has this log."""
 
 
-@dataclass(frozen=True, slots=True)
-class Folded:
+class Folded(Struct, frozen=True):
     """The folded log.
 
     Attributes:

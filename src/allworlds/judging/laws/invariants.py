@@ -7,9 +7,11 @@ the explored edges, because S is connected.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import count
 from operator import ne
+
+from msgspec import Struct
 
 from allworlds.inputs import show
 from allworlds.judging.laws.case import Case, Violation
@@ -17,8 +19,7 @@ from allworlds.maps import Dart
 from allworlds.protocol import Checkpoint
 
 
-@dataclass(frozen=True, slots=True)
-class BrokenInvariant:
+class BrokenInvariant(Struct, frozen=True):
     """The reason why a published S cannot be embedded."""
 
     reason: str

@@ -7,8 +7,9 @@ a law that ends a run before it is finished, such as ``timeout``, stands in ``AL
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Annotated, TypeAlias
+
+from msgspec import Struct
 
 from allworlds.document import one_of
 from allworlds.judging.laws.case import Case, Violation
@@ -23,8 +24,7 @@ Check: TypeAlias = Callable[[Case], Violation | None]
 Checks: TypeAlias = Mapping[str, Check]
 
 
-@dataclass(frozen=True, slots=True)
-class Setting:
+class Setting(Struct, frozen=True):
     """The conditions on which it depends whether a law applies.
 
     Attributes:
@@ -39,8 +39,7 @@ class Setting:
     maps: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class Law:
+class Law(Struct, frozen=True):
     """One law of a finished run.
 
     Attributes:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from cmath import exp
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from math import tau
+
+from msgspec import Struct
 
 from allworlds.maps import CombinatorialMap, Dart, Mismatch, cycles, isomorphism, unrooted_code
 from allworlds.reports.drawing.edge_points import least_distance, points_of
@@ -31,8 +32,7 @@ DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
 number to the next one, at least; how far a number is moved from its vertex for that, at most."""
 
 
-@dataclass(frozen=True, slots=True)
-class Layout:
+class Layout(Struct, frozen=True):
     """A drawing in pixels, y downwards.
 
     Attributes:

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 from cmath import exp
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from math import inf, tau
+
+from msgspec import Struct
 
 from allworlds.maps import cycles
 from allworlds.reports.drawing.planar import PlanarMap
@@ -34,8 +35,7 @@ RING = 0.05
 """The weight of the triangles of the ring: it keeps others from meeting, and may be flat."""
 
 
-@dataclass(frozen=True, slots=True)
-class Mesh:
+class Mesh(Struct, frozen=True):
     """The triangulation.
 
     The points are the darts; then, for each dart, what is beside it: after it and before it at

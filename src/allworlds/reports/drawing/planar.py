@@ -8,7 +8,8 @@ cyclic order all the while, whatever is drawn and whatever is not yet.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.maps import CombinatorialMap, Dart
 
@@ -16,8 +17,7 @@ TRIES = 12
 """In so many orders of the edges it is tried; the drawing with the fewest crossings is kept."""
 
 
-@dataclass(frozen=True, slots=True)
-class PlanarMap:
+class PlanarMap(Struct, frozen=True):
     """A planar map that draws another one.
 
     Attributes:

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from cmath import phase, rect
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import pi, sqrt, tau
+
+from msgspec import Struct
 
 from allworlds.maps import CombinatorialMap, Dart, numbering
 
@@ -20,8 +21,7 @@ INNER = 0.62
 """The circle to which edges inside go straight from their corners, as a part of the polygon's."""
 
 
-@dataclass(frozen=True, slots=True)
-class Polygon:
+class Polygon(Struct, frozen=True):
     """The surface cut open, in pixels, y downwards.
 
     Attributes:

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Percept
 from allworlds.world import World
 
 
-@dataclass(frozen=True, slots=True)
-class Names:
+class Names(Struct, frozen=True):
     """Names of darts and vertices in a picture, in their order."""
 
     darts: tuple[str, ...]
     vertices: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Scene:
+class Scene(Struct, frozen=True):
     """Content of a picture; each form of picture draws as much of it as it can.
 
     Attributes:

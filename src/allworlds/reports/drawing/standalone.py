@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from xml.etree import ElementTree as ET
+
+from msgspec import Struct
 
 from allworlds.inputs import InputError, a_path, show
 from allworlds.maps import CombinatorialMap
@@ -42,8 +43,7 @@ SUFFIX = ".svg"
 """The end of the names of files of drawings."""
 
 
-@dataclass(frozen=True, slots=True)
-class Drawing:
+class Drawing(Struct, frozen=True):
     """A picture of a map or a world.
 
     Attributes:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
+from allworlds.document import replace
 from allworlds.maps import Dart
 from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
 from allworlds.reports.drawing.layout import Layout

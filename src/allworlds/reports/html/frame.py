@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from hashlib import sha256
 from importlib.resources import files
 from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
+
+from msgspec import Struct
 
 from allworlds.reports.markup import document, raw, record, tag
 from allworlds.version import __version__
@@ -21,8 +22,7 @@ class Own(NamedTuple):
     script: str
 
 
-@dataclass(frozen=True, slots=True)
-class Page:
+class Page(Struct, frozen=True):
     """Content of a page; the frame is the same for all.
 
     Attributes:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from xml.etree import ElementTree as ET
 
+from allworlds.document import replace
 from allworlds.reports.cost_curve import cost_picture
 from allworlds.reports.drawing.layout import layout
 from allworlds.reports.html.beside import drawn_beside

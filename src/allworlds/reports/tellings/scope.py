@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import TypeAlias
 
+from allworlds.document import replace
 from allworlds.engines import Shard, SweptReport, tried_places
 from allworlds.inputs import given_again
 from allworlds.maps import Extent

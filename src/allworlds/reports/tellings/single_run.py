@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 
+from allworlds.document import replace
 from allworlds.engines import SingleRun
 from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk
 from allworlds.protocol import Ambiguous

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import Annotated, Any, TypeAlias
 
+from msgspec.structs import asdict
 from typing_extensions import override
 
 from allworlds.document import (

@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import Any, TypeAlias, TypeVar
+
+from msgspec import Struct, field
 
 from allworlds.document import Natural
 from allworlds.engines import LevelUnit
@@ -38,8 +39,7 @@ Size: TypeAlias = tuple[int, int]
 Key = TypeVar("Key")
 
 
-@dataclass(slots=True)
-class SizeCounts:
+class SizeCounts(Struct):
     """Counts of the worlds of some sizes.
 
     Attributes:
@@ -63,8 +63,7 @@ class SizeCounts:
             self.largest_class = max(self.largest_class, of)
 
 
-@dataclass(slots=True)
-class SensedParts:
+class SensedParts(Struct):
     """Counts and quotients of some worlds.
 
     Attributes:
@@ -148,8 +147,7 @@ class SensedParts:
                 )
 
 
-@dataclass(frozen=True, slots=True)
-class PartBySensing:
+class PartBySensing(Struct, frozen=True):
     """The engine of the census."""
 
     extent: Extent

@@ -5,8 +5,9 @@ from __future__ import annotations
 import hashlib
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.document import replace
 from allworlds.engines import (
@@ -27,8 +28,7 @@ from allworlds.judging import Finding
 UNREPEATED = "what happened to the explorer was not repeated by a fresh process"
 
 
-@dataclass(frozen=True, slots=True)
-class Confirmation:
+class Confirmation(Struct, frozen=True):
     """How the findings of a job are confirmed.
 
     Attributes:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
+
+from msgspec import Struct, field
 
 from allworlds.document import Document, IfAny, Text, about
 from allworlds.engines import (
@@ -22,8 +23,7 @@ from allworlds.judging import LAWS, Finding, file_name, kept_findings, write_fin
 from allworlds.maps import Extent, MapClass
 
 
-@dataclass(slots=True)
-class UserCorpus:
+class UserCorpus(Struct):
     """A directory of findings in the course of one check.
 
     Attributes:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document import Bounded, about
+from allworlds.document import Bounded, about, replace
 from allworlds.engines import (
     AskedCluster,
     AskedDirectory,

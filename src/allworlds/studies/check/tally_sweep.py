@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import Any, TypeVar
 
 from typing_extensions import override
 
+from allworlds.document import replace
 from allworlds.engines import Job, Scope, Sweep, SweptLevel, Tally, from_kept
 from allworlds.explorers import Subject
 from allworlds.maps import Extent

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import islice
 from random import Random
 from typing import Annotated, Any, TypeAlias
@@ -20,6 +19,7 @@ from allworlds.document import (
     Text,
     about,
     computed,
+    replace,
 )
 from allworlds.engines import (
     ClusterLost,

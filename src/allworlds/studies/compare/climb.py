@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import partial
 from random import Random
 from typing import Self
 
+from msgspec import Struct
 from typing_extensions import override
 
+from allworlds.document import replace
 from allworlds.engines import (
     CostTally,
     GivenWorlds,
@@ -79,8 +80,7 @@ def drawn_places(member: Member, places: int, most: int) -> Sequence[int]:
     return sorted(Random(f"places/{member.name}").sample(range(places), most))  # noqa: S311  # reproducible, not secret
 
 
-@dataclass(frozen=True, slots=True)
-class _Size:
+class _Size(Struct, frozen=True):
     """The members of a family of one size.
 
     Attributes:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Annotated
 
+from msgspec import Struct
 from typing_extensions import override
 
 from allworlds.document import Aside, Document, Edges, Figure, Natural, Positive, Vertices, about
@@ -19,8 +19,7 @@ from allworlds.studies.compare.intervals import geometric_mean
 from allworlds.world import World
 
 
-@dataclass(frozen=True, slots=True)
-class InMap:
+class InMap(Struct, frozen=True):
     """An explorer's cost in one rooted map, over the places of its lighthouse."""
 
     runs: int

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import groupby
 from typing import Any, Unpack, overload
 
+from msgspec import Struct
 from typing_extensions import override
 
+from allworlds.document import replace
 from allworlds.engines import (
     WHOLE,
     CostTally,
@@ -124,8 +125,7 @@ def _contest(
     return SameWorlds(contestants, request)
 
 
-@dataclass(frozen=True, slots=True)
-class _Apart:
+class _Apart(Struct, frozen=True):
     """A rooted map, and each explorer's mean cost there."""
 
     map: CombinatorialMap

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
+from msgspec import Struct
 from typing_extensions import override
 
+from allworlds.document import replace
 from allworlds.engines import (
     WHOLE,
     By,
@@ -42,8 +43,7 @@ from allworlds.world import World
 Answer = TypeVar("Answer")
 
 
-@dataclass(frozen=True, slots=True)
-class Contestant:
+class Contestant(Struct, frozen=True):
     """An explorer with the rules that its runs are judged by.
 
     Attributes:

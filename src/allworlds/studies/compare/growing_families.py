@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.inputs import InputError, show
 from allworlds.maps import Code, CombinatorialMap, edges_of, rooted_code
@@ -17,8 +18,7 @@ HOLES = "10%"
 """Of a dense map, which else would have one member of each size."""
 
 
-@dataclass(frozen=True, slots=True)
-class Growing:
+class Growing(Struct, frozen=True):
     """A family by its name on the command line, with its members numbered by size.
 
     Attributes:
@@ -57,8 +57,7 @@ GROWING = {
 FORMS = ", ".join(growing.form for growing in GROWING.values())
 
 
-@dataclass(frozen=True, slots=True)
-class Member:
+class Member(Struct, frozen=True):
     """One world of a family, with the words that name it on the command line."""
 
     text: str

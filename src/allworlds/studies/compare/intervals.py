@@ -15,11 +15,12 @@ Source: T. C. Hesterberg, What Teachers Should Know About the Bootstrap, The Ame
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
 from math import atan, cos, exp, fsum, log, pi, sin, sqrt
 from statistics import NormalDist
 from typing import Any, TypeAlias
+
+from msgspec import Struct
 
 DRAWS = 4000
 """Samples that are drawn from a sample."""
@@ -36,8 +37,7 @@ NEAR = 0.1
 Interval: TypeAlias = tuple[float, float]
 
 
-@dataclass(frozen=True, slots=True)
-class PowerLaw:
+class PowerLaw(Struct, frozen=True):
     """The straight line through log cost over log edges, by least squares over all worlds.
 
     Attributes:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any, Self
+
+from msgspec import Struct, field
 
 from allworlds.engines import (
     CostEngine,
@@ -23,8 +24,7 @@ from allworlds.engines import (
 from allworlds.judging import Rules
 
 
-@dataclass(frozen=True, slots=True)
-class UnitOfOne:
+class UnitOfOne(Struct, frozen=True):
     """A unit of runs that one contestant plays."""
 
     number: int
@@ -41,8 +41,7 @@ class UnitOfOne:
         return len(self.unit.worlds) if isinstance(self.unit, GivenWorlds) else 0
 
 
-@dataclass(slots=True)
-class CostsOfAll:
+class CostsOfAll(Struct):
     """Costs of the runs of each contestant, which add up in any order.
 
     Attributes:

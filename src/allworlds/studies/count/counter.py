@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from math import factorial
 from typing import Annotated
 
+from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document import (
@@ -147,8 +147,7 @@ class CountSweep(Sweep["Counted", Census]):
         return Census(**self.ended(ending), rows=tuple(self._rows))
 
 
-@dataclass(slots=True)
-class Counted:
+class Counted(Struct):
     """Counts of the maps of a part of a level.
 
     Attributes:
@@ -173,8 +172,7 @@ class Counted:
 CountSweep.result = Counted
 
 
-@dataclass(frozen=True, slots=True)
-class Enumerate:
+class Enumerate(Struct, frozen=True):
     """The engine that counts by enumeration."""
 
     extent: Extent

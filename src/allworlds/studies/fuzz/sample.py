@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from itertools import count
 from random import Random
+
+from msgspec import Struct
 
 from allworlds.engines import Placed, Sample, Shard
 from allworlds.inputs import InputError, show
@@ -51,8 +52,7 @@ def batches(sample: Sample, shards: int) -> Iterator[Batch]:
             yield Batch(sample.seed, begin, min(begin + BATCH, end), sample.min_edges)
 
 
-@dataclass(frozen=True, slots=True)
-class Batch:
+class Batch(Struct, frozen=True):
     """The runs ``first .. last - 1`` of the sample with that seed and least number of edges."""
 
     seed: int

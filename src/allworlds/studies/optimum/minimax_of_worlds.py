@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from allworlds.engines import TimeIsUp, check_deadline
 from allworlds.judging import paper_bound
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     from allworlds.studies.optimum.place_tables import ToldApart
 
 
-@dataclass(frozen=True, slots=True)
-class BeforeSearch:
+class BeforeSearch(Struct, frozen=True):
     """Facts about some worlds that a search need not find.
 
     Attributes:
@@ -34,8 +34,7 @@ class BeforeSearch:
     told_apart: ToldApart | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Solved:
+class Solved(Struct, frozen=True):
     """Minimax over some worlds.
 
     Attributes:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from typing import Annotated
 
+from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document import (
@@ -169,8 +169,7 @@ class OptimumSweep(Sweep["OptimumRows", OptimumReport]):
         return OptimumReport(ending=ending, rows=tuple(self._rows.rows))
 
 
-@dataclass(slots=True)
-class OptimumRows:
+class OptimumRows(Struct):
     """The rows of some levels."""
 
     rows: list[OptimumRow] = field(default_factory=list)
@@ -188,8 +187,7 @@ class OptimumRows:
 OptimumSweep.result = OptimumRows
 
 
-@dataclass(frozen=True, slots=True)
-class _MinimaxOfAll:
+class _MinimaxOfAll(Struct, frozen=True):
     """The engine, which solves a whole level, and runs other explorers in it."""
 
     deadline: float | None
@@ -213,8 +211,7 @@ class _MinimaxOfAll:
         yield from _handed_over(_row(edges, every, solved, explorers), late=late)
 
 
-@dataclass(frozen=True, slots=True)
-class _MinimaxOfBouquets:
+class _MinimaxOfBouquets(Struct, frozen=True):
     """The engine for bouquets."""
 
     deadline: float | None

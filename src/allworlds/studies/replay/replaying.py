@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Annotated, Literal
 
 from allworlds.document import (
@@ -15,6 +14,7 @@ from allworlds.document import (
     computed,
     key,
     one_of,
+    replace,
 )
 from allworlds.engines import (
     SingleRun,

@@ -9,8 +9,9 @@ takes up is heard where it chooses.  What is heard counts only if it walks as it
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass
 from typing import Any, TypeVar
+
+from msgspec import Struct
 
 from allworlds.engines import SingleRun
 from allworlds.explorers import BUILT_IN, built_in
@@ -28,8 +29,7 @@ DECIDED = {"case-1": False, "case-2": False, "case-3": True}
 """How a test ends, by the event that tells of it: whether the hypothesis is right."""
 
 
-@dataclass(frozen=True, slots=True)
-class Hypothesis:
+class Hypothesis(Struct, frozen=True):
     """A hypothesis under test: the dart of entry of a vertex not known yet is this known dart.
 
     Attributes:
@@ -124,8 +124,7 @@ class _Replayed(Environment):
         return None, self._percepts[self.steps]
 
 
-@dataclass(slots=True)
-class _Taken:
+class _Taken(Struct):
     """A hypothesis as observed: the steps at arrival, and at the start and end of its test."""
 
     dart: Dart

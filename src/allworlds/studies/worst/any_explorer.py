@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from typing_extensions import override
 
+from allworlds.document import replace
 from allworlds.engines import (
     WHOLE,
     AtRun,

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 from typing import Any
+
+from msgspec import Struct, field
 
 from allworlds.engines import (
     LevelUnit,
@@ -18,8 +19,7 @@ from allworlds.maps import Extent
 from allworlds.studies.worst.every_schedule import Transit
 
 
-@dataclass(slots=True)
-class ScheduleCostsBySize:
+class ScheduleCostsBySize(Struct):
     """Costs over every schedule, by the number of vertices. They add up in any order."""
 
     by_vertices: dict[int, ScheduleCosts] = field(default_factory=dict)
@@ -57,8 +57,7 @@ def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class ScheduleSearch:
+class ScheduleSearch(Struct, frozen=True):
     """The engine that searches all schedules."""
 
     extent: Extent

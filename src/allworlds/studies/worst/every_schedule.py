@@ -11,9 +11,10 @@ Source: Algorithm 1, Section IV.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cache
 from typing import Literal, TypeAlias, TypeVar
+
+from msgspec import Struct
 
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Choices, Kind
@@ -34,8 +35,7 @@ class WrongTest(Exception):
     """Raised when a false hypothesis was confirmed, which would refute Algorithm 1."""
 
 
-@dataclass(frozen=True, slots=True)
-class TestCost:
+class TestCost(Struct, frozen=True):
     """A hypothesis, the path on which it is tested, and what the test costs."""
 
     hypothesis: Dart
@@ -43,8 +43,7 @@ class TestCost:
     cost: int
 
 
-@dataclass(frozen=True, slots=True)
-class PassCosts:
+class PassCosts(Struct, frozen=True):
     """One pass, but for the way to its dart.
 
     Attributes:
@@ -61,8 +60,7 @@ class PassCosts:
     robot: int
 
 
-@dataclass(frozen=True, slots=True)
-class PassCost:
+class PassCost(Struct, frozen=True):
     """The largest cost of a pass.
 
     Attributes:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from math import prod
 from pathlib import Path
 from typing import TypeAlias
+
+from msgspec import Struct
 
 Literal: TypeAlias = int
 """A variable ``1, 2, ...``, or its negative."""
@@ -16,8 +17,7 @@ Clause: TypeAlias = tuple[Literal, ...]
 """A disjunction of literals."""
 
 
-@dataclass(frozen=True, slots=True)
-class Block:
+class Block(Struct, frozen=True):
     """Consecutive variables, one for each index within a shape.
 
     Attributes:

@@ -9,14 +9,14 @@ is a canonical code, and the number of models is the number of rooted maps.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.maps import MapClass
 from allworlds.studies.ambiguity.smt.formula import Block, Formula
 
 
-@dataclass(frozen=True, slots=True)
-class Size:
+class Size(Struct, frozen=True):
     """The size of a world: exactly ``edges`` edges, and from ``fewest`` to ``most`` vertices."""
 
     edges: int
@@ -29,16 +29,14 @@ class Size:
         return 2 * self.edges
 
 
-@dataclass(frozen=True, slots=True)
-class Degrees:
+class Degrees(Struct, frozen=True):
     """Required degrees: of the root's vertex, and of all others. None allows any degree."""
 
     root: int | None = None
     others: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class OneWorld:
+class OneWorld(Struct, frozen=True):
     """The variables of one rooted map; dart 0 is the root, vertex 0 is the root's.
 
     Attributes:

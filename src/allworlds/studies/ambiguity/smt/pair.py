@@ -12,7 +12,8 @@ dart, that the second world is the first one started elsewhere.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from allworlds.studies.ambiguity.smt.formula import Block, Formula
 from allworlds.studies.ambiguity.smt.one_world import OneWorld, Size, one_world
@@ -24,8 +25,7 @@ DIFFERENT = "the codes differ, and the first is the smaller one"
 """The sections of the formula that say that the two worlds look alike, and that they differ."""
 
 
-@dataclass(frozen=True, slots=True)
-class Pair:
+class Pair(Struct, frozen=True):
     """The variables of two worlds.
 
     Attributes:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
+
+from msgspec import Struct
 
 from allworlds.inputs import (
     LARGEST_SIZE,
@@ -49,8 +50,7 @@ class Sensed(NamedTuple):
     present: bool
 
 
-@dataclass(frozen=True, slots=True)
-class Walk:
+class Walk(Struct, frozen=True):
     """Motions from the start, and the percept after each of them.
 
     Raises:
@@ -109,8 +109,7 @@ class Sizes(NamedTuple):
         )
 
 
-@dataclass(frozen=True, slots=True)
-class Question:
+class Question(Struct, frozen=True):
     """Is there a pair of different worlds that no motion separates?
 
     Attributes:

@@ -6,11 +6,12 @@ import re
 import subprocess
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 from time import monotonic
 from typing import Literal, TypeAlias
+
+from msgspec import Struct
 
 from allworlds.inputs import InputError, show
 
@@ -27,8 +28,7 @@ class SolversDisagree(RuntimeError):
     """Two solvers gave two answers to one formula: a fault of this program, or of theirs."""
 
 
-@dataclass(frozen=True, slots=True)
-class SolverAnswer:
+class SolverAnswer(Struct, frozen=True):
     """A solver's answer; ``model`` holds the true variables, if the formula has a model."""
 
     status: Status
@@ -93,8 +93,7 @@ def solve_with_python_sat(formula: Path, proof: Path, clock: Clock) -> SolverAns
     return _solve_with_process(command, clock)
 
 
-@dataclass(frozen=True, slots=True)
-class ExternalSolver:
+class ExternalSolver(Struct, frozen=True):
     """A CaDiCaL of version 2 or later, which writes LRAT.
 
     Raises:

@@ -7,10 +7,11 @@ import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from pathlib import Path
 from time import monotonic
 from typing import Any
+
+from msgspec import Struct, field
 
 from allworlds.document import replace
 from allworlds.engines import Listener, Silent
@@ -88,8 +89,7 @@ def _directory(out: str | Path | None) -> Iterator[Path]:
     yield directory
 
 
-@dataclass
-class _TwinsSearch:
+class _TwinsSearch(Struct):
     """The state of one search."""
 
     question: Question
