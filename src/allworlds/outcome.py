@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from enum import IntEnum, StrEnum
 from typing import Any, NamedTuple, Protocol, TypeAlias, TypeVar
+
+from msgspec import Struct
 
 T = TypeVar("T")
 
@@ -38,8 +39,7 @@ class Verdict(StrEnum):
     NOT_REFUTED = "not-refuted"
 
 
-@dataclass(frozen=True, slots=True)
-class Completed:
+class Completed(Struct, frozen=True):
     """A job that was done to its end.
 
     Attributes:
@@ -53,8 +53,7 @@ class Completed:
     final = True
 
 
-@dataclass(frozen=True, slots=True)
-class Stopped:
+class Stopped(Struct, frozen=True):
     """A job that was stopped before its end.
 
     Attributes:
@@ -71,8 +70,7 @@ class Stopped:
         return self.reason
 
 
-@dataclass(frozen=True, slots=True)
-class Interrupted:
+class Interrupted(Struct, frozen=True):
     """A job that the user interrupted."""
 
     reason = "interrupted"
@@ -80,8 +78,7 @@ class Interrupted:
     final = False
 
 
-@dataclass(frozen=True, slots=True)
-class Disagreed:
+class Disagreed(Struct, frozen=True):
     """A job whose two ways to one number gave two numbers. No result counts then."""
 
     reason: str

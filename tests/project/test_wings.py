@@ -60,7 +60,11 @@ HOMES = {
     "distributed": ["engines.transports"],
     "hypothesis": ["strategies"],
     "llvmlite": ["engines.kernel"],
-    "msgspec": ["document", "engines.isolation.messages", "judging.endings", "reports.schemas"],
+    # Structs: in every wing, but not in what is loaded by "import allworlds".
+    "msgspec": [
+        *("document", "outcome", "maps", "protocol", "world", "explorers", "judging", "engines"),
+        *("reports", "studies", "evidence"),
+    ],
     "matplotlib": ["reports.growth_plot", "evidence.figures"],
     "networkx": [
         "maps.postman",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from html import escape
 from typing import Any, NamedTuple
 
 
@@ -100,7 +99,9 @@ class _Bar(NamedTuple):
     def _repr_html_(self) -> str:
         """The bar that notebooks show."""
         bar = f'<progress value="{self.done}" max="{self.total}"></progress>'
-        return f"{bar} {escape(repr(self))}"
+        import html  # loaded where a notebook asks
+
+        return f"{bar} {html.escape(repr(self))}"
 
     def __repr__(self) -> str:
         return f"{self.name}: {self.done:,} of {self.total:,} {self.of}"

@@ -5,8 +5,9 @@ from __future__ import annotations
 import hashlib
 import shlex
 import shutil
-from dataclasses import replace
 from pathlib import Path
+
+from msgspec.structs import replace
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.moved import present_name

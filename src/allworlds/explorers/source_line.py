@@ -5,8 +5,9 @@ from __future__ import annotations
 import ast
 import os
 import shlex
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.moved import present_name
@@ -25,8 +26,7 @@ SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
 """The endings of the source of a shared library, looked for beside it."""
 
 
-@dataclass(frozen=True, slots=True)
-class SourceLine:
+class SourceLine(Struct, frozen=True):
     """A place in a file.
 
     Attributes:

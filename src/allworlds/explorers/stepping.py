@@ -9,9 +9,10 @@ from __future__ import annotations
 import copy
 import inspect
 from collections.abc import Callable, Generator
-from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol
+
+from msgspec import Struct
 
 from allworlds.inputs import InputError
 from allworlds.protocol import Checkpoint, Drop, Move, Percept, Pick, Told, Write
@@ -35,8 +36,7 @@ class CopyingExplorer(Protocol):
         """Go on from the state that is kept at that place; if ``last``, it is not needed again."""
 
 
-@dataclass(frozen=True, slots=True)
-class SteppingExplorer:
+class SteppingExplorer(Struct, frozen=True):
     """An explorer that is an object with a method ``step``.
 
     Attributes:

@@ -7,8 +7,10 @@ import inspect
 import sys
 from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext
-from dataclasses import dataclass, replace
 from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from allworlds.explorers.builtin.algorithm1 import nobody, unseen
 from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
@@ -42,8 +44,7 @@ HASH_SEED = "PYTHONHASHSEED"
 EXPLORER = "an explorer is def explore(first) with yield, or a class with step(percept)"
 
 
-@dataclass(frozen=True, slots=True)
-class Subject:
+class Subject(Struct, frozen=True):
     """An explorer under test.
 
     Attributes:

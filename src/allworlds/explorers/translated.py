@@ -9,8 +9,9 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Generator
 from contextlib import closing
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from allworlds.protocol import Move, Percept
 
@@ -19,8 +20,7 @@ def _as_it_is(number: int) -> int:
     return number
 
 
-@dataclass(frozen=True, slots=True)
-class Convention:
+class Convention(Struct, frozen=True):
     """A wrong way to count darts.
 
     Attributes:

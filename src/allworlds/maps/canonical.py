@@ -10,8 +10,9 @@ Codes are compared lexicographically, sigma first.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
+
+from msgspec import Struct
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
@@ -19,8 +20,7 @@ Code: TypeAlias = tuple[tuple[int, ...], tuple[int, ...]]
 """A canonical code: ``(sigma, alpha)`` of a rooted map whose root is dart 0."""
 
 
-@dataclass(frozen=True, slots=True)
-class Mismatch:
+class Mismatch(Struct, frozen=True):
     """The reason why two maps are not the same.
 
     ``reason`` is a sentence.  ``word`` is a list of ``"sigma"`` and ``"alpha"`` steps from

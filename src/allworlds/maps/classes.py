@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import Annotated
+
+from msgspec import Struct
+from msgspec.structs import force_setattr
 
 from allworlds.document import Bounded, about
 from allworlds.inputs import (
@@ -82,8 +84,7 @@ class MapClass(StrEnum):
         )
 
 
-@dataclass(frozen=True, slots=True)
-class _Kind:
+class _Kind(Struct, frozen=True):
     """The properties of a class.
 
     Attributes:
@@ -108,8 +109,7 @@ _KINDS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Extent:
+class Extent(Struct, frozen=True):
     """At most ``edges`` edges and at most ``vertices`` vertices of one class.
 
     Attributes:
@@ -130,7 +130,7 @@ class Extent:
     def __post_init__(self) -> None:
         for name in ("edges", "vertices"):
             if (value := getattr(self, name)) is not None:
-                object.__setattr__(self, name, an_integer(name, value))
+                force_setattr(self, name, an_integer(name, value))
                 at_most(name, value, LARGEST_SIZE)
         if self.edges is not None and self.edges < 1:
             raise InputError(f"edges = {show(self.edges)}, but a map has at least 1 edge")

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+
+from msgspec import Struct
 
 from allworlds.inputs import InputError, show
 from allworlds.maps.beginnings import (
@@ -37,8 +38,7 @@ class Condition(Protocol):
         """Whether the map has the property."""
 
 
-@dataclass(frozen=True, slots=True)
-class ConditionKind:
+class ConditionKind(Struct, frozen=True):
     """A condition that comes with this program.
 
     Attributes:
@@ -128,8 +128,7 @@ LEGAL = "cubic, regular:D, eulerian, trees, girth:G, genus:G, triangulation, qua
 """How they are written."""
 
 
-@dataclass(frozen=True, slots=True)
-class NamedCondition:
+class NamedCondition(Struct, frozen=True):
     """A condition that comes with this program, with its number where it has one."""
 
     name: str
@@ -166,8 +165,7 @@ class NamedCondition:
         return self.name
 
 
-@dataclass(frozen=True, slots=True)
-class AllOf:
+class AllOf(Struct, frozen=True):
     """Several conditions, each of which must hold."""
 
     parts: tuple[Condition, ...]

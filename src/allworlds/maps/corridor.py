@@ -20,9 +20,10 @@ Source: ``docs/research/lower-bounds.md``, 'Testers of home words'.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import cycle, islice
 from random import Random
+
+from msgspec import Struct
 
 from allworlds.maps.combinatorial import CombinatorialMap
 
@@ -40,8 +41,7 @@ def apart(kind: int) -> tuple[int, int]:
     return -4 * kind, -4 * kind - 2
 
 
-@dataclass(frozen=True, slots=True)
-class CorridorShape:
+class CorridorShape(Struct, frozen=True):
     """The numbers of a corridor.
 
     Attributes:
@@ -105,8 +105,7 @@ class CorridorShape:
         return 2 * private * self.excluded_by_testers
 
 
-@dataclass(frozen=True, slots=True)
-class Corridor:
+class Corridor(Struct, frozen=True):
     """A world of the family before its free darts are matched.
 
     Attributes:

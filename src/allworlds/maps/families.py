@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from random import Random
+
+from msgspec import Struct
 
 from allworlds.inputs import InputError, show
 from allworlds.maps import drawn_families as large
@@ -18,8 +19,7 @@ LARGEST = 100_000
 """Larger maps are refused: a robot would not come to an end in them."""
 
 
-@dataclass(frozen=True, slots=True)
-class Family:
+class Family(Struct, frozen=True):
     """Maps of one kind, large or small.
 
     Attributes:

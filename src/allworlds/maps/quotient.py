@@ -15,17 +15,17 @@ delta, ``delta / l`` is its *cone index*: a vertex of the map goes round it so o
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
 from allworlds.maps.refinement import coarsest_partition
 
 
-@dataclass(frozen=True)
-class Quotient:
+class Quotient(Struct, frozen=True, dict=True):
     """A quotient rooted at class 0, in canonical numbering.
 
     Attributes:

@@ -14,11 +14,13 @@ import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from allworlds.inputs import InputError, did_you_mean, show
 from allworlds.protocol.importing import (
@@ -48,8 +50,7 @@ class OtherText(InputError):
     """Raised for code of the user's whose text is not the recorded one."""
 
 
-@dataclass(frozen=True, slots=True)
-class Role:
+class Role(Struct, frozen=True):
     """A purpose of code of the user's.
 
     Attributes:
@@ -112,8 +113,7 @@ class Role:
         )
 
 
-@dataclass(frozen=True, slots=True)
-class UserCode:
+class UserCode(Struct, frozen=True):
     """The code of a name, wherever it is loaded: equal text in every process.
 
     Attributes:
@@ -212,8 +212,7 @@ class UserCode:
         return tried(f"{self.role.noun} {show(self.name)}", lambda: function(*values))
 
 
-@dataclass(frozen=True, slots=True)
-class LocalCode:
+class LocalCode(Struct, frozen=True):
     """A function of the user's that lives in this process alone.
 
     Attributes:

@@ -22,8 +22,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
+
+from msgspec import Struct
 
 from allworlds.inputs import InputError, show
 from allworlds.maps import CorridorShape, Dart, augmented, drawn_corridor, usual_degree
@@ -42,8 +43,7 @@ MOST_EDGES = 10_000
 """The largest number of edges of a world that an adversary makes."""
 
 
-@dataclass(frozen=True, slots=True)
-class Adversary:
+class Adversary(Struct, frozen=True):
     """The adversary in a corridor.
 
     Attributes:

@@ -10,10 +10,11 @@ import errno
 import hashlib
 import os
 from collections import Counter
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
+
+from msgspec import Struct
 
 from allworlds.document import Document, Meta, Text, about, taken
 from allworlds.inputs import InputError, parse_json, show
@@ -46,8 +47,7 @@ class Manifest(Document):
     ]
 
 
-@dataclass(frozen=True, slots=True)
-class Corpus:
+class Corpus(Struct, frozen=True):
     """A directory with its manifest, which has been checked for shape.
 
     Files are checked against their digests when they are read.

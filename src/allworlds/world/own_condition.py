@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 from typing import Annotated, ClassVar, TypeAlias
+
+from msgspec import Struct
 
 from allworlds.document import IfAny, Text, about
 from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, a_text, show
@@ -35,8 +36,7 @@ TRIED_EDGES = 3
 Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
 
 
-@dataclass(frozen=True, slots=True)
-class OwnCondition:
+class OwnCondition(Struct, frozen=True):
     """A predicate of the user's; it is loaded where maps are made.
 
     Its function may have an attribute ``begins``: a function of a partial gluing that says whether

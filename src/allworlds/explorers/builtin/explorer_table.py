@@ -19,8 +19,9 @@ The modules:
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from typing import Any, TypeAlias
+
+from msgspec import Struct, field
 
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk, algorithm1, nobody
 from allworlds.explorers.builtin.depth_first import dfs
@@ -37,8 +38,7 @@ Size: TypeAlias = tuple[int, int]
 """Numbers of edges and of vertices."""
 
 
-@dataclass(frozen=True, slots=True)
-class BuiltIn:
+class BuiltIn(Struct, frozen=True):
     """An explorer that ships with the package.
 
     Attributes:

@@ -19,8 +19,9 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Generator, Sequence
-from dataclasses import dataclass
 from typing import TypeAlias, TypeVar
+
+from msgspec import Struct
 
 from allworlds.explorers.builtin.algorithm1 import unseen
 from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
@@ -47,8 +48,7 @@ class Hypotheses(ABC):
         """Take note that the log has grown by a test, or that nodes have been merged."""
 
 
-@dataclass(frozen=True, slots=True)
-class Test:
+class Test(Struct, frozen=True):
     """A hypothesis, with the part of its home word that the log does not know.
 
     Attributes:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, TypeAlias
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from allworlds.inputs import InputError, a_text, show
 from allworlds.maps import CombinatorialMap, Dart
@@ -50,8 +52,7 @@ OWN = "path/to/file.py:Class or module:Class"
 """How a lighthouse of the user's own is named."""
 
 
-@dataclass(frozen=True, slots=True)
-class LighthouseKind:
+class LighthouseKind(Struct, frozen=True):
     """A kind of lighthouse as requests and rules hold it, and as it gets to other processes.
 
     Attributes:
