@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from allworlds.engines.isolation.jobs import PlaySegments, PlayTree
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.shared_logs import OpenedMemories
-from allworlds.engines.kernel.tree_requests import END_OF_RUN, INSIDE, LAST, NEXT, PERCEPT
+from allworlds.engines.kernel.tree_requests import END_OF_RUN, INSIDE, LAST, NEXT, PERCEPT, SEGMENT
 from allworlds.engines.kernel.writing import LogEnd, answer_entry, shown_entry
 from allworlds.engines.python.partial_world import PartialWorld, beginning, places
 from allworlds.explorers import CopyingExplorer
@@ -255,7 +255,8 @@ class _Repetition(_Actor):
     ) -> None:
         super().__init__(explorer, beat)
         self._memory = memory
-        self._segments = memory.segments.tolist()
+        numbers: list[int] = memory.segments.tolist()
+        self._segments = [numbers[at : at + SEGMENT] for at in range(0, len(numbers), SEGMENT)]
 
     def play(self, roots: Sequence[int]) -> None:
         """Play the trees of these first segments."""
@@ -300,7 +301,7 @@ class _Repetition(_Actor):
             if (left := self._segments[after][NEXT]) != LAST:
                 self.store(place)
                 waiting.append(left)
-            return int(after)
+            return after
         if not waiting:
             return -1
         after = waiting.pop()

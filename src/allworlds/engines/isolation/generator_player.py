@@ -16,6 +16,7 @@ from allworlds.engines.isolation.chunk_player import ChunkPlayer
 from allworlds.engines.isolation.jobs import PlaySegments, PlayStretch, PlayTree
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.shared_logs import OpenedMemories
+from allworlds.engines.kernel.stretch import HEAD
 from allworlds.engines.kernel.writing import LogEnd, answer_entry, shown_entry
 from allworlds.engines.python.play import Recorded
 from allworlds.explorers import CopyingExplorer
@@ -68,20 +69,21 @@ class GeneratorPlayer:
                 return StretchResult(-1, 0)
             return ChunkPlayer(self._runs, self._beat, self._memories).play(job)
         stretch = self._memories.stretch(job)
-        heads = stretch.heads[: job.runs].tolist()
+        heads = stretch.heads[: HEAD * job.runs].tolist()
         logs, begins = bytearray(), [0] * job.runs
         order = [*range(job.runs)]
         Random(job.order).shuffle(order)  # noqa: S311  # it need not be secret for longer than a run
         for run in order:
-            budget, told, number, motions = heads[run]
+            budget, told, number, motions = heads[HEAD * run : HEAD * (run + 1)]
             self._beat[0], begins[run] = number, len(logs)
             world: ByteWorld | Recorded
             if job.again:
-                start = int(stretch.starts[run])
+                start = stretch.starts[run]
                 sensed = stretch.percepts[start : start + 3 * (motions + 1)].tobytes()
                 world = recorded(sensed, told)
             else:
-                world = ByteWorld(stretch.worlds[run].tobytes(), told)
+                table = stretch.worlds[stretch.wide * run : stretch.wide * (run + 1)]
+                world = ByteWorld(table.tobytes(), told)
             choices = Choices(policy_named(job.policy))
             player = self._second if job.again else self._player
             log = log_of_run(world, player, choices, budget, self._beat)

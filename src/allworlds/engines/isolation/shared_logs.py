@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any, cast
 from allworlds.engines.isolation.jobs import PlaySegments, PlayStretch, PlayTree
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.player_pair import PlayerPair
+from allworlds.engines.kernel.stretch import Stretch
+from allworlds.engines.kernel.tree_memory import TreeMemory
 from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
 from allworlds.explorers import NativeExplorer, threads_left, threads_now
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.chunks import CopyingPlayer
-    from allworlds.engines.kernel.stretch import Stretch
-    from allworlds.engines.kernel.tree_memory import TreeMemory
 
 
 class StretchMemory:
@@ -28,13 +28,13 @@ class StretchMemory:
     """
 
     def __init__(self, edges: int) -> None:
-        from allworlds.engines.kernel.stretch import Stretch
+        from allworlds.engines.kernel.memory_arrays import StretchArrays
 
         self._edges = edges
         self._file = os.memfd_create("allworlds")
         size = Stretch.size(edges)
         os.truncate(self._file, size)
-        self.stretch = Stretch(mmap.mmap(self._file, size), edges)
+        self.stretch = StretchArrays(mmap.mmap(self._file, size), edges)
 
     def close(self) -> None:
         """Close the memory: no other process can open it any more."""
@@ -64,13 +64,13 @@ class TreeMemoryPair:
     """Memory for chunks of trees, which a referee shares with its first and its second player."""
 
     def __init__(self) -> None:
-        from allworlds.engines.kernel.tree_memory import TreeMemory
+        from allworlds.engines.kernel.memory_arrays import TreeArrays
 
         self._files = [os.memfd_create("allworlds") for _ in range(2)]
         for file in self._files:
             os.truncate(file, TreeMemory.size())
         self.first, self.second = (
-            TreeMemory(mmap.mmap(file, TreeMemory.size())) for file in self._files
+            TreeArrays(mmap.mmap(file, TreeMemory.size())) for file in self._files
         )
 
     def play(
@@ -99,26 +99,29 @@ def _trusted(result: StretchResult | None) -> StretchResult | None:
 
 
 class OpenedMemories:
-    """A player's side of the shared memories; each is opened once."""
+    """A player's side of the shared memories; each is opened once.
 
-    def __init__(self) -> None:
+    Args:
+        stretch, tree: how a player looks at them.
+    """
+
+    def __init__(
+        self, stretch: type[Stretch] = Stretch, tree: type[TreeMemory] = TreeMemory
+    ) -> None:
+        self._stretch, self._tree = stretch, tree
         self._opened: dict[str, Any] = {}
 
     def stretch(self, job: PlayStretch) -> Stretch:
         """The memory of a stretch."""
-        from allworlds.engines.kernel.stretch import Stretch
-
         if job.memory not in self._opened:
             memory = _mapped(job.memory, Stretch.size(job.edges))
-            self._opened[job.memory] = Stretch(memory, job.edges)
+            self._opened[job.memory] = self._stretch(memory, job.edges)
         return cast("Stretch", self._opened[job.memory])
 
     def tree(self, job: PlayTree | PlaySegments) -> TreeMemory:
         """The memory of a tree."""
-        from allworlds.engines.kernel.tree_memory import TreeMemory
-
         if job.memory not in self._opened:
-            self._opened[job.memory] = TreeMemory(_mapped(job.memory, TreeMemory.size()))
+            self._opened[job.memory] = self._tree(_mapped(job.memory, TreeMemory.size()))
         return cast("TreeMemory", self._opened[job.memory])
 
 
@@ -143,12 +146,13 @@ class LibraryPlayer:
 
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
         from allworlds.engines.kernel.batches import NativePlayer
+        from allworlds.engines.kernel.memory_arrays import StretchArrays, TreeArrays
 
         addresses, state = explorer.library.addresses(), explorer.state()
         self.native = NativePlayer(addresses, state, explorer.handed(), beat)
         self._states = addresses["clone"], addresses["new"]
         self._copying: CopyingPlayer | None = None
-        self._memories = OpenedMemories()
+        self._memories = OpenedMemories(StretchArrays, TreeArrays)
         self._threads = threads_now()
 
     def play(self, job: PlayStretch | PlayTree | PlaySegments) -> StretchResult:

@@ -17,6 +17,8 @@ lock only to start and to end, so that threads share the work.
     users' explorers that can be copied: a world is decided only where the robot looks;
 ``chunks``, ``tree_memory``, ``tree_requests``
     the door of these trees of runs, and their memory;
+``memory_arrays``
+    the memory of stretches and trees, as compiled code sees it;
 ``demand_driven``, ``ways``, ``demand_tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``schedule_costs``

@@ -18,6 +18,7 @@ from numpy import arange, array, asarray, frombuffer, int32, int64, uint8, zeros
 from allworlds.engines.kernel import logs, native, runs
 from allworlds.engines.kernel.compiling import uncollected
 from allworlds.engines.kernel.engine import asked_of, rows_of, set_up
+from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.names import POLICIES
 from allworlds.engines.kernel.picking import pick_address
 from allworlds.engines.kernel.records import JOB, POLICY, READER, ROBOT, new
@@ -286,7 +287,7 @@ def load_native() -> None:
     """Load or compile the code that native explorers need, but for the lighthouses."""
     level = any_level()
     with uncollected():
-        stretch = Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
+        stretch = StretchArrays(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
         unit = UnitJudge(level, (-1,), 1, stretch, stretch)
         batch = unit.lay_out(0)
         unit.judge(batch, 0)

@@ -18,6 +18,7 @@ from allworlds.engines.kernel.batches import NativePlayer, any_level, no_player
 from allworlds.engines.kernel.classes import rule_address
 from allworlds.engines.kernel.compiling import uncollected
 from allworlds.engines.kernel.engine import asked_of, rows_of, set_up
+from allworlds.engines.kernel.memory_arrays import TreeArrays
 from allworlds.engines.kernel.on_demand import KINDS, POINTED
 from allworlds.engines.kernel.records import JOB, READER, ROBOT, new
 from allworlds.engines.kernel.rows import Level, Rows
@@ -316,7 +317,7 @@ def load_trees() -> None:
         prefix=(-1,),
     )
     with uncollected():
-        memory = TreeMemory(mmap.mmap(-1, TreeMemory.size()))
+        memory = TreeArrays(mmap.mmap(-1, TreeMemory.size()))
         tree = UnitTree(level, request, 1, memory, memory, Random(0))  # noqa: S311  # nothing is drawn
         tree.judge(0, last=False)
         player = CopyingPlayer(no_player(), (0, 0))

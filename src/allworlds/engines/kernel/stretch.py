@@ -1,15 +1,15 @@
 """Memory for many runs of a user's explorer, shared by both sides.
 
-No compiled code is loaded with it, so that a process that only plays starts fast.
+Neither compiled code nor NumPy is loaded with it, so that a process that only plays starts fast.
 """
 
 from __future__ import annotations
 
 import mmap
+from array import array
 from collections.abc import Sequence
-from typing import Any
-
-from numpy import frombuffer, int32, uint8
+from math import prod
+from typing import Any, Literal
 
 MOST_PLACES = 64
 """A number above that of a lighthouse's places in one map."""
@@ -44,7 +44,29 @@ LONGEST_EARLIER = LOG_BYTES // (4 * MOST_EARLIER)
 leave room for a stretch."""
 
 
-class Stretch:
+class Parts:
+    """Parts of a memory, one behind the other: views of numbers, without rows.
+
+    Args:
+        memory: shared.
+    """
+
+    def __init__(self, memory: mmap.mmap) -> None:
+        self._memory, self._at = memory, 0
+
+    def part(self, kind: Literal["i", "B"], *shape: int) -> Any:
+        """The next part.
+
+        Args:
+            kind: ``i`` for numbers of 32 bits, ``B`` for bytes.
+            shape: its rows, and the length of each.
+        """
+        begin, size = self._at, array(kind).itemsize * prod(shape)
+        self._at += size
+        return memoryview(self._memory)[begin : self._at].cast(kind)
+
+
+class Stretch(Parts):
     """Memory for the runs of a stretch, shared by both sides.
 
     Args:
@@ -56,18 +78,18 @@ class Stretch:
         worlds: of each run its world, dart by dart; not for plays against records.
         percepts, starts: the percepts, three bytes each, and where those of a run begin.
         logs, begins: the logs, and where that of each run begins.
+        wide: the number of bytes of a world.
     """
 
     def __init__(self, memory: mmap.mmap, edges: int) -> None:
-        rows = ROWS
-        self._at = 0
-        self._memory = memory
-        self.heads = self._array(int32, rows, HEAD)
-        self.begins = self._array(int32, rows)
-        self.starts = self._array(int32, rows)
-        self.worlds = self._array(uint8, rows, WIDE * 2 * edges)
-        self.percepts = self._array(uint8, LOG_BYTES)
-        self.logs = self._array(uint8, LOG_BYTES)
+        super().__init__(memory)
+        self.wide = WIDE * 2 * edges
+        self.heads = self.part("i", ROWS, HEAD)
+        self.begins = self.part("i", ROWS)
+        self.starts = self.part("i", ROWS)
+        self.worlds = self.part("B", ROWS, self.wide)
+        self.percepts = self.part("B", LOG_BYTES)
+        self.logs = self.part("B", LOG_BYTES)
 
     @staticmethod
     def size(edges: int) -> int:
@@ -79,14 +101,6 @@ class Stretch:
         """Write logs here; return the number of their bytes, or -1 if there is no room."""
         if len(logs) > len(self.logs):
             return -1
-        self.begins[: len(begins)] = begins
-        self.logs[: len(logs)] = frombuffer(logs, uint8)
+        self.begins[: len(begins)] = array("i", begins)
+        self.logs[: len(logs)] = logs
         return len(logs)
-
-    def _array(self, kind: Any, *shape: int) -> Any:
-        count = 1
-        for length in shape:
-            count *= length
-        found: Any = frombuffer(self._memory, kind, count, self._at).reshape(shape)
-        self._at += found.nbytes
-        return found

@@ -1,4 +1,6 @@
-"""Memory for a tree of runs, shared by a referee and a player; compiled code is not loaded with it.
+"""Memory for a tree of runs, shared by a referee and a player.
+
+Neither compiled code nor NumPy is loaded with it.
 
 A tree of runs is walked chunk by chunk, and every chunk begins at the start of a run.  The first
 player writes the log of a chunk: the bytes of one run after the other, each from the branch on at
@@ -9,10 +11,8 @@ branches: what is sensed there, and where its bytes stand in the log.
 from __future__ import annotations
 
 import mmap
-from typing import Any
 
-from numpy import frombuffer, int32, uint8
-
+from allworlds.engines.kernel.stretch import Parts
 from allworlds.engines.kernel.tree_requests import SEGMENT
 
 LOG_BYTES = 1 << 21
@@ -38,7 +38,7 @@ PERCEPT_BYTES = 2 * LOG_BYTES
 """Room for percepts."""
 
 
-class TreeMemory:
+class TreeMemory(Parts):
     """Memory for a chunk.
 
     Args:
@@ -51,10 +51,10 @@ class TreeMemory:
     """
 
     def __init__(self, memory: mmap.mmap) -> None:
-        self._memory, self._at = memory, 0
-        self.segments = self._array(int32, MOST_SEGMENTS * SEGMENT).reshape(-1, SEGMENT)
-        self.percepts = self._array(uint8, PERCEPT_BYTES)
-        self.logs = self._array(uint8, LOG_BYTES + SLACK)
+        super().__init__(memory)
+        self.segments = self.part("i", MOST_SEGMENTS, SEGMENT)
+        self.percepts = self.part("B", PERCEPT_BYTES)
+        self.logs = self.part("B", LOG_BYTES + SLACK)
 
     @staticmethod
     def size() -> int:
@@ -65,10 +65,5 @@ class TreeMemory:
         """Write bytes of a log; return their number, or -1 if there is no room."""
         if at + len(log) > LOG_BYTES:
             return -1
-        self.logs[at : at + len(log)] = frombuffer(log, uint8)
+        self.logs[at : at + len(log)] = log
         return len(log)
-
-    def _array(self, kind: Any, count: int) -> Any:
-        found: Any = frombuffer(self._memory, kind, count, self._at)
-        self._at += found.nbytes
-        return found
