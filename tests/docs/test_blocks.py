@@ -2,6 +2,7 @@
 
 import doctest
 import shutil
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -95,7 +96,7 @@ def test_every_block_of_the_page_does_what_the_page_says(page, shell, tmp_path, 
     monkeypatch.chdir(clone)
     missing, names = set(), {}
     for block in own_blocks(page):
-        lacks = {program for program in block.needs if not shutil.which(program)}
+        lacks = {need for need in block.needs if not (shutil.which(need) or find_spec(need))}
         missing |= lacks
         if lacks:
             continue

@@ -34,8 +34,8 @@ from allworlds.engines.isolation.messages import (
     TraceEvent,
     read_message,
 )
+from allworlds.engines.isolation.one_player import start_player
 from allworlds.engines.isolation.player import PlayerProcess
-from allworlds.engines.isolation.player_pair import start_player
 from allworlds.engines.isolation.process import Guardian, guardian
 from allworlds.engines.isolation.process_tree import is_stopped
 from allworlds.engines.isolation.referee import RefereeProcess

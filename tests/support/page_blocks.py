@@ -20,7 +20,7 @@ class Block:
         language: of the block.
         title: the file that it is.
         reason: why it is not run.
-        needs: the programs without which it cannot be run.
+        needs: the programs, and the modules of Python, without which it cannot be run.
         body: its text.
     """
 

@@ -35,5 +35,5 @@ def made_helpful(command: Any) -> Any:
 def _show_as_written(argument: Any) -> None:
     """Show the argument in the usage line by its metavar, without further brackets."""
     metavar = argument.metavar
-    argument.make_metavar = lambda *_: metavar
-    argument.get_usage_pieces = lambda *_: [metavar]
+    argument.make_metavar = lambda *_, **__: metavar
+    argument.get_usage_pieces = lambda *_, **__: [metavar]

@@ -12,8 +12,9 @@ from typing import NamedTuple
 from allworlds.document import replace
 from allworlds.engines.isolation.jobs import PlayerSetup, PlayRecords, Trace
 from allworlds.engines.isolation.messages import RecordLogs, TraceEvent
+from allworlds.engines.isolation.one_player import PlayerLost, receive, start_player
 from allworlds.engines.isolation.overheard import Overheard
-from allworlds.engines.isolation.player_pair import PlayerLost, PlayerPair, receive, start_player
+from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.process import Process, guardian
 from allworlds.engines.python.comparison import difference_of, nondeterministic, side_by_side
 from allworlds.engines.python.examiner import LOST, Outcome, name_run

@@ -9,9 +9,10 @@ from random import Random
 from typing import Any
 
 from allworlds.engines.isolation.jobs import HarnessError, PlayerSetup, Unsettled
-from allworlds.engines.isolation.player_pair import PlayerPair, WorkerEngine
+from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.process import Guardian, limit_memory
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
+from allworlds.engines.isolation.worker_engine import WorkerEngine
 from allworlds.engines.python.earlier_plays import SPARE, EarlierPlays
 from allworlds.engines.python.hash_seeds import GoesByHashes
 from allworlds.engines.python.other_seeds import WithOtherSeeds

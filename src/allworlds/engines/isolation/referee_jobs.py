@@ -6,7 +6,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.engines.isolation.player_pair import WorkerEngine
+from allworlds.engines.isolation.worker_engine import WorkerEngine
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject

@@ -7,7 +7,7 @@ from typing import Any
 
 from allworlds.document import replace
 from allworlds.engines.isolation.jobs import PlayerSetup
-from allworlds.engines.isolation.player_pair import start_player
+from allworlds.engines.isolation.one_player import start_player
 from allworlds.engines.isolation.process import guardian
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import (

@@ -13,7 +13,7 @@ from typing import Any, Self
 from msgspec import Struct, field
 
 from allworlds.engines.isolation.jobs import Unsettled
-from allworlds.engines.isolation.player_pair import STOPPED, WorkerEngine
+from allworlds.engines.isolation.one_player import STOPPED
 from allworlds.engines.isolation.process import (
     WAKE,
     Guardian,
@@ -23,6 +23,7 @@ from allworlds.engines.isolation.process import (
 )
 from allworlds.engines.isolation.process_tree import Stops
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
+from allworlds.engines.isolation.worker_engine import WorkerEngine
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.hash_seeds import GoesByHashes
 from allworlds.engines.python.in_process import InProcessPlayers
