@@ -22,13 +22,10 @@ PROGRAMS = {"README.md": "mine.py"}
 
 SLOW = {
     "README.md",
-    "docs/ambiguity.md",
     "docs/how-to/ci.md",
-    "docs/how-to/languages.md",
     "docs/how-to/lighthouse.md",
     "docs/how-to/pytest.md",
     "docs/how-to/rows.md",
-    "docs/paper.md",
     "docs/python.md",
     "docs/trust.md",
     "docs/tutorial.md",
@@ -36,9 +33,12 @@ SLOW = {
 """Pages whose commands take more than some seconds, or a compiler."""
 
 LONGEST = {
+    "docs/ambiguity.md",
     "docs/explorers.md",
     "docs/how-to/bound.md",
     "docs/how-to/certificate.md",
+    "docs/how-to/languages.md",
+    "docs/paper.md",
     "docs/research/class.md",
     "docs/research/cost.md",
     "docs/research/sensor.md",

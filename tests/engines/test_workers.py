@@ -39,8 +39,8 @@ def only_finding(name, **options):
     ("name", "law", "seen"),
     [
         pytest.param("hang", "timeout", "silent for 4 s", marks=pytest.mark.slow),
-        pytest.param("hang_gil", "timeout", "silent for 4 s", marks=pytest.mark.slow),
-        pytest.param("hang_regex", "timeout", "silent for 4 s", marks=pytest.mark.slow),
+        small.long("hang_gil", "timeout", "silent for 4 s"),
+        small.long("hang_regex", "timeout", "silent for 4 s"),
         ("os_exit", "crash", "exit code 0"),
         ("segfault", "crash", "signal 11"),
         ("reads", "crash", "EOFError"),
@@ -113,7 +113,9 @@ def test_the_choices_of_a_killed_explorer_are_known(wrong, clock):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["chooses_for_ever", "chooses_for_ever_whatever_is_raised"])
+@pytest.mark.parametrize(
+    "name", ["chooses_for_ever", small.long("chooses_for_ever_whatever_is_raised")]
+)
 def test_an_explorer_that_chooses_for_ever_is_silent(wrong, name):
     finding = only_finding(wrong(name))
     assert (finding.law, finding.confirmed) == ("timeout", True)

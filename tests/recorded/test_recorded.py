@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from allworlds.verbs import VERBS
+
 HERE = Path(__file__).parent
 
 
@@ -23,14 +25,30 @@ def difference(kept: str, told: str) -> str:
     return "\n".join([command, *islice(lines, 2, 40)])
 
 
+def differences(record, names):
+    told = record.records(names)
+    assert [*told] == names
+    kept = {name: (record.RECORDS / f"{name}.txt").read_text(encoding="utf-8") for name in names}
+    return [difference(kept[name], told[name]) for name in names if told[name] != kept[name]]
+
+
 @pytest.mark.slow
 def test_every_verb_says_what_is_recorded():
     record = recorder()
-    told = record.records([*record.COMMANDS])
-    kept = {path.stem: path.read_text(encoding="utf-8") for path in record.RECORDS.iterdir()}
-    assert [*told] == [*record.COMMANDS]
-    assert sorted(kept) == sorted(told)
-    assert [difference(kept[name], told[name]) for name in told if told[name] != kept[name]] == []
+    first = {}
+    for name, words in record.COMMANDS.items():
+        for verb in VERBS:
+            if f"{words} ".startswith(f"{verb.name} "):
+                first.setdefault(verb.name, name)
+    assert first.keys() >= {verb.name for verb in VERBS} - {"self bench"}
+    assert differences(record, [*first.values()]) == []
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_every_command_says_what_is_recorded():
+    record = recorder()
+    assert differences(record, [*record.COMMANDS]) == []
 
 
 def test_every_record_has_its_command():

@@ -74,11 +74,11 @@ def test_vertices_alone_bound_the_simple_classes(vertices):
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
-    "policy", ["fifo", "random:1", *map(slow, ("lifo", "nearest", "random:2", "random:3"))]
+    "policy", ["fifo", "random:1", *map(long, ("lifo", "nearest", "random:2", "random:3"))]
 )
 @pytest.mark.parametrize(
     ("map_class", "most"),
-    [("maps", 3), ("planar", 3), slow("planar", 4), ("simple", 5), ("planar-simple", 5)],
+    [("maps", 3), ("planar", 3), long("planar", 4), ("simple", 5), ("planar-simple", 5)],
 )
 def test_no_witness_is_asked_for_that_cannot_occur(policy, map_class, most):
     for edges in range(1, most + 1):

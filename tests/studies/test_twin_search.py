@@ -81,6 +81,7 @@ def test_where_there_is_no_pair_every_level_has_a_checked_proof(
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_caption_of_fig_1_is_found_and_replays_from_every_start(tmp_path):
     bounds = {"vertices": 9, "edges": 14, "map_class": "planar-simple", "out": tmp_path}
     result = allworlds.search(
