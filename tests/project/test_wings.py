@@ -490,6 +490,11 @@ def test_what_explorers_need_loads_maps_and_protocol_alone():
     assert {wing(name) for name in own} == {"ground", "maps", "protocol"}
 
 
+def test_a_process_that_only_plays_loads_no_numpy():
+    home = "allworlds.engines.isolation"
+    assert "numpy" not in loaded_by(f"import {home}.roles, {home}.generator_player")
+
+
 def test_a_name_loads_its_module_when_it_is_used():
     counting = "allworlds.maps.counting"
     assert counting not in loaded_by("import allworlds")

@@ -78,6 +78,7 @@ if TYPE_CHECKING:
         computed as computed,
         key as key,
         keys_of as keys_of,
+        names_of as names_of,
         plain as plain,
         plain_at_once as plain_at_once,
         replace as replace,

@@ -126,12 +126,14 @@ class WrittenByFields:
     def to_json(self) -> dict[str, Any]:
         """The JSON object, with the fields as keys."""
         kind: Any = type(self)
-        return {name: plain(getattr(self, name)) for name in _names_of(kind)}
+        return {name: plain(getattr(self, name)) for name in names_of(kind)}
 
 
 @cache
-def _names_of(kind: Any) -> tuple[str, ...]:
-    return tuple(field.name for field in fields_of_dataclass(kind))
+def names_of(kind: Any) -> tuple[str, ...]:
+    """The names of the fields of a struct, or of a dataclass."""
+    told = fields(kind) if issubclass(kind, Struct) else fields_of_dataclass(kind)
+    return tuple(field.name for field in told)
 
 
 @cache
@@ -187,7 +189,7 @@ def plain(value: Any) -> Any:
 
 
 def plain_at_once(value: object) -> Any:
-    """The JSON value of what holds nothing but JSON, dataclasses and tuples.
+    """The JSON value of what holds nothing but JSON, structs, dataclasses and tuples.
 
     Cost: a fifth of that of :func:`plain`; tuples stay tuples.
     """

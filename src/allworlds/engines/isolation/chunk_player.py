@@ -255,8 +255,6 @@ class _Repetition(_Actor):
     ) -> None:
         super().__init__(explorer, beat)
         self._memory = memory
-        numbers: list[int] = memory.segments.tolist()
-        self._segments = [numbers[at : at + SEGMENT] for at in range(0, len(numbers), SEGMENT)]
 
     def play(self, roots: Sequence[int]) -> None:
         """Play the trees of these first segments."""
@@ -270,7 +268,7 @@ class _Repetition(_Actor):
 
     def _play_segment(self, segment: int, *, first: bool) -> bool:
         """Play one segment; return whether there is a branch at its end."""
-        at, place, left, _, inside = self._segments[segment]
+        at, place, left, _, inside = self._row(segment)
         log = bytearray()
         percept = self._percept(place)
         message = self.heard(percept, first=first)
@@ -297,19 +295,24 @@ class _Repetition(_Actor):
         """The segment that is played next; -1 at the end of the tree."""
         place = len(waiting)
         if branches:
-            after = self._segments[segment][INSIDE]
-            if (left := self._segments[after][NEXT]) != LAST:
+            after = self._row(segment)[INSIDE]
+            if (left := self._row(after)[NEXT]) != LAST:
                 self.store(place)
                 waiting.append(left)
             return after
         if not waiting:
             return -1
         after = waiting.pop()
-        left = self._segments[after][NEXT]
+        left = self._row(after)[NEXT]
         self.restore(place - 1, last=left == LAST)
         if left != LAST:
             waiting.append(left)
         return after
+
+    def _row(self, segment: int) -> list[int]:
+        """The row of a segment."""
+        row: list[int] = self._memory.segments[SEGMENT * segment : SEGMENT * (segment + 1)].tolist()
+        return row
 
     def _percept(self, place: int) -> Percept:
         degree, marks, bearing = self._memory.percepts[place : place + PERCEPT].tolist()

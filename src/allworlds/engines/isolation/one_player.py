@@ -5,21 +5,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from allworlds.engines.isolation.jobs import (
-    HarnessError,
-    PlayerSetup,
-    Unsettled,
-)
-from allworlds.engines.isolation.messages import (
-    ExplorerDescription,
-)
-from allworlds.engines.isolation.process import (
-    GRACE,
-    NO_RUN,
-    Garbled,
-    Guardian,
-    Process,
-)
+from allworlds.engines.isolation.jobs import HarnessError, PlayerSetup, Unsettled
+from allworlds.engines.isolation.messages import ExplorerDescription
+from allworlds.engines.isolation.process import GRACE, NO_RUN, Garbled, Guardian, Process
 from allworlds.engines.isolation.process_tree import Stops
 from allworlds.engines.units.effort import POLL
 from allworlds.explorers import is_library, is_program

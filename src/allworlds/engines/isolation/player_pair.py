@@ -33,12 +33,7 @@ from allworlds.engines.isolation.one_player import (
     receive,
     start_player,
 )
-from allworlds.engines.isolation.process import (
-    NO_RUN,
-    Guardian,
-    Process,
-    close_all,
-)
+from allworlds.engines.isolation.process import NO_RUN, Guardian, Process, close_all
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns

@@ -102,5 +102,5 @@ class Stretch(Parts):
         if len(logs) > len(self.logs):
             return -1
         self.begins[: len(begins)] = array("i", begins)
-        self.logs[: len(logs)] = logs
+        self.logs[: len(logs)] = memoryview(logs)
         return len(logs)

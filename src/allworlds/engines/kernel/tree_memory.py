@@ -65,5 +65,5 @@ class TreeMemory(Parts):
         """Write bytes of a log; return their number, or -1 if there is no room."""
         if at + len(log) > LOG_BYTES:
             return -1
-        self.logs[at : at + len(log)] = log
+        self.logs[at : at + len(log)] = memoryview(log)
         return len(log)

@@ -6,7 +6,7 @@ copy of its state, once for every way, so that the common part of several runs i
 The first play decides the world on demand (:mod:`allworlds.engines.kernel.on_demand`); the second
 one has no world: it walks along the recorded segments, in another order.  The bytes that both write
 are those of :mod:`allworlds.engines.kernel.native`; its readable twin is
-:mod:`allworlds.engines.isolation.tree_of_copies`.
+:mod:`allworlds.engines.isolation.chunk_player`.
 """
 
 from __future__ import annotations

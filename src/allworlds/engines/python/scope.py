@@ -71,7 +71,7 @@ Coverage: TypeAlias = Whole | Shard | Sample | Given
 """The part of the worlds of an extent that is tried."""
 
 
-class Scope(Struct, frozen=True, dict=True):
+class Scope(Struct, frozen=True):
     """A class of worlds with its bounds, and the rules.
 
     Attributes:

@@ -8,15 +8,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import fields as fields_of_dataclass, is_dataclass
+from dataclasses import is_dataclass
 from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, NamedTuple, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from msgspec import Struct
-from msgspec.structs import fields
 
-from allworlds.document import Document, keys_of, plain, plain_at_once, taken
+from allworlds.document import Document, keys_of, names_of, plain, plain_at_once, taken
 from allworlds.inputs import InputError, show
 
 T = TypeVar("T")
@@ -132,11 +131,7 @@ def _union(kinds: list[Any]) -> Form | None:
 def _by_fields(kind: Any) -> Form | None:
     hints = get_type_hints(kind, include_extras=True)
     document = issubclass(kind, Document)
-    if document:
-        names = [key.name for key in keys_of(kind)]
-    else:
-        told = fields_of_dataclass(kind) if is_dataclass(kind) else fields(kind)
-        names = [field.name for field in told]
+    names = [key.name for key in keys_of(kind)] if document else names_of(kind)
     if not any(_own_form(hints[name]) for name in names):
         return None
     forms = {name: _form(hints[name]) for name in names}
