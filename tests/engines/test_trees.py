@@ -46,7 +46,7 @@ COPIES = (
 )
 """Copies that do not go on as they should."""
 
-COPY_IN_LARGE_WORLDS = "copy->here = copies % 7 || copy->dart_count < 9 ? copy->here : 0"
+COPY_IN_LARGE_WORLDS = "copy->here = copy->dart_count < 9 ? copy->here : 0"
 """The same in worlds of five edges or more, which are walked as trees alone."""
 
 
