@@ -1,6 +1,7 @@
 """Fixtures and settings of all tests: the same drawn examples each time, the command line."""
 
 import fcntl
+import gc
 import importlib
 import os
 import pkgutil
@@ -74,6 +75,11 @@ def pytest_collection(session):
         return (yield)
     finally:
         measured.start()
+
+
+def pytest_collection_finish():
+    """Keep the collector of garbage from the many objects of the tests that were collected."""
+    gc.freeze()
 
 
 @pytest.fixture(scope="session", autouse=True)

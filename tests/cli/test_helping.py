@@ -70,6 +70,7 @@ def test_a_default_is_told_wherever_leaving_out_an_option_means_a_value(monkeypa
         assert words in " ".join(told.split())
 
 
+@pytest.mark.no_cover
 def test_a_verb_that_takes_an_explorer_tells_of_the_shield(monkeypatch, capsys):
     for verb in VERBS:
         command, told = help_of(verb.name.split(), 200, monkeypatch, capsys)

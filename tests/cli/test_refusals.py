@@ -31,6 +31,7 @@ OPTIONS = [
 ]
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("verb", "option"), [(verb, param.opts[0]) for verb, param in OPTIONS], ids=str
 )

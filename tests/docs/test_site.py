@@ -168,6 +168,7 @@ def test_a_link_out_of_the_folder_leads_to_a_page_of_the_site_or_is_a_name():
     assert rewritten("[x](https://a.example)", "trust.md") == "[x](https://a.example)"
 
 
+@pytest.mark.no_cover
 def test_every_name_of_the_reference_is_found_by_reading():
     griffe = pytest.importorskip("griffe", reason="the extra docs is not installed")
     package = griffe.load("allworlds", search_paths=[str(ROOT / "src")])

@@ -133,6 +133,7 @@ class Counts(Silent):
         self.done[-1] += count
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_as_many_worlds_are_done_in_each_level_as_were_announced(name):
     heard = Counts()
@@ -176,6 +177,7 @@ def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
     assert text(job(run=tmp_path)) == undisturbed(name)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_was_finished_when_it_was_ended_is_reported(name, undisturbed, monkeypatch):
     """Before each level in turn, by the time limit, by lost workers and by the user."""

@@ -81,6 +81,7 @@ def test_every_figure_that_shows_maps_is_looked_at():
     assert showing - {"canvas"} == {"twins", "augmentation"}
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", MAPS)
 def test_the_maps_of_a_figure_are_those_that_it_tells_of_in_the_file(name, tmp_path):
     figure(name, out=str(tmp_path / "figure.svg"))
@@ -88,6 +89,7 @@ def test_the_maps_of_a_figure_are_those_that_it_tells_of_in_the_file(name, tmp_p
         assert is_the_map(tmp_path / "figure.svg", map_, f"map-{number}")
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("name", "drawn"), [("1", twins.TwinsFigure), ("2", augmentation.Augmentation)]
 )

@@ -392,6 +392,7 @@ def test_every_simple_path_in_s_is_one_sequence_of_answers_and_first_answers_a_s
         assert len(walked[0]) == nx.shortest_path_length(explored, start, goal)
 
 
+@pytest.mark.no_cover
 @given(maps(most=7), st.integers(1, 7), st.integers(0, 9), st.data())
 def test_the_cost_of_an_option_is_the_shortest_way_to_go_without_entering_a_vertex_twice(
     world, edges, seed, data

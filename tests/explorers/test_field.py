@@ -9,6 +9,8 @@ import pytest
 import allworlds
 from allworlds.maps import unrooted_code
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 FIELD = Path(__file__).parents[2] / "examples" / "field"
 EXPLORERS = sorted(path.name for path in FIELD.glob("*.py") if path.name != "judges.py")
 

@@ -131,6 +131,7 @@ def checked(explorer, edges):
 # ---------------------------------------------------------------- it is right
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [2, slow(3), long(4)])
 @pytest.mark.parametrize("mutant", [*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS], ids=lambda m: m.name)
 def test_every_wrong_explorer_is_made_right(mutant, edges):
@@ -155,6 +156,7 @@ def test_whatever_is_inside_the_map_is_right(stranger, edges):
         assert checked(stranger, edges).verdict.value == "holds"
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["greedy", "folding", "folding-oldest", "remembering"])
 def test_it_costs_less_than_nine_times_the_better(name):
     explore = BUILT_IN[name].explore

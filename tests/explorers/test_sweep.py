@@ -12,6 +12,8 @@ from allworlds.outcome import Verdict
 from allworlds.world import Adversary
 from small import long
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "examples" / "python" / "sweep.py"
 

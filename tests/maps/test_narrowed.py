@@ -24,6 +24,7 @@ def total(map_class, name, edges):
     return sum(source_under(map_class, *asked(name)).cells(edges).values())
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", list(MapClass))
 @pytest.mark.parametrize("name", NAMES)
 def test_each_source_counts_what_is_enumerated(name, map_class):
@@ -36,6 +37,7 @@ def test_each_source_counts_what_is_enumerated(name, map_class):
             assert known == {n: cells[n] for n in known}, source.name
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("name", "map_class", "edges"),
     [

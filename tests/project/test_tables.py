@@ -66,6 +66,8 @@ from allworlds.world import (
 )
 from recorded.record import COMMANDS, LEAST
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 ROOT = Path(__file__).parents[2]
 PACKAGE = Path(allworlds.__file__).parent
 

@@ -19,6 +19,8 @@ from allworlds.verbs import BY_NAME, ROWS
 from html_tree import read
 from recorded.record import least
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 HOME = Path(reports.__file__).parent
 FORMS = [
     *(HOME / f"{name}.py" for name in ("telling", "plain_text", "markdown", "csv_rows", "junit")),

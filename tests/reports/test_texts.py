@@ -13,6 +13,8 @@ from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 
 def check_text(report, width):
     return text_of("check", report, width)

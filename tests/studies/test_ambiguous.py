@@ -14,6 +14,8 @@ from allworlds.studies.ambiguity import class_of
 from allworlds.world import Directional, Position, World
 from small import EDGE, PLANE, TORUS
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 FILE = str(Path(__file__).parents[1] / "support" / "explorers_for_tests" / "quotients.py")
 
 

@@ -90,6 +90,7 @@ def stops_at_once(first):
     yield
 
 
+@pytest.mark.usefixtures("without_workers")
 def test_a_broken_law_is_a_finding_and_the_last_level():
     report = worst(stops_at_once, edges=3)
     assert report.exit_code == 1

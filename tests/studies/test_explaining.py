@@ -17,6 +17,8 @@ from allworlds.judging import (
 from allworlds.maps import isomorphism
 from allworlds.studies.check import check
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 SPOILED = """
 from allworlds import CombinatorialMap, Estimate, Move, Percept
 from allworlds.explorers import algorithm1

@@ -16,6 +16,8 @@ from allworlds.reports import text
 from allworlds.world import Labels, Movable, World
 from small import EDGE, LOLLIPOP, PATH
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 FILE = str(Path(__file__).parents[1] / "support" / "explorers_for_tests" / "markers.py")
 
 

@@ -35,6 +35,7 @@ def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path)
     assert (merged, json.dumps(said)) == (code, json.dumps(whole))
 
 
+@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("worlds", [{"edges": 3}, {"family": "strip", "to": 30, "worlds": 3}])
 @pytest.mark.parametrize("by", ["size", "world", "run"])

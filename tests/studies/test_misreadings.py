@@ -15,6 +15,8 @@ from allworlds.maps import MapClass, rooted_maps
 from allworlds.studies.check import check
 from native_libraries import EXAMPLES
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 MISREADING = """
 from allworlds import Estimate, Move, Percept
 from allworlds.explorers import algorithm1

@@ -53,6 +53,7 @@ def assert_a_bad_world(size, explorer, seed=1, policy="fifo"):
 
 
 # Pairs that answers exclude: 56, 675 and 3,192 by a second program, from another matching.
+@pytest.mark.no_cover
 @pytest.mark.parametrize("explorer", TESTERS)
 @pytest.mark.parametrize(
     ("size", "excluded"), [("1", 56), ("2", 675), ("1x14", 30), ("2x14", 99), long("3", 3192)]
@@ -106,6 +107,7 @@ class Deaf(Deciding):
         pass
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("explorer", TESTERS[1:])
 def test_an_adversary_that_does_not_hear_what_is_settled_has_to_guess(explorer):
     deciding = Deaf(named("2"))
@@ -130,6 +132,7 @@ def test_what_is_no_partial_map_settles_nothing(shown):
     assert Deciding(named("1")).heed(shown) == []
 
 
+@pytest.mark.no_cover
 def test_a_play_can_be_repeated_from_its_actions_and_what_was_settled():
     deciding, first, _ = played("2", "greedy")
     again = Deciding(named("2"))
