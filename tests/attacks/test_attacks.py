@@ -153,17 +153,18 @@ def tried_in_compiled_code():
     """Each attack on who plays, or on what is played twice, wherever the kernel can judge.
 
     Libraries alone are tried with two workers, too: only with them does compiled code also play.
+    The Python engine has each; of every other file all is left to the long run here.
     """
     kinds = ("state", "reaching", "dying", "libraries")
     # What is left to the Python engine, what names its engine, and what looks for worlds alone.
     others = {"all", "--memory", "--engine", "--where"}
-    for attack in attacks():
+    for place, attack in enumerate(attacks()):
         alone = others & {*attack.options} or attack.name == "reaching/trusted_to_be_honest"
         if attack.file.parent.name in kinds and not attack.signal and not alone:
             for number, function in enumerate(attack.verdicts):
                 for workers in (1, 2) if attack.file.parent.name == "libraries" else (1,):
                     name = f"{attack.name}-{function or 'exec'}-{workers}"
-                    marks = weight(number, workers)
+                    marks = weight(number or place % 2, workers)
                     yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 

@@ -8,6 +8,7 @@ import typer
 from allworlds.cli import helping
 from allworlds.cli.app import command_line
 from allworlds.verbs import VERBS
+from small import long
 
 NAMES = [verb.name for verb in VERBS]
 
@@ -26,7 +27,7 @@ def help_of(words, columns, monkeypatch, capsys):
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("columns", [50, 79, 80, 120])
+@pytest.mark.parametrize("columns", [50, 80, *map(long, (79, 120))])
 @pytest.mark.parametrize("name", ["", "ambiguity", *NAMES])
 def test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch, capsys):
     command, told = help_of(name.split(), columns, monkeypatch, capsys)
