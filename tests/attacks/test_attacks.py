@@ -116,17 +116,31 @@ def judged(verdict, code, out, said):
     return report
 
 
-def weight(number, workers):
-    """The marks of an attack outside the quick run: its number in its file, and the workers."""
-    return LONG if number or workers == 2 else pytest.mark.slow
+def weight(later, workers):
+    """The marks of an attack outside the quick run: whether it is a later one, and the workers."""
+    return LONG if later or workers == 2 else pytest.mark.slow
+
+
+def is_for_compiled_code(attack):
+    """Whether it is on who plays, or on what is played twice, and the kernel can judge it."""
+    kinds = ("state", "reaching", "dying", "libraries")
+    # What is left to the Python engine, what names its engine, and what looks for worlds alone.
+    others = {"all", "--memory", "--engine", "--where"}
+    alone = others & {*attack.options} or attack.name == "reaching/trusted_to_be_honest"
+    return attack.file.parent.name in kinds and not attack.signal and not alone
 
 
 def tried():
-    """Each attack with 1 and with 2 workers; some in the quick run."""
-    for attack in attacks():
+    """Each attack with 1 and with 2 workers; some in the quick run.
+
+    Where both engines can judge, every other file is left to the long run here, and the others in
+    :func:`tried_in_compiled_code`.
+    """
+    for place, attack in enumerate(attacks()):
+        elsewhere = is_for_compiled_code(attack) and place % 2 == 0
         for number, function in enumerate(attack.verdicts):
             for workers in (1, 2):
-                marks = () if attack.quick == workers else weight(number, workers)
+                marks = () if attack.quick == workers else weight(number or elsewhere, workers)
                 name = f"{attack.name}-{function or 'exec'}-{workers}"
                 yield pytest.param(attack, function, workers, marks=marks, id=name)
 
@@ -150,17 +164,12 @@ def test_an_attack_gets_its_verdict_and_leaves_nothing_behind(attack, function, 
 
 
 def tried_in_compiled_code():
-    """Each attack on who plays, or on what is played twice, wherever the kernel can judge.
+    """Each attack wherever the kernel can judge.
 
     Libraries alone are tried with two workers, too: only with them does compiled code also play.
-    The Python engine has each; of every other file all is left to the long run here.
     """
-    kinds = ("state", "reaching", "dying", "libraries")
-    # What is left to the Python engine, what names its engine, and what looks for worlds alone.
-    others = {"all", "--memory", "--engine", "--where"}
     for place, attack in enumerate(attacks()):
-        alone = others & {*attack.options} or attack.name == "reaching/trusted_to_be_honest"
-        if attack.file.parent.name in kinds and not attack.signal and not alone:
+        if is_for_compiled_code(attack):
             for number, function in enumerate(attack.verdicts):
                 for workers in (1, 2) if attack.file.parent.name == "libraries" else (1,):
                     name = f"{attack.name}-{function or 'exec'}-{workers}"
