@@ -12,7 +12,7 @@ NEEDED = {
         "_allworlds_pytest.py",
         "allworlds/explorers/skeletons/languages.py",
         "allworlds/explorers/shared_library/allworlds.h",
-        "allworlds/reports/html/style.css",
+        "allworlds/reports/web/style.css",
         "allworlds/schemas/check.schema.json",
         "allworlds/corpus/manifest.json",
     ),

@@ -24,7 +24,7 @@ from allworlds.explorers.shared_library.library import INTERFACE_VERSION
 from allworlds.judging import PRECEDENCE, Rules, endings
 from allworlds.maps import Extent, MapClass
 from allworlds.maps.counting.any_genus import rooted_maps
-from allworlds.reports.html import frame
+from allworlds.reports.web import frame
 from allworlds.studies.check import time_estimate
 
 ROOT = Path(__file__).parents[2]

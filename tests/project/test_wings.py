@@ -65,7 +65,7 @@ HOMES = {
         *("document", "outcome", "maps", "protocol", "world", "explorers", "judging", "engines"),
         *("reports", "studies", "evidence"),
     ],
-    "matplotlib": ["reports.growth_plot", "evidence.figures"],
+    "matplotlib": ["reports.formats.plot", "evidence.figures"],
     "networkx": [
         "maps.postman",
         "maps.networks",
@@ -75,7 +75,7 @@ HOMES = {
     ],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
-    "pyarrow": ["reports.csv_rows"],
+    "pyarrow": ["reports.formats.csv"],
     "pysat": ["studies.ambiguity.smt"],
     "rich": ["cli", "reports"],
     "sympy": ["evidence.claims.complexity"],

@@ -4,14 +4,16 @@ import ast
 import csv
 import io
 import re
+import sys
 from pathlib import Path
 
 import pytest
 
 from allworlds import reports
 from allworlds.document import replace
-from allworlds.reports import FORMATS, CsvRows, file_of, formats_of
-from allworlds.reports.csv_rows import csv_rows
+from allworlds.reports import FORMATS, CsvRows, file_of, formats, formats_of
+from allworlds.reports.format_table import all_formats
+from allworlds.reports.formats.csv import csv_rows
 from allworlds.reports.plain_text import brief, text
 from allworlds.reports.telling import Headline, Section, Shown, ToldFacts, ToldResult, ToldTable
 from allworlds.studies.count import count
@@ -23,8 +25,9 @@ pytestmark = pytest.mark.usefixtures("without_workers")
 
 HOME = Path(reports.__file__).parent
 FORMS = [
-    *(HOME / f"{name}.py" for name in ("telling", "plain_text", "markdown", "csv_rows", "junit")),
-    *sorted((HOME / "html").glob("*.py")),
+    *(HOME / f"{name}.py" for name in ("telling", "plain_text")),
+    *(HOME / "formats" / f"{name}.py" for name in ("markdown", "csv", "html", "junit")),
+    *sorted((HOME / "web").glob("*.py")),
 ]
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
 SLOW = {"self bench", "self mutants", "paper claims", "ambiguity search"}
@@ -111,13 +114,18 @@ def test_a_form_knows_no_verb_and_no_verbs_result(form):
     assert said.isdisjoint(BY_NAME)
     imported = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
     for node in imported:
-        assert not node.module.startswith(("allworlds.reports.tellings", "allworlds.verbs"))
         names = {alias.name for alias in node.names}
+        assert not node.module.startswith("allworlds.reports.tellings")
+        assert node.module != "allworlds.verbs" or names == {"CASES"}  # what it shows
         assert not node.module.startswith("allworlds.studies") or names == {"Hypothesis"}
 
 
 def test_that_no_form_knows_a_verb_can_fail(tmp_path):
-    for source in ('x = "check"\n', "from allworlds.studies.check import CheckReport\n"):
+    for source in (
+        'x = "check"\n',
+        "from allworlds.studies.check import CheckReport\n",
+        "from allworlds.verbs import BY_NAME\n",
+    ):
         form = tmp_path / "form.py"
         form.write_text(source)
         with pytest.raises(AssertionError):
@@ -151,6 +159,23 @@ def test_rows_are_numbers_and_words_and_a_missing_one_is_an_empty_cell():
     assert csv_rows(told) == "name,costs,much\na|b,1000,2.5\n=1,,3.0\n"
     assert rows.records[1] == {"name": "=1", "costs": None, "much": 3.0}
     assert csv_rows(telling(None, CELLS)) == ""
+
+
+NEW_FORMAT = '''"""A telling in one loud line."""
+
+from allworlds.reports.file_format import Format
+
+FORMAT = Format(lambda telling: telling.subject.upper(), "Also shout.")
+'''
+
+
+def test_a_new_format_is_one_file(tmp_path, monkeypatch):
+    (tmp_path / "shout.py").write_text(NEW_FORMAT, encoding="utf-8")
+    monkeypatch.setattr(formats, "__path__", [*formats.__path__, str(tmp_path)])
+    found = all_formats()
+    del sys.modules[f"{formats.__name__}.shout"]
+    assert found.keys() - FORMATS.keys() == {"shout"}
+    assert found["shout"].of_telling(telling(None, CELLS)).isupper()
 
 
 def test_quiet_leaves_a_verdict_one_line_and_else_all():

@@ -5,7 +5,6 @@ from typing import Annotated
 import pytest
 
 from allworlds.document import Document, Natural, Report, about
-from allworlds.lazy import loaded
 from allworlds.outcome import Verdict
 from allworlds.reports import FORMATS
 from allworlds.reports.plain_text import brief, text
@@ -54,6 +53,6 @@ def test_a_verdict_stands_first_and_alone_if_asked_for():
 
 @pytest.mark.parametrize("form", [name for name, form in FORMATS.items() if form.shows == ROWS])
 def test_every_form_of_rows_shows_it(form):
-    made = loaded(FORMATS[form].home)(plain_telling(Leaves(kind="maps", rows=ROWS_OF_TWO)))
+    made = FORMATS[form].of_telling(plain_telling(Leaves(kind="maps", rows=ROWS_OF_TWO)))
     assert "leaves" in made
     assert "200" in made

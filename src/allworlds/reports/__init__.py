@@ -4,14 +4,14 @@
     what a result says, once, in parts that every form of a report can show;
 ``tellings``
     a module for each verb, which makes the telling of its result;
-``plain_text``, ``markdown``, ``html``, ``csv_rows``, ``junit``
-    forms of a report, which show any telling and know no verb;
+``plain_text``, ``web``
+    a telling as a text, and the parts of a web page; they know no verb;
+``formats``, ``format_table``, ``file_format``
+    the files that results can be written to, a module for each; their table; what a format is;
 ``rows``, ``world_rows``
     rows for programs, and those of costs in single worlds and runs;
-``sarif``, ``annotations``, ``growth_plot``
-    forms for the findings of a check, and for costs in worlds that grow;
 ``rendering``
-    **the** table of the files that results can be written to;
+    the telling of a result by its verb, and its texts;
 ``drawing``, ``scenes``, ``tours``, ``cost_curve``
     pictures of maps, of walks and of costs, and walks to show worlds by;
 ``text_layout``, ``markup``, ``project``
@@ -42,18 +42,20 @@ if TYPE_CHECKING:
         UnitEvent as UnitEvent,
         VerdictEvent as VerdictEvent,
     )
-    from allworlds.reports.markup import tag as tag
-    from allworlds.reports.play.page import game as game
-    from allworlds.reports.rendering import (
+    from allworlds.reports.format_table import (
         FORMATS as FORMATS,
         PARQUET as PARQUET,
-        brief as brief,
         ensure_drawable as ensure_drawable,
         ensure_parquet as ensure_parquet,
         file_of as file_of,
-        finding_in_words as finding_in_words,
         formats_of as formats_of,
         parquet_of as parquet_of,
+    )
+    from allworlds.reports.markup import tag as tag
+    from allworlds.reports.play.page import game as game
+    from allworlds.reports.rendering import (
+        brief as brief,
+        finding_in_words as finding_in_words,
         text as text,
     )
     from allworlds.reports.rows import CsvRows as CsvRows, Value as Value

@@ -10,14 +10,14 @@ from xml.etree import ElementTree as ET
 from allworlds.document import Report
 from allworlds.judging import Finding
 from allworlds.protocol import Transcript
-from allworlds.reports import csv_rows
-from allworlds.reports.html.frame import Page, framed
-from allworlds.reports.html.html_page import html
-from allworlds.reports.html.sections import element
+from allworlds.reports.formats.csv import rows_of
+from allworlds.reports.formats.html import html
 from allworlds.reports.markup import tag
 from allworlds.reports.rendering import finding_in_words, text, told, verb_of
 from allworlds.reports.tellings.finding import finding_section, headline_of
 from allworlds.reports.text_layout import table
+from allworlds.reports.web.frame import Page, framed
+from allworlds.reports.web.sections import element
 
 WIDTH = 100
 """Columns of a printed report."""
@@ -39,7 +39,7 @@ def text_of(value: Report | Finding | Transcript) -> str:
 
 def records(report: Report) -> list[dict[str, Any]]:
     """The rows of ``--csv``, by the names of their columns."""
-    return csv_rows.rows_of(told(verb_of(type(report)), report)).records
+    return rows_of(told(verb_of(type(report)), report)).records
 
 
 def shown(value: Report | Finding | Transcript) -> str:

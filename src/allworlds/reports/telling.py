@@ -1,7 +1,7 @@
 """Tellings: the content of a result in parts that every form of a report can show.
 
-A module of ``tellings`` makes the telling of a verb's result.  A form of report (``text``,
-``markdown``, ``html``, ``csv_rows``, ``junit``) shows any telling, and knows the parts below alone.
+A module of ``tellings`` makes the telling of a verb's result.  ``plain_text`` and the ``formats``
+show any telling, and know the parts below alone; those of findings and costs read the result, too.
 """
 
 from __future__ import annotations

@@ -8,11 +8,6 @@ from xml.etree import ElementTree as ET
 from allworlds.document import replace
 from allworlds.reports.cost_curve import cost_picture
 from allworlds.reports.drawing.layout import layout
-from allworlds.reports.html.beside import drawn_beside
-from allworlds.reports.html.known import let_grow
-from allworlds.reports.html.plot import plot
-from allworlds.reports.html.viewer import figure, viewer
-from allworlds.reports.html.walk import LONGEST, steps_of
 from allworlds.reports.markup import record, tag
 from allworlds.reports.telling import (
     Block,
@@ -28,6 +23,11 @@ from allworlds.reports.telling import (
     View,
     Words,
 )
+from allworlds.reports.web.beside import drawn_beside
+from allworlds.reports.web.cost_plot import plot
+from allworlds.reports.web.known import let_grow
+from allworlds.reports.web.viewer import figure, viewer
+from allworlds.reports.web.walk import LONGEST, steps_of
 from allworlds.words import number, plural
 
 ROOM = 700_000

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from allworlds.reports.file_format import Format
 from allworlds.reports.plain_text import text_of
 from allworlds.reports.telling import (
     Section,
@@ -68,3 +69,6 @@ def _plain(text: str) -> str:
     one = escaped(re.sub(r"[\t\n\r]+", " ", text))
     one = one.replace("&", "&amp;").replace("<", "&lt;")
     return re.sub(r"([\\`*_|\[\]#~])", r"\\\1", one)
+
+
+FORMAT = Format(markdown, "Also write the report as Markdown.", summary="GITHUB_STEP_SUMMARY")

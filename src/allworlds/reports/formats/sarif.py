@@ -5,20 +5,23 @@ from __future__ import annotations
 import json
 import os
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 from allworlds.explorers import SourceLine, place_of_explorer
 from allworlds.judging import ASKED, Finding, file_name as name_of_finding, true_trail
 from allworlds.outcome import Verdict
 from allworlds.protocol import Move
+from allworlds.reports.file_format import Format
 from allworlds.reports.project import project_folder
 from allworlds.reports.rendering import finding_in_words
 from allworlds.reports.telling import ToldResult
-from allworlds.reports.tellings.finding import headline_of
-from allworlds.studies.check import CheckReport
+from allworlds.verbs import FINDINGS
 from allworlds.version import __version__
 from allworlds.words import harmless_json
+
+if TYPE_CHECKING:
+    from allworlds.studies.check import CheckReport
 
 SCHEMA = (
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
@@ -42,6 +45,8 @@ def sarif(telling: ToldResult) -> str:
     that is no good news is a notification.  ``properties`` hold the report without its findings,
     those of a result the document of its finding.
     """
+    from allworlds.studies.check import CheckReport
+
     report, head = telling.result, telling.headline
     assert isinstance(report, CheckReport)
     assert head is not None
@@ -88,6 +93,8 @@ def _invocation(report: CheckReport, verdict: str) -> dict[str, Any]:
 
 
 def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str, Any]:
+    from allworlds.reports.tellings.finding import headline_of
+
     text = finding_in_words(finding, WIDTH, number)
     graph, traversal = _walk(finding)
     return {
@@ -149,3 +156,8 @@ def _artifact(place: SourceLine) -> dict[str, Any]:
     if Path(name).is_absolute():
         return {"uri": place.file.as_uri()}
     return {"uri": quote(os.fsencode(name)), "uriBaseId": "SRCROOT"}
+
+
+FORMAT = Format(
+    sarif, "Also write the report as SARIF 2.1.0, for code scanning and editors.", FINDINGS
+)

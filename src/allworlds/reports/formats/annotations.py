@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from allworlds.explorers import place_of_explorer
 from allworlds.outcome import Verdict
+from allworlds.reports.file_format import Format
 from allworlds.reports.project import project_folder
 from allworlds.reports.rendering import finding_in_words
 from allworlds.reports.telling import ToldResult
-from allworlds.reports.tellings.finding import headline_of
-from allworlds.studies.check import CheckReport
+from allworlds.verbs import FINDINGS
 
 WIDTH = 80
 
@@ -25,6 +25,9 @@ KINDS = {
 
 def runner_commands(telling: ToldResult) -> str:
     """Commands, one for each finding at the explorer's file and line; else for the verdict."""
+    from allworlds.reports.tellings.finding import headline_of
+    from allworlds.studies.check import CheckReport
+
     report, head = telling.result, telling.headline
     assert isinstance(report, CheckReport)
     assert head is not None
@@ -50,3 +53,11 @@ def _command(kind: str, properties: dict[str, str], message: str) -> str:
 def _escaped(text: str, more: str = "") -> str:
     """The text with per cent signs, line ends and further characters written as their numbers."""
     return "".join(f"%{ord(sign):02X}" if sign in "%\r\n" + more else sign for sign in text)
+
+
+FORMAT = Format(
+    runner_commands,
+    "Also write the findings as commands of GitHub's runners; there, stderr gets them anyway.",
+    FINDINGS,
+    told_to="GITHUB_ACTIONS",
+)

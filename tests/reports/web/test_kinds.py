@@ -9,11 +9,11 @@ from allworlds import Estimate, Move, explain, replay, run, search, twins, worst
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.maps import named_map
 from allworlds.reports import file_of
-from allworlds.reports.html import frame
-from allworlds.reports.html.plot import plot
-from allworlds.reports.html.walk import LONGEST
 from allworlds.reports.telling import SizeCost
 from allworlds.reports.tellings.lookalikes import letters
+from allworlds.reports.web import frame
+from allworlds.reports.web.cost_plot import plot
+from allworlds.reports.web.walk import LONGEST
 from allworlds.studies.ambiguity import class_of, projection_of
 from allworlds.studies.check import check, most_expensive_runs
 from allworlds.studies.compare import compare
@@ -199,7 +199,7 @@ def test_an_explorer_that_no_name_leads_to_has_a_page_without_most_expensive_run
 
 def test_walks_for_which_there_is_no_room_are_left_out(monkeypatch):
     report = check(edges=3)
-    monkeypatch.setattr("allworlds.reports.html.sections.ROOM", 40_000)
+    monkeypatch.setattr("allworlds.reports.web.sections.ROOM", 40_000)
     root = read(file_of("check", "html", report))
     shown = [*root.all("details", class_="run")]
     assert 0 < len(shown) < 9

@@ -95,7 +95,7 @@ _REFUSED = "base-uri 'none'; form-action 'none'"
 
 
 def _own(name: str) -> str:
-    return (files("allworlds.reports.html") / name).read_text(encoding="utf-8")
+    return (files("allworlds.reports.web") / name).read_text(encoding="utf-8")
 
 
 def _hash(text: str) -> str:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from allworlds.reports.html.frame import Page, framed
-from allworlds.reports.html.sections import element
+from allworlds.reports.file_format import Format
 from allworlds.reports.telling import ToldResult
 
 
 def html(telling: ToldResult) -> str:
     """An HTML document that refers to no other file."""
+    from allworlds.reports.web.frame import Page, framed
+    from allworlds.reports.web.sections import element
+
     said = telling.headline
     document = telling.result.to_json()
     return framed(
@@ -20,3 +22,6 @@ def html(telling: ToldResult) -> str:
             {key: value for key, value in document.items() if key not in telling.apart},
         )
     )
+
+
+FORMAT = Format(html, "Also write a web page: one file, which needs no network.")

@@ -7,8 +7,10 @@ import re
 from collections.abc import Mapping
 from xml.etree import ElementTree as ET
 
+from allworlds.reports.file_format import Format
 from allworlds.reports.plain_text import text_of
 from allworlds.reports.telling import ToldResult
+from allworlds.verbs import CASES
 from allworlds.words import escaped
 
 WIDTH = 100
@@ -49,3 +51,6 @@ def _add_properties(suite: ET.Element, told: Mapping[str, object]) -> None:
 def _legal(text: str) -> str:
     """The text with control characters as numbers, and without others that XML does not allow."""
     return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", escaped(text))
+
+
+FORMAT = Format(junit, "Also write the report as JUnit XML.", CASES)

@@ -8,10 +8,14 @@ from __future__ import annotations
 
 import io
 from math import ceil
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from allworlds.reports.file_format import Format
 from allworlds.reports.telling import ToldResult
-from allworlds.studies.compare import Growth
+from allworlds.verbs import GROWTH
+
+if TYPE_CHECKING:
+    from allworlds.studies.compare import Growth
 
 COLUMNS, SIDE = 3, 3.4
 """Panels side by side, and the side of one in inches."""
@@ -21,6 +25,8 @@ def growth_plot(telling: ToldResult) -> str:
     """An SVG document, equal for equal reports."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
+
+    from allworlds.studies.compare import Growth
 
     report = telling.result
     assert isinstance(report, Growth)
@@ -56,3 +62,10 @@ def _draw(report: Growth, family: str, panel: Any) -> None:
                 panel.plot(*zip(*exact, strict=True), label=f"{name}, exact", **square)
     panel.set(title=family, xlabel="edges", ylabel="traversals", xscale="log", yscale="log")
     panel.legend(fontsize="x-small")
+
+
+FORMAT = Format(
+    growth_plot,
+    "With --to: also draw the costs, as SVG; needs the extra 'figures'.",
+    GROWTH,
+)

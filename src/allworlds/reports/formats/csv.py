@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 
+from allworlds.reports.file_format import Format
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.telling import ToldResult, ToldWalk
 
@@ -39,3 +40,9 @@ def rows_of(telling: ToldResult) -> CsvRows:
     blocks = (block for section in telling.sections for block in section.blocks)
     walk = next((block for block in blocks if isinstance(block, ToldWalk)), None)
     return rows_of_walk(walk) if walk else CsvRows({}, [])
+
+
+FORMAT = Format(
+    csv_rows,
+    "Also write the rows as CSV; as Parquet, if FILE ends in .parquet (extra: notebook).",
+)

@@ -1,0 +1,93 @@
+"""**The** table of the files that results can be written to, found in the folder ``formats``."""
+
+from __future__ import annotations
+
+import re
+from importlib import import_module
+from pkgutil import iter_modules
+from typing import Any
+
+from allworlds.inputs import ensure_installed
+from allworlds.reports import formats
+from allworlds.reports.file_format import Format
+from allworlds.reports.rendering import told
+from allworlds.verbs import BY_NAME, CASES, FINDINGS, GROWTH, ROWS
+from allworlds.words import escaped, harmless
+
+_SHOWN = (ROWS, CASES, FINDINGS, GROWTH)
+"""What a format can show, from what most verbs have to what one has: the order of the options."""
+
+
+def all_formats() -> dict[str, Format]:
+    """Return the format of every module of the folder, in the order of the options."""
+    names = sorted(module.name for module in iter_modules(formats.__path__))
+    found = {name: import_module(f"{formats.__name__}.{name}").FORMAT for name in names}
+    return dict(sorted(found.items(), key=lambda told: _SHOWN.index(told[1].shows)))
+
+
+FORMATS: dict[str, Format] = all_formats()
+"""Every format by the name of its option."""
+
+
+def formats_of(verb: str) -> dict[str, Format]:
+    """The formats in which a verb's results can be written."""
+    has = BY_NAME[verb].has
+    return {name: form for name, form in FORMATS.items() if form.shows in has}
+
+
+def file_of(verb: str, form: str, result: Any) -> str:
+    """The content of a file of that format."""
+    format_ = FORMATS[form]
+    text = format_.of_telling(told(verb, result))
+    return _fit_for_a_file(text, is_for_a_runner=bool(format_.told_to))
+
+
+PARQUET = ".parquet"
+"""The end of the name of a file of rows that is no text."""
+
+
+def parquet_of(verb: str, result: Any) -> bytes:
+    """The content of a file of Parquet with the rows of a result."""
+    from allworlds.reports.formats.csv import parquet_rows
+
+    return parquet_rows(told(verb, result))
+
+
+def ensure_parquet() -> None:
+    """Refuse to go on unless files of Parquet can be written.
+
+    Raises:
+        InputError: if what writes them is not installed.
+    """
+    ensure_installed("pyarrow", "notebook", f"a file of rows that ends in {PARQUET}")
+
+
+def ensure_drawable() -> None:
+    """Refuse to go on unless curves can be drawn.
+
+    Raises:
+        InputError: if what draws them is not installed.
+    """
+    ensure_installed("matplotlib", "figures", "plot")
+
+
+def _fit_for_a_file(text: str, *, is_for_a_runner: bool) -> str:
+    """The text as a text file can hold it; its lines are commands only if they are to be.
+
+    UTF-8 has no halves of pairs: the name of a file that is no UTF-8 holds some, and what an
+    explorer says may hold any.
+    """
+    whole = re.sub("[\ud800-\udfff]", "\N{REPLACEMENT CHARACTER}", text)
+    whole = whole.replace("\r", r"\x0d")
+    return escaped(whole) if is_for_a_runner else harmless(whole)
+
+
+__all__ = [
+    "FORMATS",
+    "PARQUET",
+    "ensure_drawable",
+    "ensure_parquet",
+    "file_of",
+    "formats_of",
+    "parquet_of",
+]
