@@ -1,9 +1,12 @@
 """Silences that end a job with a finding: after other runs only, or too many."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from allworlds.engines import GivenWorlds, Scope
-from allworlds.engines.isolation.jobs import Unsettled
+from allworlds.engines.isolation.jobs import PlayerSetup, Unsettled
+from allworlds.engines.isolation.one_player import receive
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.second_play import PlayedTwice
@@ -45,6 +48,26 @@ def parts(players):
     except Unsettled as error:
         return handed_over, str(error)
     return handed_over, ""
+
+
+class Talking:
+    """A player whose next message is always there."""
+
+    def __init__(self):
+        self.connection = SimpleNamespace(poll=lambda _: True)
+
+    def silent_for(self):
+        return 0.0
+
+    def receive(self):
+        return "a log"
+
+
+def test_a_run_with_many_schedules_is_no_silence_of_the_referee():
+    beats = []
+    setup = PlayerSetup("right", None, 60.0, None)
+    assert [receive(Talking(), setup, lambda: beats.append(1)) for _ in range(3)] == ["a log"] * 3
+    assert len(beats) == 3
 
 
 def test_a_silence_after_others_ends_the_job_and_its_finding_is_handed_over():

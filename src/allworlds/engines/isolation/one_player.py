@@ -99,7 +99,7 @@ def receive(
 ) -> object:
     """A player's next message.
 
-    ``alive`` is called while there is none.
+    ``alive`` is called for it, and while there is none.
 
     Raises:
         PlayerLost: if it is silent for too long, or has died.
@@ -107,6 +107,7 @@ def receive(
     patience = setup.answer_timeout + (GRACE if is_program(setup.name) else 0.0)
     stops = Stops()
     while True:
+        alive()
         ready = process.connection.poll(POLL)
         # A message sent before the silence is still read; but a player may send choices for ever.
         tardy = process.silent_for() > patience + (GRACE if ready else 0.0)
@@ -119,7 +120,6 @@ def receive(
             break
         if process.has_ended():
             raise _died(process)
-        alive()
     try:
         return process.receive()
     except Garbled as error:
