@@ -64,7 +64,7 @@ def test_a_narrow_help_is_plain_text(monkeypatch, capsys):
 def test_a_default_is_told_wherever_leaving_out_an_option_means_a_value(monkeypatch, capsys):
     for name, words in [
         ("check", "unless --vertices is given: 5"),
-        ("check", "8 x (1)+(2) + 100"),
+        ("check", "8 times the bound 'paper', plus 100"),
         ("worst", "5 of algorithm1, 3 of others"),
     ]:
         _, told = help_of([name], 79, monkeypatch, capsys)

@@ -153,7 +153,7 @@ def test_what_conforms_no_longer_is_told_with_the_part():
 
 def test_a_drawn_finding_is_shrunk_to_the_smallest_of_all():
     part = conformance(wrong(), drawn=5, drawn_edges=7)[-1]
-    with pytest.raises(AssertionError, match="'pose' in a world with 2 edges, 1 vertex"):
+    with pytest.raises(AssertionError, match="'pose' in a world with 2 edges and 1 vertex"):
         part()
 
 

@@ -36,7 +36,7 @@ def test_a_skeleton_builds_and_is_refuted_in_a_picture(lang, shell, tmp_path):
     command = next(line for line in made.stdout.splitlines() if line.startswith("  cd mine && "))
     checked = shell(command)
     assert checked.returncode == 1, checked.stdout + checked.stderr
-    assert "breaks the law 'map' in a world with 1 edge, 1 vertex" in checked.stdout
+    assert "breaks the law 'map' in a world with 1 edge and 1 vertex" in checked.stdout
     assert " ╭─╮\n(0 1)\n" in checked.stdout
     if lang == "c":
         assert "warning" not in checked.stderr

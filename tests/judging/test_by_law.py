@@ -1,6 +1,7 @@
 """The explanation that each law gives of a run that breaks it."""
 
 import re
+from pathlib import Path
 
 import pytest
 
@@ -8,10 +9,13 @@ from allworlds.document import replace
 from allworlds.inputs import InputError
 from allworlds.judging import PRECEDENCE, Finding, Rules, explain, tell_whose_bound
 from allworlds.judging.explanations.by_law import TELLERS
+from allworlds.judging.laws.bounds import BOUNDS
 from allworlds.protocol import Estimate
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from small import EDGE, LASSO, PATH
+
+VERDICTS = Path(__file__).parents[2] / "docs" / "verdicts.md"
 
 # ---------------------------------------------------------------- the run ended too early
 
@@ -239,6 +243,14 @@ def test_the_bound_with_the_tests_is_told_with_both_parts(finding_of):
     told = tell_whose_bound(replace(finding, under=rules, expected=20))
     assert "two traversals for each test" in " ".join(told)
     assert "with those 20." in " ".join(told)
+
+
+@pytest.mark.parametrize("name", sorted(BOUNDS.keys() - {"none"}))
+def test_every_bound_with_a_name_is_told_and_explained(name, finding_of):
+    assert f"`--bound {name}`" in VERDICTS.read_text(encoding="utf-8")
+    finding = replace(finding_of("walks-too-much"), world=World(PATH, Directional(0)))
+    told = tell_whose_bound(replace(finding, under=Rules(bound=name), expected=20))
+    assert f"The bound '{name}' is what the paper proves" in " ".join(told)
 
 
 def test_a_way_back_takes_back_every_move_out(answering):

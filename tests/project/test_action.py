@@ -20,7 +20,7 @@ from project.runner import OURS, ROOT, job_in, read
 from small import long
 
 SCHEMAS = files("check_jsonschema") / "builtin_schemas" / "vendor"
-STAR = "breaks the law 'map' in a world with 1 edge, 1 vertex"
+STAR = "breaks the law 'map' in a world with 1 edge and 1 vertex"
 
 
 def validator(name):

@@ -92,6 +92,16 @@ def test_whatever_an_explorer_breaks_is_written_as_the_schema_says(explorer, law
     assert result["ruleId"] == law
 
 
+def test_no_text_of_an_explorer_leaves_its_fence():
+    def explore(_):
+        raise ValueError("\n```\n# big\n")
+        yield
+
+    (result,) = run_of(check(explore, edges=1))["results"]
+    fence, *_, last = result["message"]["markdown"].partition("\n\n")[2].splitlines()
+    assert (fence, last) == ("````text", "````")
+
+
 @pytest.mark.parametrize(
     ("ending", "level", "successful"),
     [

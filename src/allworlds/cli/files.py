@@ -13,7 +13,7 @@ from allworlds.cli.output import complain
 from allworlds.cli.service import tell_service
 from allworlds.inputs import OUTPUT, InputError, Option, a_path, show
 from allworlds.outcome import Result
-from allworlds.reports import FORMATS, PARQUET, ensure_parquet, file_of, formats_of, parquet_of
+from allworlds.reports import FORMATS, content_of, ensure_possible, formats_of
 
 
 class Files:
@@ -27,8 +27,7 @@ class Files:
 
     def __post_init__(self) -> None:
         for form, path in self.named().items():
-            if _is_parquet(form, path):
-                ensure_parquet()
+            ensure_possible(form, path)
             ensure_writable(path)
 
     def expect(self, request: object) -> None:
@@ -44,10 +43,7 @@ class Files:
     def write(self, verb: str, result: Result) -> None:
         """Write the result into each file that was named, and where a CI service looks for it."""
         for form, path in self.named().items():
-            if _is_parquet(form, path):
-                write_file(path, parquet_of(verb, result))
-            else:
-                write_text(path, file_of(verb, form, result))
+            write_file(path, content_of(verb, form, result, path))
         tell_service(verb, result)
 
     def named(self) -> dict[str, str]:
@@ -65,10 +61,6 @@ def files_of(verb: str) -> type[Files]:
 
 def _option(form: str) -> object:
     return Annotated[str | None, Option(OUTPUT, "FILE", FORMATS[form].help)]
-
-
-def _is_parquet(form: str, path: str) -> bool:
-    return form == "csv" and path.endswith(PARQUET)
 
 
 def write_text(path: str, text: str) -> None:

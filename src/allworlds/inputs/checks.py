@@ -173,8 +173,8 @@ def lack_of(package: str, extra: str) -> str:
     return "" if find_spec(package) else f"needs {package}: {INSTALL.format(extra)}"
 
 
-def parse_json(text: str, kind: type[InputError] = InputError) -> Any:
-    """The value of a JSON text.
+def parse_json(text: str, kind: type[InputError] = InputError, file: str = "") -> Any:
+    """The value of a JSON text, which was read from a file perhaps.
 
     Raises:
         InputError: of the kind that was asked for, if it is none, or if an object has a key
@@ -194,7 +194,8 @@ def parse_json(text: str, kind: type[InputError] = InputError) -> Any:
     except InputError:
         raise
     except (ValueError, RecursionError) as error:
-        raise kind(f"not JSON: {show(str(error))[1:-1]}") from None
+        of = f"file {show(file)} is " if file else ""
+        raise kind(f"{of}not JSON: {show(str(error))[1:-1]}") from None
 
 
 def read_text(path: str) -> str:

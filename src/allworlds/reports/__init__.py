@@ -44,12 +44,10 @@ if TYPE_CHECKING:
     )
     from allworlds.reports.format_table import (
         FORMATS as FORMATS,
-        PARQUET as PARQUET,
-        ensure_drawable as ensure_drawable,
-        ensure_parquet as ensure_parquet,
+        content_of as content_of,
+        ensure_possible as ensure_possible,
         file_of as file_of,
         formats_of as formats_of,
-        parquet_of as parquet_of,
     )
     from allworlds.reports.markup import tag as tag
     from allworlds.reports.play.page import game as game

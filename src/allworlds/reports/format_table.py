@@ -15,7 +15,7 @@ from allworlds.verbs import BY_NAME, CASES, FINDINGS, GROWTH, ROWS
 from allworlds.words import escaped, harmless
 
 _SHOWN = (ROWS, CASES, FINDINGS, GROWTH)
-"""What a format can show, from what most verbs have to what one has: the order of the options."""
+"""The order of the options: first those for what most verbs have."""
 
 
 def all_formats() -> dict[str, Format]:
@@ -36,43 +36,37 @@ def formats_of(verb: str) -> dict[str, Format]:
 
 
 def file_of(verb: str, form: str, result: Any) -> str:
-    """The content of a file of that format."""
+    """The text of a file of that format."""
     format_ = FORMATS[form]
     text = format_.of_telling(told(verb, result))
     return _fit_for_a_file(text, is_for_a_runner=bool(format_.told_to))
 
 
-PARQUET = ".parquet"
-"""The end of the name of a file of rows that is no text."""
+def content_of(verb: str, form: str, result: Any, name: str) -> bytes:
+    """The content of a file of that format and name."""
+    if binary := FORMATS[form].binary_for(name):
+        return binary.of_telling(told(verb, result))
+    return file_of(verb, form, result).encode()
 
 
-def parquet_of(verb: str, result: Any) -> bytes:
-    """The content of a file of Parquet with the rows of a result."""
-    from allworlds.reports.formats.csv import parquet_rows
-
-    return parquet_rows(told(verb, result))
-
-
-def ensure_parquet() -> None:
-    """Refuse to go on unless files of Parquet can be written.
+def ensure_possible(form: str, name: str) -> None:
+    """Refuse to go on unless a file of that format and name can be made.
 
     Raises:
-        InputError: if what writes them is not installed.
+        InputError: if a library is not installed.
     """
-    ensure_installed("pyarrow", "notebook", f"a file of rows that ends in {PARQUET}")
-
-
-def ensure_drawable() -> None:
-    """Refuse to go on unless curves can be drawn.
-
-    Raises:
-        InputError: if what draws them is not installed.
-    """
-    ensure_installed("matplotlib", "figures", "plot")
+    format_ = FORMATS[form]
+    binary = format_.binary_for(name)
+    library = binary.library if binary else format_.library
+    if library:
+        ensure_installed(*library)
 
 
 def _fit_for_a_file(text: str, *, is_for_a_runner: bool) -> str:
-    """The text as a text file can hold it; its lines are commands only if they are to be.
+    """The text as a text file can hold it.
+
+    Lines that look like commands of a CI service are made harmless, unless the format is made of
+    such commands.
 
     UTF-8 has no halves of pairs: the name of a file that is no UTF-8 holds some, and what an
     explorer says may hold any.
@@ -84,10 +78,8 @@ def _fit_for_a_file(text: str, *, is_for_a_runner: bool) -> str:
 
 __all__ = [
     "FORMATS",
-    "PARQUET",
-    "ensure_drawable",
-    "ensure_parquet",
+    "content_of",
+    "ensure_possible",
     "file_of",
     "formats_of",
-    "parquet_of",
 ]

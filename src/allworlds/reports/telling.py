@@ -129,13 +129,13 @@ class View(Struct, frozen=True):
     """A picture in which a walk can be followed.
 
     Attributes:
-        name: a word of letters, which is no other view's of the walk.
+        name: a word of letters; no other view of the walk has it.
         title: what is drawn.
         scene: the picture, as it is at the end.
         trail: where the robot is in it at the start and after each step.
         note: what else is to be known of a picture without motion.
         known: in a picture that grows, when each part comes.
-        still: for forms without motion alone, as motion shows it in another view.
+        still: whether it is for texts alone; a page shows the same by motion in another view.
     """
 
     name: str
@@ -337,7 +337,7 @@ def fact(name: str, text: str) -> ToldFacts:
 
 
 def so_far(report: Any, headline: Headline | None) -> Headline | None:
-    """The headline of a report with rows; of a job that was ended early the end comes first.
+    """The headline of a report with rows; if the job ended early, it begins with the reason.
 
     Args:
         report: says whether it is complete, and has the ending.

@@ -1,7 +1,8 @@
-"""Layout of tables and named paragraphs."""
+"""Layout of tables, named paragraphs and fenced texts."""
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Sequence
 from textwrap import wrap
@@ -101,3 +102,10 @@ def entry(name: str, text: str, width: int) -> list[str]:
     return wrap(
         text, width, initial_indent=first, subsequent_indent=indent, break_on_hyphens=False
     ) or [name]
+
+
+def fenced(text: str) -> str:
+    """The text as a block of Markdown, in a fence that is longer than any in the text."""
+    longest = max((len(run) for run in re.findall("`+", text)), default=0)
+    fence = "`" * max(3, longest + 1)
+    return f"{fence}text\n{text}\n{fence}"

@@ -168,7 +168,7 @@ class AskedWhere(Request):
             SCOPE,
             "WHERE",
             f"Only maps of which that is true: {LEGAL}, or path/to/file.py:predicate, a function "
-            "of a map; of several, given one by one, each is.",
+            "of a map. Of several, each is true: repeat the option.",
             repeated=True,
             told=Annotated[IfAny[Text | None], about("what besides is true of the maps")],
         ),

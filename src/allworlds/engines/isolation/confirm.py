@@ -343,7 +343,7 @@ def _traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
                         steps.append(step)
                         settled = len(choices)
     except InputError:
-        pass  # as in repeat
+        pass  # the explorer may not be importable any more: the run was not repeated
     except PlayerLost as error:
         lost = error
     kept = choices if lost is None else choices[: settled + MOST_CHOICES]

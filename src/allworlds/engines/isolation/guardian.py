@@ -53,8 +53,8 @@ from allworlds.explorers import HASH_SEED
 Role = Callable[[list[int]], None]
 """The main function of a forked process.
 
-It is called with the descriptors that the process was given, but for the first, which becomes its
-stderr and stdout; and behind them, in a role of :data:`OWNERS`, a socket to the guardian."""
+It is called with the descriptors that the process was given, without the first, which is stderr and
+stdout by then.  In a role of :data:`OWNERS` a socket to the guardian follows."""
 
 OWNERS = frozenset({"referee"})
 """The roles that may own processes; no user's code is in them."""
@@ -275,8 +275,8 @@ class _Guardian:
     def _end(self, pids: tuple[int, ...]) -> None:
         family, waiting = list(pids), list(pids)
         while waiting:
-            control = self._control.get(waiting.pop())
-            below = self._owned.get(control, set()) if control else set()
+            to_owner = self._control.get(waiting.pop())
+            below = self._owned.get(to_owner, set()) if to_owner else set()
             family += below
             waiting += below
         for pid in self._known.intersection(family) - self._ended.keys():

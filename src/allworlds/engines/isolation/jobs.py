@@ -33,9 +33,6 @@ class GuardianLost(HarnessError, Unsettled):
     """Raised if the process that starts all others is killed or stopped, or does not start."""
 
 
-# ---------------------------------------------------------------- to a player
-
-
 class PlayerSetup(Struct, frozen=True):
     """A player's first message: the explorer that it loads.
 

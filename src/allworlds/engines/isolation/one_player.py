@@ -99,7 +99,7 @@ def receive(
 ) -> object:
     """A player's next message.
 
-    ``alive`` is called for it, and while there is none.
+    ``alive`` is called at least once, and again while there is none.
 
     Raises:
         PlayerLost: if it is silent for too long, or has died.

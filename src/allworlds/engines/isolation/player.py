@@ -101,7 +101,12 @@ class PlayerProcess:
         run_deeper(lambda: self._load_and_serve(setup, before))
 
     def _load_and_serve(self, setup: PlayerSetup, before: int) -> None:
-        """Serve a process of which so many MB were in use before its layout was drawn."""
+        """Load the explorer, describe it, and do jobs.
+
+        Args:
+            setup: the explorer.
+            before: the MB that were in use before the layout was drawn.
+        """
         # A silent model is given up before it looks like a silent explorer.
         limit_calls(SHARE_OF_MODELS * setup.answer_timeout)
         if setup.output:
@@ -234,7 +239,7 @@ class PlayerProcess:
         """Leave if the explorer has closed this process's pipe; stop its timers."""
         for timer in TIMERS:
             signal.setitimer(timer, 0)
-        os.fstat(self._connection.fileno())
+        os.fstat(self._connection.fileno())  # an OSError ends the process, see its role
         self._look_at = time.monotonic() + LOOK
 
 

@@ -60,8 +60,9 @@ class PlayerPair(Struct):
         alive: called while a player is waited for.
         remark: takes the text of an event that refutes nothing.
         tour: the places of both.
-        in_stretches: whether compiled code plays a shared library.  Only the guardian has loaded
-            compiled code, and in the end one more process.
+        in_stretches: whether compiled code judges, so that runs are played in shared memory, those
+            of a library in compiled code, too.  Only the guardian has loaded compiled code, and in
+            the end one more process.
     """
 
     guardian: Guardian
@@ -89,7 +90,7 @@ class PlayerPair(Struct):
     @property
     def in_trees(self) -> bool:
         """Whether both players can walk trees, which compiled code does for a library."""
-        return self._copies and (self._at_home or not is_library(self.setup.name))
+        return self._copies and (self.tour.is_home or not is_library(self.setup.name))
 
     def close(self) -> None:
         """End both processes."""
@@ -299,11 +300,6 @@ class PlayerPair(Struct):
             process, description = self._start(*self._place(which))
             self._processes[which], self._copies = process, description.copies
         return self._processes[which]
-
-    @property
-    def _at_home(self) -> bool:
-        """Whether both players come from processes with compiled code."""
-        return self.tour.is_home
 
     def _place(self, which: str) -> tuple[int, int]:
         """The hash seed of a player, and the number of the process with that seed that forks it."""

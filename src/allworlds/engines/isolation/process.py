@@ -52,6 +52,9 @@ GRACE = 2.0
 """Extra seconds where the owner is not the first to notice: for a user's program, whose silence
 its player notices itself, and for a process that has sent a message before."""
 
+LAST_WORDS = 2.0
+"""Seconds in which the exit code of a process is known after the end of its pipe."""
+
 ANSWERS = 120.0
 """Seconds in which a guardian that is alive answers, however busy the machine."""
 
@@ -310,7 +313,7 @@ class Process:
         self._guardian.wake()
 
     def silent_for(self) -> float:
-        """Seconds since its heartbeat has changed, or since it became idle."""
+        """Seconds since its heartbeat has changed; 0 while idle, and before its first beat."""
         now, seen = time.monotonic(), (self.beat[0], self.beat[1])
         if seen[1] == 0 or seen != self._seen:
             self._seen, self._since = seen, now
@@ -325,7 +328,7 @@ class Process:
 
     def death(self) -> tuple[str, bool]:
         """The end of the process in words, and whether the machine may be the cause."""
-        deadline = time.monotonic() + GRACE
+        deadline = time.monotonic() + LAST_WORDS
         while (code := self._guardian.exit_code(self.pid)) is None:
             if time.monotonic() > deadline:
                 return "the end of the process's pipe", False

@@ -33,11 +33,9 @@ def children_by_parent() -> dict[int, list[int]]:
         # A process may end while it is looked at, so that nothing but its own entry is asked for.
         for name in filter(str.isdigit, os.listdir("/proc")):  # noqa: PTH208
             with suppress(OSError, ValueError, IndexError):
-                # The name in parentheses may hold anything, parentheses and blanks included.
-                text = Path("/proc", name, "stat").read_text(errors="replace")
-                fields = text.rpartition(")")[2].split()
-                if fields[0] != "Z":
-                    found.setdefault(int(fields[1]), []).append(int(name))
+                state, parent = _state_and_parent(name)
+                if state != "Z":
+                    found.setdefault(int(parent), []).append(int(name))
     return found
 
 
@@ -75,10 +73,17 @@ def let_go_on(pid: int) -> None:
 
 def is_stopped(pid: int) -> bool:
     """Whether a process stands still since it was sent SIGSTOP, or a signal like that."""
-    with suppress(OSError, IndexError):
-        text = Path("/proc", str(pid), "stat").read_text(errors="replace")
-        return text.rpartition(")")[2].split()[0] == "T"
+    with suppress(OSError, ValueError):
+        return _state_and_parent(str(pid))[0] == "T"
     return False
+
+
+def _state_and_parent(pid: str) -> tuple[str, str]:
+    """The state of a process, a letter, and its parent's number, as /proc has them."""
+    text = Path("/proc", pid, "stat").read_text(errors="replace")
+    # The name in parentheses may hold anything, parentheses and blanks included.
+    state, parent, *_ = text.rpartition(")")[2].split()
+    return state, parent
 
 
 class Stops:

@@ -26,7 +26,8 @@ runs are silent would take hours, and tell nothing more.
 
 :class:`PlayedTwice` alone decides what two plays that differ mean.  The compiled engine
 (:mod:`allworlds.engines.compiled.stretches`) compares whole stretches byte by byte, and gives the
-runs that differ, or break a law, to it.
+runs that differ, or break a law, to it; it orders its own second plays
+(:mod:`allworlds.engines.isolation.shared_logs`).
 """
 
 from __future__ import annotations
@@ -73,12 +74,12 @@ ENOUGH = 32
 """The number of second plays that catches an explorer which goes by their number."""
 
 PLAYS = 3
-"""The largest number of plays of a run, on the average; what is played anew where something was
-wrong does not count."""
+"""The largest number of plays of a run, on the average; those that are repeated where something
+was wrong are not counted."""
 
 MOST_WAITED, WAITS = 60.0, 2
-"""The seconds that are waited in all for silent runs, and the number of plays of each; two runs may
-be silent in any case."""
+"""The seconds after which silent runs have taken too long, and how often each is waited for; the
+first silent run alone never takes too long."""
 
 OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
@@ -343,7 +344,7 @@ class PlayedTwice:
                 self._belated.append((each.play.one, settled))
 
     def _copies_differ(self, play: _Play, second: Log) -> bool:
-        """Whether the second play differs since it was one of copies: without them it does not."""
+        """Whether the second play differs only because it went on from copies."""
         if not self.players.copies or difference_of(play.log, second) is None:
             return False
         self.players.send_records([play.record], self._policy, plain=True)

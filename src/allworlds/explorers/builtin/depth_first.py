@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
-from allworlds.explorers.builtin.partial_map import PartialMap
+from allworlds.explorers.builtin.partial_map import PartialMap, bearing_of
 from allworlds.explorers.builtin.paths import walks
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import Choices, Estimate, Move, Percept
@@ -44,8 +44,7 @@ def dfs(
         seen = yield Move(s.offset(here, dart))
         if seen.marks in reference:
             notice("known")
-            assert seen.bearing is not None
-            entry = s.turn(reference[seen.marks], -seen.bearing)
+            entry = s.turn(reference[seen.marks], -bearing_of(seen))
             s.add_loop(dart, entry)
             if s.vertex[entry] == s.vertex[dart]:
                 here = entry
@@ -65,5 +64,4 @@ def dfs(
 
 def _reference(s: PartialMap, dart: int, percept: Percept) -> int:
     """The reference dart of the vertex at which the robot has arrived by ``dart``."""
-    assert percept.bearing is not None
-    return s.turn(dart, percept.bearing)
+    return s.turn(dart, bearing_of(percept))

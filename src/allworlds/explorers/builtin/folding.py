@@ -16,6 +16,7 @@ from typing import TypeAlias
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
 from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
+from allworlds.explorers.builtin.partial_map import bearing_of
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import Choices, Estimate, Move, Percept
 
@@ -67,9 +68,9 @@ def explore_folding(
     first: Percept, next_way: Way, hears: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
     """Walk these ways and fold the percepts until no dart is open."""
-    assert first.bearing is not None
+    bearing = bearing_of(first)
     log = FoldedLog(first)
-    here = log.turn(0, -first.bearing)
+    here = log.turn(0, -bearing)
     while has_open_dart(log):
         for dart in next_way(log, here):
             seen = yield Move((dart - here) % log.degree[log.node[here]])

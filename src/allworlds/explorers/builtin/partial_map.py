@@ -7,6 +7,17 @@ from collections.abc import Iterator, Sequence
 from allworlds.protocol import Checkpoint, Percept
 
 
+def bearing_of(percept: Percept) -> int:
+    """The bearing that an explorer cannot do without.
+
+    Raises:
+        ValueError: if the lighthouse shows none here.
+    """
+    if percept.bearing is None:
+        raise ValueError("this explorer needs a bearing here, and the lighthouse shows none")
+    return percept.bearing
+
+
 class PartialMap:
     """S with its open darts U, as Algorithm 1 builds it.
 

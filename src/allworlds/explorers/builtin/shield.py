@@ -24,6 +24,7 @@ from typing import Any
 from allworlds.explorers.builtin.algorithm1 import Walk, algorithm1
 from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
 from allworlds.explorers.builtin.folding import estimate, has_open_dart, way
+from allworlds.explorers.builtin.partial_map import bearing_of
 from allworlds.inputs import integer, let_users_interrupt, show
 from allworlds.protocol import Checkpoint, Estimate, ExplorerFault, Move, Percept
 
@@ -44,9 +45,9 @@ class Shield:
 
     def __call__(self, first: Percept, **keywords: Any) -> Walk[Estimate]:
         """Explore from a directional lighthouse; return the true map for every explorer inside."""
-        assert first.bearing is not None
+        bearing = bearing_of(first)
         log = FoldedLog(first)
-        here = log.turn(0, -first.bearing)
+        here = log.turn(0, -bearing)
         stranger = _Stranger(log, here, lambda seen: self.explorer(seen, **keywords))
         try:
             here = yield from _take_turns(log, here, (stranger, _Guest(log, here, algorithm1)))

@@ -47,7 +47,7 @@ class FindingWords(Request):
         Raises:
             InputError: naming the file, the offending value in it, or the number.
         """
-        found = findings_of(parse_json(read_text(self.file)))
+        found = findings_of(parse_json(read_text(self.file), file=self.file))
         if not 1 <= self.number <= len(found):
             holds = f"findings 1 to {len(found)}" if len(found) > 1 else "1 finding"
             raise InputError(f"finding = {self.number} is not there: the file holds {holds}")

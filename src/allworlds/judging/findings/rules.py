@@ -28,7 +28,7 @@ from allworlds.inputs import (
     values_of,
 )
 from allworlds.judging.episode import default_step_budget
-from allworlds.judging.laws.bounds import NO_BOUND, Bound, bound_named, paper_bound
+from allworlds.judging.laws.bounds import BOUNDS, NO_BOUND, Bound, bound_named, paper_bound
 from allworlds.judging.laws.law_table import LAWS, TASK, JudgedLaw, Setting
 from allworlds.judging.tasks import MAP, TASKS, Judge, Task, task_named
 from allworlds.maps import AND, CombinatorialMap, Condition
@@ -127,9 +127,10 @@ class AskedRules(AskedTask):
         Option(
             RULES,
             "BOUND",
-            "Largest number of traversals: paper (the sum of the paper's bounds (1) and (2)), "
-            "two-vertices, none, or an expression over n, m, d0, D, d, g, paper with + - * // **, "
-            "min, max (default: the explorer's own, else the lighthouse's).",
+            f"Largest number of traversals: {', '.join(BOUNDS)} (paper: the sum of its bounds (1) "
+            "and (2)), or an expression with + - * // **, min and max over paper, n "
+            "vertices, m edges, d0 degree of the start, D largest degree, d diameter, g genus "
+            "(default: the explorer's own, else the lighthouse's).",
             told=Annotated[
                 Text,
                 about("the bound on the traversals; `none` where the law was not checked"),
@@ -141,7 +142,7 @@ class AskedRules(AskedTask):
         Option(
             RULES,
             "LAWS",
-            f"Of {', '.join(LAWS)}, with commas (default: all that apply).",
+            f"Check these alone, with commas: {', '.join(LAWS)} (default: all that apply).",
             parse=law_names,
             told=Annotated[
                 Different[JudgedLaw],
@@ -154,8 +155,8 @@ class AskedRules(AskedTask):
         Option(
             RULES,
             "B",
-            "The most traversals of a run: more break the law 'budget' (default: 8 x (1)+(2) + "
-            "100).",
+            "The most traversals of a run: more break the law 'budget' (default: 8 "
+            "times the bound 'paper', plus 100).",
             parse=integer_of,
             told=Annotated[
                 Positive | None,

@@ -90,9 +90,23 @@ class Bound:
 
 NO_BOUND = Bound("none", lambda *_: None, frozenset())
 
+BOUNDS = {
+    bound.name: bound
+    for bound in (
+        Bound("paper", lambda n, m, *_: paper_bound(n, m), frozenset({"n", "m"})),
+        Bound(
+            "two-vertices",
+            lambda n, m, d0, *_: two_vertices_bound(n, m, d0),
+            frozenset({"n", "m", "d0"}),
+        ),
+        NO_BOUND,
+    )
+}
+"""Every bound that has a name of its own."""
+
 
 def bound_named(text: str) -> Bound:
-    """The bound ``paper``, ``two-vertices``, ``none`` or an expression.
+    """A bound of :data:`BOUNDS`, or an expression.
 
     An expression is built from integers, n (vertices), m (edges), d0 (degree of v0), D (the
     largest degree), d (the diameter), g (the genus), paper, ``+ - * // **``, ``min``, ``max`` and
@@ -101,13 +115,8 @@ def bound_named(text: str) -> Bound:
     Raises:
         InputError: naming the part that is none of these.
     """
-    if text == "paper":
-        return Bound(text, lambda n, m, *_: paper_bound(n, m), frozenset("nm"))
-    if text == "two-vertices":
-        variables = frozenset({"n", "m", "d0"})
-        return Bound(text, lambda n, m, d0, *_: two_vertices_bound(n, m, d0), variables)
-    if text == NO_BOUND.name:
-        return NO_BOUND
+    if text in BOUNDS:
+        return BOUNDS[text]
     try:
         # Python would take other letters that look like n and m for n and m, and 1_0 for 10.
         plain = text.isascii() and not re.search("[0-9]_", text)
@@ -117,7 +126,7 @@ def bound_named(text: str) -> Bound:
             tree = ast.parse(text if plain else "", mode="eval")
     except (SyntaxError, ValueError, MemoryError, RecursionError):
         raise InputError(
-            f"bound {show(text)} is not one of paper, two-vertices, none or an expression"
+            f"bound {show(text)} is not one of {', '.join(BOUNDS)} or an expression"
         ) from None
     try:
         evaluate = _compile(tree.body, text)

@@ -15,6 +15,7 @@ from allworlds.reports.telling import (
     ToldTable,
     ToldWalk,
 )
+from allworlds.reports.text_layout import fenced
 from allworlds.words import escaped
 
 WIDTH = 100
@@ -33,7 +34,7 @@ def markdown(telling: ToldResult) -> str:
 def _section(section: Section) -> Iterator[str]:
     if any(isinstance(block, ToldWalk | ToldPicture) for block in section.blocks):
         yield from [f"### {_plain(section.title)}"] if section.title else []
-        yield _fenced(text_of([section], WIDTH))
+        yield fenced(text_of([section], WIDTH))
         return
     tables = [block for block in section.blocks if isinstance(block, ToldTable)]
     for table in tables:
@@ -47,15 +48,8 @@ def _section(section: Section) -> Iterator[str]:
             if isinstance(block, ToldFacts):
                 yield _table(["", ""], block.entries, "ll")
             else:
-                yield _fenced(text_of([Section("", "", [block])], WIDTH))
+                yield fenced(text_of([Section("", "", [block])], WIDTH))
         yield "</details>"
-
-
-def _fenced(text: str) -> str:
-    """The text inside a fence that is longer than any fence in the text."""
-    longest = max((len(run) for run in re.findall("`+", text)), default=0)
-    fence = "`" * max(3, longest + 1)
-    return f"{fence}text\n{text}\n{fence}"
 
 
 def _table(header: Sequence[str], rows: Sequence[Sequence[str]], right: str) -> str:

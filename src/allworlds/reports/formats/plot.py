@@ -10,7 +10,7 @@ import io
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
-from allworlds.reports.file_format import Format
+from allworlds.reports.file_format import Format, NeededLibrary
 from allworlds.reports.telling import ToldResult
 from allworlds.verbs import GROWTH
 
@@ -68,4 +68,5 @@ FORMAT = Format(
     growth_plot,
     "With --to: also draw the costs, as SVG; needs the extra 'figures'.",
     GROWTH,
+    NeededLibrary("matplotlib", "figures", "plot"),
 )

@@ -16,6 +16,7 @@ from allworlds.reports.file_format import Format
 from allworlds.reports.project import project_folder
 from allworlds.reports.rendering import finding_in_words
 from allworlds.reports.telling import ToldResult
+from allworlds.reports.text_layout import fenced
 from allworlds.verbs import FINDINGS
 from allworlds.version import __version__
 from allworlds.words import harmless_json
@@ -103,7 +104,7 @@ def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str
         "level": "error",
         "message": {
             "text": f"{headline_of(finding)}.\n\n{text}",
-            "markdown": f"{headline_of(finding)}.\n\n```text\n{text}\n```",
+            "markdown": f"{headline_of(finding)}.\n\n{fenced(text)}",
         },
         "locations": [_location(place)] if place else [],
         # The name of the finding's file holds a digest of all of it.

@@ -32,7 +32,7 @@ from allworlds.reports.telling import (
     View,
     fact,
 )
-from allworlds.words import listed, number, plural
+from allworlds.words import listed, number, plural, size
 from allworlds.world import World
 
 LONGEST_LIST = 60
@@ -42,8 +42,8 @@ LONGEST_LIST = 60
 def headline_of(finding: Finding) -> str:
     """One line: the explorer, the broken law and the world's size."""
     map_ = finding.world.map
-    size = f"{plural(map_.edge_count, 'edge')}, {plural(map_.vertex_count, 'vertex', 'vertices')}"
-    return f"{finding.explorer} breaks the law '{finding.law}' in a world with {size}"
+    of_size = size(map_.edge_count, map_.vertex_count)
+    return f"{finding.explorer} breaks the law '{finding.law}' in a world with {of_size}"
 
 
 def finding_section(

@@ -9,7 +9,7 @@ from allworlds.reports.markup import tag
 from allworlds.reports.telling import ShownMap
 
 NEVER = 10**9
-"""The step after which something is known that never is."""
+"""Stands for the step at which something is known that never is."""
 
 
 def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap, *, tested: bool) -> None:

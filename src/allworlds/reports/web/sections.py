@@ -31,7 +31,8 @@ from allworlds.reports.web.walk import LONGEST, steps_of
 from allworlds.words import number, plural
 
 ROOM = 700_000
-"""The characters of a page for walks that are opened one at a time; of more the first go."""
+"""The characters of a page for walks that are opened one at a time; if they need more, the first
+are left out."""
 
 LONGEST_WORDS = 30
 """A cell with a longer text may be broken into lines."""
@@ -73,7 +74,7 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
         case ToldFacts():
             yield tag("dl", *_facts(block.entries))
         case ToldTable():
-            yield from _scrolled(_table(block), "Counts") if block.rows else ()
+            yield from _scrolled(_table(block), block.caption or "Counts") if block.rows else ()
         case ToldWalk():
             yield from _walk(block, name)
         case Costs():
@@ -85,7 +86,7 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
         case Curve():
             yield cost_picture(block.spent, f"{name}-cost")
         case Quote():
-            yield tag("h3", block.title.capitalize())
+            yield from [tag("h3", block.title.capitalize())] if block.title else []
             yield _lines(block.text, f"{name}-{block.name}")
             if block.command:
                 yield _copier("Copy the command", f"{name}-{block.name}")

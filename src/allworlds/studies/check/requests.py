@@ -83,7 +83,14 @@ class EstimateRequest(AskedCluster, ManyRuns, AskedShard, AskedWhere, AskedExten
             told=Annotated[Schedule, about("the policy's, or every sequence of choices")],
         ),
     ] = Taken(a_schedule, "one")
-    engine: Annotated[str, Option(EFFORT, "auto|python|kernel", "Which engine.")] = "auto"
+    engine: Annotated[
+        str,
+        Option(
+            EFFORT,
+            "auto|python|kernel",
+            "python judges in Python, kernel in compiled code; auto takes the faster one that can.",
+        ),
+    ] = "auto"
 
     @property
     def extent(self) -> Extent:
