@@ -96,6 +96,11 @@ class Subject(Struct, frozen=True):
         return self.name.startswith(NATIVE)
 
     @property
+    def innermost(self) -> Subject:
+        """The explorer without a shield or a translator, if it is run here; else itself."""
+        return self.inside or self
+
+    @property
     def importable(self) -> bool:
         """Whether it can be played in other processes."""
         return self.explore is None

@@ -199,7 +199,8 @@ class _Walk(_Actor):
         moves = type(message) is Move
         if not moves and type(message) is not Checkpoint:
             return _entry(message)
-        if self._cost < budget if moves else self._shown <= budget:
+        spent = self._cost >= budget if moves else self._shown > budget
+        if not spent:
             return None
         if not world.whole:
             raise _CannotBeTold

@@ -115,7 +115,7 @@ class PlayerProcess:
             if setup.memory is not None:
                 limit_memory(setup.memory, address_space() - before)
             subject = load(setup.name, setup.answer_timeout, setup.source)
-            if (subject.inside or subject).native is not None and setup.memory is None:
+            if subject.innermost.native is not None and setup.memory is None:
                 limit_memory(address_space() + NATIVE_MEMORY)
         except InputError as error:
             reason = str(error)
@@ -129,7 +129,7 @@ class PlayerProcess:
             # An explorer that has left itself no descriptors has no output.
             with suppress(OSError):
                 _print_to(setup.output)
-        native = (subject.inside or subject).native
+        native = subject.innermost.native
         if native is not None:
             native.library.print_line_by_line()
         has_shield = isinstance(subject.explore, Shield)
@@ -287,7 +287,7 @@ def _print_to(path: str) -> None:
 
 def _digest(subject: Subject) -> str:
     """The SHA-256 of the explorer's file, or of the program's; empty if there is none."""
-    subject = subject.inside or subject
+    subject = subject.innermost
     if subject.source is not None:
         return subject.source.digest
     with suppress(Exception):  # whatever an explorer's module makes of being looked at
@@ -302,7 +302,7 @@ def _digest(subject: Subject) -> str:
 
 def _leave(subject: Subject) -> None:
     """End the user's program behind the explorer, and this process."""
-    program = (subject.inside or subject).program
+    program = subject.innermost.program
     if program:
         program.close()
     os._exit(0)
