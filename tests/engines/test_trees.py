@@ -3,6 +3,7 @@
 from random import Random
 
 import pytest
+from numpy import uint8, zeros
 
 from allworlds.engines import PythonEngine, Scope, Tally
 from allworlds.engines.compiled.stretches import PlayedByStretches, counts_of
@@ -11,6 +12,8 @@ from allworlds.engines.compiled.users_engine import load as load_here
 from allworlds.engines.isolation.chunk_player import ChunkPlayer
 from allworlds.engines.isolation.jobs import PlaySegments, PlayTree, Unsettled
 from allworlds.engines.isolation.shared_logs import LibraryPlayer, OpenedMemories
+from allworlds.engines.kernel import chunks
+from allworlds.engines.kernel.tree_memory import MOST_SINGLES
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.tour import Tour
@@ -48,6 +51,18 @@ COPIES = (
 
 COPY_IN_LARGE_WORLDS = "copy->here = copy->dart_count < 9 ? copy->here : 0"
 """The same in worlds of five edges or more, which are walked as trees alone."""
+
+
+LATE = "if (++*steps_of(r) > {} && action->kind == ALLWORLDS_ANSWER) r->here = r->sigma[r->here]"
+"""Code that makes an explorer wrong after so many steps, which the longest runs make."""
+
+HIDDEN_ERRORS = {
+    "copies forget an error of runs from their start": (LATE.format(40), "*steps_of(to) = 0"),
+    "what was copied has an error that runs from their start have not": (
+        LATE.format(1024 + 38),
+        "*steps_of(to) = (*steps_of(from) |= 1024)",
+    ),
+}
 
 
 def copies(slip="", copy="", *more):
@@ -223,10 +238,44 @@ def test_a_copy_that_goes_another_way_in_large_worlds_is_found_in_trees():
     assert "copies" in finding.seen
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("how", HIDDEN_ERRORS)
+def test_an_error_that_copies_hide_or_bring_in_a_few_worlds_is_found(how):
+    report = check(f"native:{copies(*HIDDEN_ERRORS[how])}", edges=5)
+    (finding,) = report.findings
+    assert (finding.law, finding.world.map.edge_count) == ("nondeterministic", 5)
+    assert "copies" in finding.seen
+
+
+def walked(library, keep=1):
+    """The tally of a level with five edges, whose trees are walked in this process."""
+    scope = scope_of(5)
+    return tally_of(engine_of(PairHere(f"native:{library}"), scope, keep), scope.units(5))
+
+
+def test_a_run_in_which_two_walks_differ_is_found_however_long_it_is(monkeypatch):
+    monkeypatch.setattr(chunks, "_KEPT", zeros((MOST_SINGLES, 16), uint8))
+    (finding,) = walked(copies("", COPIES[2])).findings
+    assert finding.law == "nondeterministic"
+    assert "copies" in finding.seen
+
+
+def test_walks_that_differ_without_a_run_to_blame_settle_nothing(monkeypatch):
+    monkeypatch.setattr(chunks, "_SUSPECT", zeros((1, 16), uint8))
+    with pytest.raises(Unsettled, match=r"two walks .* differ, and no single run is wrong; mend"):
+        walked(copies("", COPIES[2]))
+
+
+def test_a_tree_that_counts_otherwise_than_single_runs_settles_nothing(monkeypatch):
+    monkeypatch.setattr("allworlds.engines.compiled.trees.counts_of", id)
+    with pytest.raises(Unsettled, match="count otherwise than runs from the start"):
+        walked(example(RIGHT))
+
+
 def test_a_player_that_is_lost_in_trees_alone_settles_nothing():
     scope = scope_of(5)
     engine = engine_of(PairHere(f"native:{example(RIGHT)}", lost=["second"]), scope)
-    with pytest.raises(Unsettled, match="2 players were lost"):
+    with pytest.raises(Unsettled, match="2 walks from copies of the explorer were lost"):
         tally_of(engine, scope.units(5))
 
 

@@ -6,7 +6,8 @@ own. With each chunk some runs of earlier ones are played from their start, with
 
 Where something is wrong with a chunk, the unit is played run by run
 (:mod:`allworlds.engines.compiled.stretches`), which finds the law that is broken.  If nothing is
-found so, a copy has gone another way than a run from its start.
+found so, a copy has gone another way than a run from its start: in the run in which the two walks
+differ, or in the one that breaks a law in both.
 """
 
 from __future__ import annotations
@@ -29,26 +30,34 @@ from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.shared_logs import TreeMemoryPair
 from allworlds.engines.kernel.chunks import RunOfTree, UnitTree
 from allworlds.engines.kernel.on_demand import KINDS
-from allworlds.engines.kernel.rows import Rows
+from allworlds.engines.kernel.rows import BrokenRun, Rows
 from allworlds.engines.kernel.tree_memory import MOST_RUNS, MOST_SINGLES
 from allworlds.engines.kernel.tree_requests import TreeRequest
 from allworlds.engines.python.comparison import nondeterministic
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.examiner import Outcome
-from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns, UnitOfRuns
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import SPELL
+from allworlds.explorers import is_library
 from allworlds.judging import COPIES
 
-COMPARED_EDGES = 4
-"""The largest m for which runs that are walked as a tree are also played by themselves."""
+COMPARED_EDGES, OF_A_LIBRARY = 4, 5
+"""The largest m for which runs that are walked as a tree are also played by themselves; a library
+plays a thousand times as many in the same time."""
+
+BEGINNING, LATER = 64, 8
+"""The number of chunks that are the beginning, with as many single runs as there is room for, and
+the number of runs of each later chunk that are kept to be played from their start."""
 
 MOST_GIVEN_UP = 3
 """The number of units one after the other after which no more are walked as trees."""
 
 MOST_LOST = 2
-"""The number of times that a player may be lost in a tree, if it is not lost run by run."""
+"""The number of walks that may be lost, if no single run is."""
+
+
+MEND = "mend the copying, or leave it out"
 
 
 class WalkedTree(NamedTuple):
@@ -57,12 +66,14 @@ class WalkedTree(NamedTuple):
     Attributes:
         rows: of the whole unit; None if it was given up.
         suspect: a run in which a copy perhaps went another way.
-        lost: whether a player was lost.
+        lost: whether a player was lost, or could not repeat the walk.
+        unlike: whether the two walks differ.
     """
 
     rows: Rows | None
-    suspect: RunOfTree | None = None
+    suspect: RunOfTree | BrokenRun | None = None
     lost: bool = False
+    unlike: bool = False
 
 
 class PlayedByTrees(Struct):
@@ -77,6 +88,7 @@ class PlayedByTrees(Struct):
     _kept: EarlierPlays[RunOfTree] = field(default_factory=EarlierPlays)
     _given_up: int = 0
     _lost: int = 0
+    _chunks: int = 0
 
     @property
     def _players(self) -> PlayerPair:
@@ -99,9 +111,10 @@ class PlayedByTrees(Struct):
                 walked: WalkedTree = end.value
                 break
             yield 0, engine.tally()
-        tally = self._tally(unit, walked)
+        tally, walked = self._tally(unit, walked)
         self._given_up = self._given_up + 1 if tally is None else 0
-        if tally is not None and unit.edges > COMPARED_EDGES:
+        compared = OF_A_LIBRARY if is_library(self.stretches.explorer) else COMPARED_EDGES
+        if tally is not None and unit.edges > compared:
             yield tally.runs + tally.left_out, tally
         else:
             yield from self._run_by_run(unit, walked, tally)
@@ -112,31 +125,44 @@ class PlayedByTrees(Struct):
         """Yield the parts of the unit, run by run, and what they say of the tree.
 
         Raises:
-            EnginesDisagree: if both count differently.
-            Unsettled: if players are lost in trees alone, again and again.
+            Unsettled: if trees alone go wrong, and no run can be named.
         """
         whole, number = self.stretches.engine.tally(), 0
         for number, part in self.stretches.parts(unit):
             whole.add(part)
             yield number, part
+        if tally is not None and tally.findings:
+            # Some may be of runs that go wrong from copies alone.
+            yield number, self._findings_of(tally)
         if whole.findings or whole.remarks:
             return
         if tally is not None and counts_of(tally) != counts_of(whole):
-            raise EnginesDisagree(
-                f"runs of the unit {unit.key} by themselves, and as a tree, count differently: "
-                f"{counts_of(whole)} and {counts_of(tally)}"
+            raise Unsettled(
+                f"runs from copies of the explorer count otherwise than runs from the start: "
+                f"{counts_of(tally)} and {counts_of(whole)} in the unit {unit.key}; {MEND}"
             )
         if walked.lost:
             self._lost += 1
             if self._lost >= MOST_LOST:
                 raise Unsettled(
-                    f"{self._lost} players were lost while they went on from copies of the "
-                    "explorer, and none of them in single runs; mend the copying, or leave it out"
+                    f"{self._lost} walks from copies of the explorer were lost, and no single run "
+                    f"was; {MEND}"
                 )
+        if walked.unlike and walked.suspect is None:
+            raise Unsettled(
+                f"two walks from copies of the explorer differ, and no single run is wrong; {MEND}"
+            )
         if walked.suspect:
             found = self.stretches.engine.tally()
             self._find_out_of_step(walked.suspect, found)
             yield number, found
+
+    def _findings_of(self, tally: Tally) -> Tally:
+        """A tally with these findings alone."""
+        found = self.stretches.engine.tally()
+        for finding in tally.findings:
+            found.find(finding)
+        return found
 
     def _can_walk(self, unit: LevelRuns) -> bool:
         """Whether the unit can be walked as a tree."""
@@ -144,18 +170,23 @@ class PlayedByTrees(Struct):
             return False
         return self._players.in_trees and self.stretches.level(unit).lighthouse in KINDS
 
-    def _tally(self, unit: LevelRuns, walked: WalkedTree) -> Tally | None:
-        """The tally of a tree; None if it was given up, or a law is not broken in single runs."""
+    def _tally(self, unit: LevelRuns, walked: WalkedTree) -> tuple[Tally | None, WalkedTree]:
+        """The tally of a tree; None if it was given up, or a law is not broken in single runs.
+
+        A run of the tree that breaks a law, and by itself does not, is then the suspect.
+        """
         if walked.rows is None:
-            return None
+            return None, walked
         engine = self.stretches.engine
         tally = tally_of(walked.rows, unit, engine.scope, engine.keep)
-        if all(self.stretches.find(unit, broken, tally) for broken in walked.rows.broken):
-            return tally
-        return None
+        for broken in walked.rows.broken:
+            if not self.stretches.find(unit, broken, tally):
+                return None, WalkedTree(None, broken)
+        return tally, walked
 
-    def _find_out_of_step(self, run: RunOfTree, tally: Tally) -> None:
+    def _find_out_of_step(self, run: RunOfTree | BrokenRun, tally: Tally) -> None:
         """Find a run that goes another way from copies than from its start."""
+        assert run.place is not None
         one = self.stretches.placed(run.sigma, run.alpha, run.place)
         for again, outcome in self.stretches.outcomes(one):
             settled = outcome
@@ -185,17 +216,20 @@ class PlayedByTrees(Struct):
             played = memory.play(players, request, tree.next, most)
             if played is None or played.size < 0:
                 return WalkedTree(None, lost=played is None)
-            singles = self._kept.draw(MOST_SINGLES)
-            runs = tree.judge(played.size, singles, last=played.last)
+            self._chunks += 1
+            early = self._chunks <= BEGINNING
+            singles = self._kept.draw(MOST_SINGLES if early else 2 * LATER)
+            samples = MOST_SINGLES if early else LATER
+            runs = tree.judge(played.size, singles, last=played.last, samples=samples)
             if runs is None or tree.undefined:
                 return WalkedTree(None)
             again = memory.play_again(players, level.policy, tree.roots, runs + len(singles))
             if again is None or again.size < 0:
-                return WalkedTree(None, lost=again is None)
+                return WalkedTree(None, lost=True)
             differ = tree.difference()
             if differ is not None:
                 self._kept.forget()
-                return WalkedTree(None, tree.run_at(differ))
+                return WalkedTree(None, tree.run_at(differ), unlike=True)
             for run in tree.kept():
                 self._kept.keep(run)
             yield

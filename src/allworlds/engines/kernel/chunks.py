@@ -30,6 +30,7 @@ from allworlds.engines.kernel.tree_memory import (
     LONGEST_SINGLE,
     MOST_RUNS,
     MOST_SEGMENTS,
+    MOST_SINGLES,
     PERCEPT_BYTES,
     TreeMemory,
 )
@@ -107,7 +108,14 @@ class UnitTree:
         self.next: Chunk | None = Chunk()
         self._hearing.random = random.getrandbits(62) | 1
 
-    def judge(self, size: int, singles: Sequence[RunOfTree] = (), *, last: bool) -> int | None:
+    def judge(
+        self,
+        size: int,
+        singles: Sequence[RunOfTree] = (),
+        *,
+        last: bool,
+        samples: int = MOST_SINGLES,
+    ) -> int | None:
         """Judge the chunk in the first memory; return its runs, or None if that is not possible.
 
         Segments and percepts for the second play are written to its memory.  ``next`` is then the
@@ -117,15 +125,16 @@ class UnitTree:
             size: of the log, in bytes.
             singles: runs that are played again with the chunk.
             last: whether it is the last chunk of the tree, as the player has it.
+            samples: the number of its runs that are kept, at most ``MOST_SINGLES``.
         """
         chunk = self.next
         assert chunk is not None
         size = max(0, min(size, LOG_BYTES))
         _LOGS[:size] = self._first.logs[:size]
         runs = max(1, size // _BYTES_OF_A_RUN)
-        wanted = sorted({self._random.randrange(runs) for _ in _KEPT})
+        wanted = sorted({self._random.randrange(runs) for _ in range(samples)})
         self._judged = _JudgedChunk(chunk, self._before, size, last)
-        if not self._judge(self._judged, wanted):
+        if not self._judge(self._judged, wanted, _KEPT):
             return None
         h = self._hearing
         self._before = asarray(h.log)[: h.bytes].copy()
@@ -138,8 +147,11 @@ class UnitTree:
         self._hand_over(singles)
         return int(h.runs)
 
-    def _judge(self, judged: _JudgedChunk, wanted: Sequence[int]) -> bool:
-        """Judge a chunk, and keep the runs of these numbers; return whether that was possible."""
+    def _judge(self, judged: _JudgedChunk, wanted: Sequence[int], kept: Any) -> bool:
+        """Judge a chunk; return whether that was possible.
+
+        The runs of the wanted numbers are kept, each in a row if it has room.
+        """
         h, asked, chunk = self._hearing, self._asked, judged.chunk
         h.demand.place, h.demand.given = chunk.place, len(chunk.path)
         asarray(h.demand.path)[: len(chunk.path)] = chunk.path
@@ -161,7 +173,7 @@ class UnitTree:
             _PERCEPTS,
             _STOPS,
             array([*wanted, -1], int64),
-            _KEPT,
+            kept,
             _HEADS,
         )
         return not h.strange
@@ -178,9 +190,13 @@ class UnitTree:
 
     def kept(self) -> list[RunOfTree]:
         """Some runs of the chunk that was judged last, drawn."""
+        return self._runs_in(_KEPT)
+
+    def _runs_in(self, rows: Any) -> list[RunOfTree]:
+        """The runs that were kept in these rows."""
         found = []
         darts = 2 * int(self._job.gluing.edges)
-        for head, kept in zip(_HEADS.tolist(), _KEPT, strict=True):
+        for head, kept in zip(_HEADS.tolist(), rows, strict=False):
             length, sensed = head[BYTES], head[SENSED]
             if length:
                 sigma, alpha = (tuple(head[at : at + darts]) for at in (SIGMA, ALPHA))
@@ -194,7 +210,7 @@ class UnitTree:
         return None if at == self._size else at
 
     def run_at(self, byte: int) -> RunOfTree | None:
-        """A run of the chunk to whose log that byte belongs; None if it is too long to be kept.
+        """A run of the chunk to whose log that byte belongs; None if its world is not decided.
 
         The tallies are void after that.
         """
@@ -202,8 +218,8 @@ class UnitTree:
         if singles:
             return singles[-1]
         number = int(searchsorted(_STOPS[: self._hearing.runs], byte, "right"))
-        self._judge(self._judged, [number])
-        kept: list[RunOfTree] = self.kept()
+        self._judge(self._judged, [number], _SUSPECT)
+        kept = self._runs_in(_SUSPECT)
         return kept[0] if kept else None
 
     def _hand_over(self, singles: Sequence[RunOfTree]) -> None:
@@ -337,14 +353,14 @@ _DEEPEST = BRANCHES + 1
 _STOPS = zeros(2 * MOST_RUNS, int32)
 """Where the log of each run of a chunk ends."""
 
-_SAMPLES = 8
-"""The number of runs of a chunk that are kept."""
-
 _BYTES_OF_A_RUN = 64
 """About so many bytes of a log are a run's own."""
 
-_KEPT = zeros((_SAMPLES, LONGEST_SINGLE), uint8)
-_HEADS = zeros((_SAMPLES, HEAD), int64)
+_KEPT = zeros((MOST_SINGLES, LONGEST_SINGLE), uint8)
+_SUSPECT = zeros((1, LOG_BYTES + PERCEPT_BYTES), uint8)
+"""Room for one run, however long it is."""
+
+_HEADS = zeros((MOST_SINGLES, HEAD), int64)
 _NEVER = zeros(2, int64)
 
 _ROOMS: list[tuple[Any, Any, Any, Any]] = []

@@ -24,7 +24,7 @@ SLACK = 8
 MOST_RUNS = 1 << 14
 """The largest number of runs in a chunk."""
 
-MOST_SINGLES = 16
+MOST_SINGLES = 64
 """The largest number of runs of earlier chunks that are played again with a chunk, each from its
 start: without a copy."""
 
