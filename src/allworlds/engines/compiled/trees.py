@@ -134,6 +134,7 @@ class PlayedByTrees(Struct):
         if tally is not None and tally.findings:
             # Some may be of runs that go wrong from copies alone.
             yield number, self._findings_of(tally)
+            return
         if whole.findings or whole.remarks:
             return
         if tally is not None and counts_of(tally) != counts_of(whole):
