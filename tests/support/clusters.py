@@ -53,7 +53,8 @@ def cluster_apart(distributed, place):
             return process
 
         scheduler = started("dask_scheduler", "--port=0", f"--scheduler-file={file}")
-        assert processes.wait(file.exists)
+        # The file is there before its text is.
+        assert processes.wait(lambda: file.exists() and file.read_text().rstrip().endswith("}"))
         address = json.loads(file.read_text())["address"]
         workers = [started("dask_worker", address, "--nthreads=1", "--no-nanny") for _ in range(2)]
         with distributed.Client(address) as client:

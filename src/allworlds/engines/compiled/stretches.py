@@ -34,7 +34,7 @@ from allworlds.engines.python.players import OneRun
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
-from allworlds.engines.python.second_play import PlayedTwice
+from allworlds.engines.python.second_play import PLAYS, PlayedTwice
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import SPELL
 from allworlds.judging import Fault, Finding, Log, LostRun, UncheckedAnswer, Violation, retold
@@ -312,12 +312,13 @@ class PlayedByStretches:
     def _find_differing(self, unit: LevelRuns, differing: Sequence[int], tally: Tally) -> None:
         """Find runs whose plays differ, even if they agree when they are played once more."""
         wanted = {*differing}
-        chosen = [run for run in self.engine.runs(unit) if run.number in wanted and run.lighthouse]
+        runs = islice(self.engine.runs(unit), max(wanted) + 1)
+        chosen = [run for run in runs if run.number in wanted and run.lighthouse]
         chosen.sort(key=lambda run: run.map.vertex_count)
         placed = {run.number: _one(run) for run in chosen[:MOST_DIFFERING]}
         tour = self.players.tour
         by_seed = tour.differ
-        tour.hold()
+        tour.hold(PLAYS * len(placed))
         again = [*self._general.outcomes(unit, placed)]
         explained = by_seed and tour.alike
         for one, outcome in again:

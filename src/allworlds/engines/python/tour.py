@@ -92,9 +92,9 @@ class Tour(Struct):
             return None
         return (self.seed or 0, self._next) if self.alike else (self._next, 0)
 
-    def hold(self) -> None:
-        """Keep the places for some plays."""
-        self._until = max(self._until, self._played + SPELL)
+    def hold(self, plays: int = SPELL) -> None:
+        """Keep the places for so many plays."""
+        self._until = max(self._until, self._played + plays)
 
     def count(self, plays: int) -> None:
         """Count second plays."""
