@@ -55,6 +55,19 @@ def test_a_number_is_written_with_ascii_digits_alone(refused, verb, option, valu
     assert repr(value) in refused(*least(verb, "out"), option, value)
 
 
+@pytest.mark.parametrize("verb", ["explain", "replay"])
+def test_a_file_of_findings_that_is_no_json_is_named(refused, verb, tmp_path):
+    page = tmp_path / "page.html"
+    page.write_text("<html>", encoding="utf-8")
+    assert f"file '{page}' is not JSON" in refused(verb, page)
+
+
+def test_an_explorer_without_the_bearing_that_it_needs_says_so(cli):
+    code, out, _ = cli("check", "dfs", "--lighthouse", "none", "--edges", 1)
+    assert code == 1
+    assert "this explorer needs a bearing here" in out
+
+
 @pytest.mark.parametrize("verb", ENOUGH)
 def test_an_empty_argument_is_refused(refused, verb):
     arguments = [word for word in ENOUGH[verb] if not word.startswith("-")]

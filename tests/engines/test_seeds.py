@@ -38,6 +38,15 @@ def places_of(tour, plays, **options):
     return met
 
 
+def test_places_are_held_for_so_many_plays_and_no_longer():
+    held, free = Tour(), Tour()
+    for tour in (held, free):
+        places_of(tour, BEGINNING)
+    held.hold(3)
+    assert len({*places_of(held, 3)}) == 1
+    assert places_of(held, 1)[0] == places_of(free, 1)[0] != Tour().places
+
+
 def test_every_seed_has_its_turn_in_a_thousand_plays():
     tour = Tour()
     met = places_of(tour, 8 * SPELL)

@@ -7,7 +7,7 @@ from numpy import uint8, zeros
 
 from allworlds.engines import PythonEngine, Scope, Tally
 from allworlds.engines.compiled.stretches import PlayedByStretches, counts_of
-from allworlds.engines.compiled.trees import PlayedByTrees
+from allworlds.engines.compiled.trees import LATER, PlayedByTrees
 from allworlds.engines.compiled.users_engine import load as load_here
 from allworlds.engines.isolation.chunk_player import ChunkPlayer
 from allworlds.engines.isolation.jobs import PlaySegments, PlayTree, Unsettled
@@ -264,6 +264,21 @@ def test_walks_that_differ_without_a_run_to_blame_settle_nothing(monkeypatch):
     monkeypatch.setattr(chunks, "_SUSPECT", zeros((1, 16), uint8))
     with pytest.raises(Unsettled, match=r"two walks .* differ, and no single run is wrong; mend"):
         walked(copies("", COPIES[2]))
+
+
+def test_more_runs_are_kept_for_single_plays_at_the_beginning(monkeypatch):
+    kept, judge = [], chunks.UnitTree.judge
+
+    def judged(tree, *told, samples, **more):
+        kept.append(samples)
+        return judge(tree, *told, samples=samples, **more)
+
+    load_here()
+    monkeypatch.setattr("allworlds.engines.compiled.users_engine.load_trees", lambda: None)
+    monkeypatch.setattr(chunks.UnitTree, "judge", judged)
+    monkeypatch.setattr("allworlds.engines.compiled.trees.BEGINNING", 2)
+    walked(example(RIGHT))
+    assert kept[:3] == [MOST_SINGLES, MOST_SINGLES, LATER]
 
 
 def test_a_tree_that_counts_otherwise_than_single_runs_settles_nothing(monkeypatch):

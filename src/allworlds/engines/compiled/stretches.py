@@ -318,6 +318,7 @@ class PlayedByStretches:
         placed = {run.number: _one(run) for run in chosen[:MOST_DIFFERING]}
         tour = self.players.tour
         by_seed = tour.differ
+        # Only for these plays: a library then leaves a process without compiled code again.
         tour.hold(PLAYS * len(placed))
         again = [*self._general.outcomes(unit, placed)]
         explained = by_seed and tour.alike

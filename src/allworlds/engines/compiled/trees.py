@@ -44,7 +44,7 @@ from allworlds.judging import COPIES
 
 COMPARED_EDGES, OF_A_LIBRARY = 4, 5
 """The largest m for which runs that are walked as a tree are also played by themselves; a library
-plays a thousand times as many in the same time."""
+plays some hundred times as many in the same time."""
 
 BEGINNING, LATER = 64, 8
 """The number of chunks that are the beginning, with as many single runs as there is room for, and
@@ -56,8 +56,8 @@ MOST_GIVEN_UP = 3
 MOST_LOST = 2
 """The number of walks that may be lost, if no single run is."""
 
-
 MEND = "mend the copying, or leave it out"
+"""What is advised where copies go wrong and no run can be named."""
 
 
 class WalkedTree(NamedTuple):
@@ -149,14 +149,14 @@ class PlayedByTrees(Struct):
                     f"{self._lost} walks from copies of the explorer were lost, and no single run "
                     f"was; {MEND}"
                 )
-        if walked.unlike and walked.suspect is None:
-            raise Unsettled(
-                f"two walks from copies of the explorer differ, and no single run is wrong; {MEND}"
-            )
         if walked.suspect:
             found = self.stretches.engine.tally()
             self._find_out_of_step(walked.suspect, found)
             yield number, found
+        elif walked.unlike:
+            raise Unsettled(
+                f"two walks from copies of the explorer differ, and no single run is wrong; {MEND}"
+            )
 
     def _findings_of(self, tally: Tally) -> Tally:
         """A tally with these findings alone."""
