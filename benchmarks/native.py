@@ -33,7 +33,8 @@ import allworlds.explorers.shared_library
 from allworlds.engines import PythonEngine, Scope
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.isolation.jobs import PlayStretch
-from allworlds.engines.isolation.shared_logs import LibraryPlayer, StretchMemory
+from allworlds.engines.isolation.library_player import LibraryPlayer
+from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.kernel.batches import UnitJudge, load_native
 from allworlds.engines.kernel.chunks import CopyingPlayer, UnitTree, load_trees
 from allworlds.engines.kernel.log_codes import ANSWERED, SHOWN, span

@@ -5,12 +5,11 @@ from __future__ import annotations
 import ast
 import inspect
 import sys
-from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
 
-def open_door(package: str, gone: Mapping[str, Any] = {}) -> None:
+def open_door(package: str, gone: str = "") -> None:
     """Give a package its names: ``__getattr__``, ``__dir__`` and ``__all__``.
 
     The names are those that the ``__init__`` of the package imports under ``if TYPE_CHECKING``,
@@ -20,7 +19,7 @@ def open_door(package: str, gone: Mapping[str, Any] = {}) -> None:
 
     Args:
         package: its name; it is being imported.
-        gone: what stands for names that are no longer there.
+        gone: the table of what stands for names that are no longer there, as ``module:name``.
 
     Cost: the ``__init__`` is parsed, in less than a millisecond; each module is loaded with the
     first of its names.
@@ -30,9 +29,9 @@ def open_door(package: str, gone: Mapping[str, Any] = {}) -> None:
     names = vars(sys.modules[package])
 
     def load(name: str) -> Any:
-        if name in gone:
-            return gone[name]
         if name not in homes:
+            if gone and name in (replaced := loaded(gone)):
+                return replaced[name]
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         module, original = homes[name]
         if module == package:  # one of its own modules

@@ -11,7 +11,7 @@ from allworlds.document import replace
 from allworlds.engines import Scope, engine_table as engines
 from allworlds.engines.compiled.agreement import AGREEMENT_EDGES
 from allworlds.engines.isolation import player
-from allworlds.engines.kernel import engine as kernel, tables
+from allworlds.engines.kernel import capabilities
 from allworlds.engines.python import tour
 from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS
 from allworlds.evidence.mutants.errands import WEAK_TASK_JUDGES, WRONG_ERRANDS
@@ -56,10 +56,10 @@ def test_the_page_of_trust_says_how_many_mutants_there_are():
     ("page", "pattern", "number"),
     [
         ("glossary.md", r"there are \[(\w+)\]\(verdicts.md#laws\)", len(PRECEDENCE)),
-        ("verdicts.md", r"every class, up to (\d+) edges", tables.MOST_EDGES),
-        ("how-to/bound.md", r"The engine has room for (\d+) edges", tables.MOST_EDGES),
+        ("verdicts.md", r"every class, up to (\d+) edges", capabilities.MOST_EDGES),
+        ("how-to/bound.md", r"The engine has room for (\d+) edges", capabilities.MOST_EDGES),
         ("verdicts.md", r"In worlds with up to (\d+) edges each run", AGREEMENT_EDGES),
-        ("verdicts.md", r"step budgets \| up to ([\d,]+)", kernel.MOST_BUDGET),
+        ("verdicts.md", r"step budgets \| up to ([\d,]+)", capabilities.MOST_BUDGET),
         ("verdicts.md", r"one line of at most (\d+) characters", output.LONGEST),
         ("verdicts.md", r"is smaller than (\d+) MB", frame.LARGEST // 1_000_000),
         ("trust.md", r"at most ([\d,]+) darts of an answer", endings.MOST_DARTS),
@@ -86,7 +86,7 @@ def test_the_page_of_verdicts_names_the_lighthouses_of_the_compiled_engine():
     page = (ROOT / "docs/verdicts.md").read_text(encoding="utf-8")
     (told,) = re.findall(r"^\| lighthouses \| (.*) \|$", page, re.MULTILINE)
     named = re.findall(r"`([^`]+)`", told)
-    assert sorted(named) == sorted(kernel.LIGHTHOUSES - {"cluster-single"})
+    assert sorted(named) == sorted(capabilities.LIGHTHOUSES.keys() - {"cluster-single"})
 
 
 def test_the_page_of_languages_has_each_line_that_a_program_may_say():

@@ -6,7 +6,7 @@ import pytest
 from allworlds import bench, check, claims, count, optimum, worlds, worst
 from allworlds.engines import ENGINES, Job, Limits, Scope, Silent, engine_for, why_not_compiled
 from allworlds.engines.compiled.agreement import AGREED
-from allworlds.engines.kernel.engine import COMPILING
+from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.explorers import Subject, load
 from allworlds.inputs import InputError
 from allworlds.judging import Rules

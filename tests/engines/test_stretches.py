@@ -22,12 +22,14 @@ from allworlds.engines import (
 )
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.stretches import PlayedByStretches
-from allworlds.engines.compiled.users_engine import UsersEngine, load as load_here
+from allworlds.engines.compiled.users_engine import KERNEL, UsersEngine
+from allworlds.engines.compiled.users_kernel import is_kept, load as load_here
 from allworlds.engines.isolation.jobs import PlayStretch
+from allworlds.engines.isolation.library_player import LibraryPlayer
 from allworlds.engines.isolation.messages import StretchResult, read_message, write_message
-from allworlds.engines.isolation.shared_logs import LibraryPlayer, StretchMemory
+from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.kernel.batches import UnitJudge
-from allworlds.engines.kernel.engine import COMPILING
+from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.engines.kernel.native import shuffle
 from allworlds.engines.kernel.rows import BrokenRun, Rows
 from allworlds.engines.python.earlier_plays import EarlierPlays
@@ -394,9 +396,18 @@ def test_what_is_needed_is_compiled_once_and_said(monkeypatch):
     notices.clear()  # in a fresh cache there is something to be compiled
     UsersEngine.compiled(job)
     assert not notices
-    monkeypatch.setattr("allworlds.engines.compiled.users_engine.is_compiled", lambda _: False)
+    assert is_kept() == 1
+    monkeypatch.setattr("allworlds.engines.compiled.users_kernel.is_compiled", lambda _: False)
+    asked = []
+
+    class Fresh:
+        def prepare(self, module, function):
+            asked.append((module, function, notices[:]))
+            return is_kept() if function == "is_kept" else None
+
+    monkeypatch.setattr("allworlds.engines.compiled.users_engine.guardian", Fresh)
     UsersEngine.compiled(job)
-    assert notices == [COMPILING]
+    assert asked == [(KERNEL, "is_kept", []), (KERNEL, "load", [COMPILING])]
 
 
 def test_a_message_of_a_stretch_is_read_as_it_was_written():

@@ -8,10 +8,11 @@ from numpy import uint8, zeros
 from allworlds.engines import PythonEngine, Scope, Tally
 from allworlds.engines.compiled.stretches import PlayedByStretches, counts_of
 from allworlds.engines.compiled.trees import LATER, PlayedByTrees
-from allworlds.engines.compiled.users_engine import load as load_here
+from allworlds.engines.compiled.users_kernel import load as load_here
 from allworlds.engines.isolation.chunk_player import ChunkPlayer
 from allworlds.engines.isolation.jobs import PlaySegments, PlayTree, Unsettled
-from allworlds.engines.isolation.shared_logs import LibraryPlayer, OpenedMemories
+from allworlds.engines.isolation.library_player import LibraryPlayer
+from allworlds.engines.isolation.shared_logs import OpenedMemories
 from allworlds.engines.kernel import chunks
 from allworlds.engines.kernel.tree_memory import MOST_SINGLES
 from allworlds.engines.python.earlier_plays import EarlierPlays
@@ -274,7 +275,7 @@ def test_more_runs_are_kept_for_single_plays_at_the_beginning(monkeypatch):
         return judge(tree, *told, samples=samples, **more)
 
     load_here()
-    monkeypatch.setattr("allworlds.engines.compiled.users_engine.load_trees", lambda: None)
+    monkeypatch.setattr("allworlds.engines.compiled.users_kernel.load_trees", lambda: None)
     monkeypatch.setattr(chunks.UnitTree, "judge", judged)
     monkeypatch.setattr("allworlds.engines.compiled.trees.BEGINNING", 2)
     walked(example(RIGHT))

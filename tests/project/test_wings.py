@@ -124,7 +124,8 @@ COMPARED = [
         "engines.kernel.demand_driven",
         "engines.kernel.runs",
         {
-            *("engines.kernel.bits", "engines.kernel.calls", "engines.kernel.code"),
+            *("engines.kernel.bits", "engines.kernel.calls", "engines.kernel.capabilities"),
+            "engines.kernel.code",
             *("engines.kernel.compiling", "engines.kernel.names", "engines.kernel.records"),
         },
     ),
@@ -490,9 +491,24 @@ def test_what_explorers_need_loads_maps_and_protocol_alone():
     assert {wing(name) for name in own} == {"ground", "maps", "protocol"}
 
 
-def test_a_process_that_only_plays_loads_no_numpy():
+def test_a_process_that_only_plays_loads_neither_judges_nor_worlds():
     home = "allworlds.engines.isolation"
-    assert "numpy" not in loaded_by(f"import {home}.roles, {home}.generator_player")
+    loaded = loaded_by(f"import {home}.roles, {home}.generator_player")
+    assert not {"numpy", "numba", "z3", "networkx"} & loaded
+    own = {inner(name) for name in loaded if inner(name)}
+    assert {name for name in own if wing(name) == "judging"} == {
+        *("judging", "judging.endings", "judging.episode"),
+    }
+    assert {name for name in own if wing(name) == "world"} == {"world", "world.illegal_action"}
+    assert f"{home}.world_player" not in loaded
+
+
+def test_a_command_that_lets_others_judge_loads_no_compiled_code():
+    engine = "allworlds.engines.compiled"
+    loaded = loaded_by(f"import allworlds.studies.check.exhaustive, {engine}.users_engine as u")
+    assert f"{engine}.obstacles" not in loaded
+    loaded = loaded_by(f"import {engine}.obstacles, {engine}.users_engine")
+    assert not {"numpy", "numba"} & loaded
 
 
 def test_a_name_loads_its_module_when_it_is_used():

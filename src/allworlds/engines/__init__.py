@@ -48,9 +48,9 @@ if TYPE_CHECKING:
     from allworlds.engines.isolation.subject_probe import subject_of as subject_of
     from allworlds.engines.isolation.workers import workers_for as workers_for
     from allworlds.engines.job import Job as Job
+    from allworlds.engines.kernel.capabilities import COMPILING as COMPILING
     from allworlds.engines.kernel.compiling import is_compiled as is_compiled
     from allworlds.engines.kernel.engine import (
-        COMPILING as COMPILING,
         by_vertices_and_faces as by_vertices_and_faces,
         flag as flag,
     )

@@ -72,19 +72,21 @@ class Compiled:
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
         """The reason why in large maps one walk is counted for all bearings."""
-        from allworlds.engines.compiled.requests import walks
+        from allworlds.engines.compiled.obstacles import walks
+
+        if not walks(scope, subject, scope.extent.levels[-1]):
+            return ""
         from allworlds.engines.compiled.tallies import SYMMETRY
 
-        return SYMMETRY if walks(scope, subject, scope.extent.levels[-1]) else ""
+        return SYMMETRY
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """Return the first option that it does not know, in a sentence."""
         if lack := lack_of(*COMPILER):
             return lack
         if subject.from_user and not subject.importable and subject.native is None:
-            # Said before the kernel is loaded, which takes half a second.
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
-        from allworlds.engines.compiled.requests import obstacle
+        from allworlds.engines.compiled.obstacles import obstacle
 
         return obstacle(scope, subject)
 

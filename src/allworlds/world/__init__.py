@@ -4,8 +4,8 @@
     the marks and directions in a world, and the percepts that they cause; one kind a module;
 ``state``
     the state that a step changes: the places of the robot and of its markers;
-``world``
-    map, lighthouse and start together, and the effect of a step;
+``world``, ``illegal_action``
+    map, lighthouse and start together, the effect of a step, and the error where there is none;
 ``enumeration``
     every world of a class, for loops of one's own;
 ``adversary``
@@ -26,6 +26,7 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.world.enumeration import worlds as worlds
+    from allworlds.world.illegal_action import IllegalAction as IllegalAction
     from allworlds.world.lighthouses.base import (
         Lighthouse as Lighthouse,
     )
@@ -57,7 +58,6 @@ if TYPE_CHECKING:
     )
     from allworlds.world.state import State as State
     from allworlds.world.world import (
-        IllegalAction as IllegalAction,
         World as World,
         at_place as at_place,
     )

@@ -29,9 +29,10 @@ from msgspec import Struct
 from allworlds.inputs import InputError, show
 from allworlds.maps import CorridorShape, Dart, augmented, drawn_corridor, usual_degree
 from allworlds.protocol import Action, Checkpoint, Move, Percept, Told
+from allworlds.world.illegal_action import IllegalAction
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.state import State, without_markers
-from allworlds.world.world import IllegalAction, World
+from allworlds.world.world import World
 
 Word: TypeAlias = tuple[int, ...]
 """Motions, each from the dart by which one has arrived; 0, the way back, does not occur."""

@@ -10,6 +10,7 @@ from allworlds.document import Text, about
 from allworlds.inputs import SCOPE, Option, Request, Taken, one_of
 from allworlds.maps import CombinatorialMap, rooted_maps
 from allworlds.protocol import Action, Drop, Move, Pick, Write
+from allworlds.world.illegal_action import IllegalAction
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
@@ -19,7 +20,7 @@ from allworlds.world.lighthouses.kinds import (
     lighthouse_kind,
 )
 from allworlds.world.lighthouses.place_checks import InvalidWorld, Unsteady
-from allworlds.world.world import IllegalAction, World
+from allworlds.world.world import World
 
 TRIED_EDGES = 3
 """In all maps with so many edges a lighthouse of the user's must be a function of the world."""

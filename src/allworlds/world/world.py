@@ -19,15 +19,12 @@ from allworlds.maps import (
     to_networkx,
 )
 from allworlds.protocol import Action, Move, Percept, Told
+from allworlds.world.illegal_action import IllegalAction
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.place_checks import InvalidWorld, refuse_other_keys
 from allworlds.world.state import State, without_markers
-
-
-class IllegalAction(ValueError):
-    """Raised for an action that is illegal in this world."""
 
 
 class WorldDocument(Document):

@@ -4,7 +4,7 @@ verdict: internal
 says: has told that run
 """
 
-from allworlds.engines.python.play import ExplorerRunner
+from allworlds.engines.python.world_runner import WorldRunner
 
 
 def done(self, engine, unit, numbers, order, script=None):
@@ -12,7 +12,7 @@ def done(self, engine, unit, numbers, order, script=None):
         yield number, None
 
 
-ExplorerRunner.play_runs = done
+WorldRunner.play_runs = done
 
 
 def explore(first):

@@ -15,7 +15,8 @@ from typing import TypeAlias
 from msgspec import Struct
 
 from allworlds.document import replace
-from allworlds.engines.compiled.requests import level_of, walks
+from allworlds.engines.compiled.obstacles import walks
+from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.isolation.workers import Workers
 from allworlds.engines.kernel import engine as kernel
 from allworlds.engines.kernel.compiling import is_compiled

@@ -18,10 +18,12 @@ from typing import Any, Self
 from msgspec import Struct, field
 
 from allworlds.engines.compiled.agreement import AGREEMENT_EDGES, compare_engines
-from allworlds.engines.compiled.requests import level_of, walks
+from allworlds.engines.compiled.obstacles import walks
+from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.sizes import WALKED_FROM
 from allworlds.engines.job import Job
 from allworlds.engines.kernel import engine as kernel
+from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.rows import BrokenRun, Rows
 from allworlds.engines.kernel.runs import examine
@@ -73,7 +75,7 @@ class CompiledEngine(Struct, frozen=True):
             EnginesDisagree: naming the first world in which they do.
         """
         if not is_compiled(examine):
-            job.notice(kernel.COMPILING)
+            job.notice(COMPILING)
         compare_engines(job.scope, job.subject, job.limits)
         return cls(job.scope, job.subject, job.keep)
 

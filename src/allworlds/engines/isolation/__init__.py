@@ -14,13 +14,14 @@ The **guardian** forks them all, and ends them, and all that they have started.
     layouts of memory, drawn for each process;
 ``relay``
     the stderr of processes, on its way to that of the owner;
-``player``, ``one_player``, ``player_pair``
-    the process with the user's code in it, and the referee's side of one, and of two;
+``player``, ``world_player``, ``one_player``, ``player_pair``
+    the process with the user's code in it, its plays in worlds, and the referee's side of one
+    player, and of two;
 ``referee``, ``worker_engine``, ``workers``
     the process that judges units, the engine in it, and its owner's side: the transport;
-``shared_logs``, ``generator_player``
-    many runs of a user's explorer at a time, in shared memory; and the writing of their logs,
-    where the explorer is a generator;
+``shared_logs``, ``library_player``, ``generator_player``
+    many runs of a user's explorer at a time, in shared memory; played by a shared library, or by a
+    generator;
 ``chunk_player``
     trees of runs, walked by an explorer in Python, or a program, that can be copied;
 ``confirm``

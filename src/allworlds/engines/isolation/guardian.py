@@ -59,6 +59,9 @@ stdout by then.  In a role of :data:`OWNERS` a socket to the guardian follows.""
 OWNERS = frozenset({"referee"})
 """The roles that may own processes; no user's code is in them."""
 
+GUARDIAN, NURSERY = "guardian", "nursery"
+"""The kinds of processes that fork others."""
+
 LOOK = 1.0
 """Seconds after which the guardian looks again whether its owner is there."""
 
@@ -75,7 +78,7 @@ def launch(
     """A guardian in an interpreter of its own, and the socket to it.
 
     Args:
-        kind: ``guardian`` or ``nursery``; shown on its command line.
+        kind: :data:`GUARDIAN` or :data:`NURSERY`; shown on its command line.
         hash_seed: of the interpreter.
         path: from which it imports.
     """
@@ -107,7 +110,7 @@ class _Guardian:
         self._owned: dict[socket.socket, set[int]] = {owner: set()}
         self._control: dict[int, socket.socket] = {}
         self._ended: dict[int, int] = {}
-        self._prepared: set[Prepare] = set()
+        self._prepared: dict[Prepare, Answer] = {}
         self._nurseries: dict[ReachNursery, tuple[socket.socket, int]] = {}
         self._relay = Relay()
         self._selector.register(self._relay, EVENT_READ)
@@ -180,7 +183,7 @@ class _Guardian:
         """
         self._reap()
         if request not in self._nurseries or self._nurseries[request][1] in self._ended:
-            ours, nursery = launch("nursery", request.seed, sys.path)
+            ours, nursery = launch(NURSERY, request.seed, sys.path)
             nursery.returncode = 0  # it is reaped here
             self._known.add(nursery.pid)
             self._nurseries[request] = ours, nursery.pid
@@ -217,14 +220,14 @@ class _Guardian:
                 self._reap()
                 return self._ended.get(pid)
             case Prepare():
-                self._prepare(request)
-                return None
+                return self._prepare(request)
 
-    def _prepare(self, request: Prepare) -> None:
+    def _prepare(self, request: Prepare) -> Answer:
         if request not in self._prepared:
-            getattr(import_module(request.module), request.function)()
-            self._prepared.add(request)
+            returned = getattr(import_module(request.module), request.function)()
+            self._prepared[request] = returned
             gc.freeze()
+        return self._prepared[request]
 
     def _spawn(self, request: Spawn, descriptors: list[int]) -> int:
         ours, theirs = socket.socketpair()

@@ -44,6 +44,8 @@ class AskExitCode(Struct, frozen=True):
 class Prepare(Struct, frozen=True):
     """Call a function without arguments: all that are forked later share the modules it loads.
 
+    It is called once; answered by what it has returned.
+
     Attributes:
         module, function: its module, which belongs to this package, and its name.
     """
@@ -73,7 +75,7 @@ class ServeAnother(Struct, frozen=True):
 Request = Spawn | EndProcesses | AskExitCode | Prepare | ReachNursery | ServeAnother
 Answer = int | None
 """A process's number to :class:`Spawn` and :class:`ReachNursery`; to :class:`AskExitCode` its exit
-code (minus the signal), or None while it goes on."""
+code (minus the signal), or None while it goes on; to :class:`Prepare` what was returned."""
 
 
 def send(sock: socket.socket, message: object, descriptors: list[int]) -> None:

@@ -6,19 +6,22 @@ The answers of players are in :mod:`allworlds.engines.isolation.messages`.
 from __future__ import annotations
 
 import os
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 from msgspec import Struct
 
-from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
-from allworlds.engines.python.play import Record
-from allworlds.engines.python.run_counter import RunCounter
-from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.units.effort import Limits
-from allworlds.explorers import Subject
-from allworlds.judging import Rules
-from allworlds.protocol import START_TIMEOUT, Schedule, SourceText
-from allworlds.world import Adversary, World
+from allworlds.protocol import START_TIMEOUT, SourceText
+
+if TYPE_CHECKING:  # a player loads what its messages hold, and nothing for the others
+    from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
+    from allworlds.engines.python.play import Record
+    from allworlds.engines.python.run_counter import RunCounter
+    from allworlds.engines.python.runs_of_unit import UnitOfRuns
+    from allworlds.engines.units.effort import Limits
+    from allworlds.explorers import Subject
+    from allworlds.judging import Rules
+    from allworlds.protocol import Schedule
+    from allworlds.world import Adversary, World
 
 
 class HarnessError(RuntimeError):

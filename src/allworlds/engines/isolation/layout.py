@@ -152,14 +152,14 @@ def run_deeper(run: Callable[[], None]) -> None:
 
 
 def _begin() -> None:
-    """Be a guardian: with the import path and the descriptor that the command line names."""
+    """Be a guardian, with the import path, the descriptor and the kind of the command line."""
     scatter_objects()
     import json
 
     sys.path[:] = json.loads(sys.argv[1])
     from allworlds.engines.isolation.roles import guard
 
-    guard(int(sys.argv[2]))
+    guard(int(sys.argv[2]), sys.argv[3])
 
 
 if __name__ == "__main__":

@@ -16,6 +16,9 @@ from allworlds.judging import Fault, Log
 
 ANSWER = "an action, or an estimate at the end"
 
+WORLDS = "allworlds.engines.isolation.world_player"
+"""The module by which a player plays in worlds; a nursery loads it when it is asked to."""
+
 STOPPED = "a process was stopped again and again, perhaps by the explorer"
 """The sentence about processes that stand still for a reason that is not known."""
 
@@ -43,7 +46,12 @@ class PlayerLost(Exception):
 
 
 def start_player(
-    guardian: Guardian, setup: PlayerSetup, hash_seed: int = 0, copy: int = 0
+    guardian: Guardian,
+    setup: PlayerSetup,
+    hash_seed: int = 0,
+    copy: int = 0,
+    *,
+    in_worlds: bool = True,
 ) -> tuple[Process, ExplorerDescription]:
     """Start a player, and load its explorer.
 
@@ -52,12 +60,15 @@ def start_player(
         setup: the explorer.
         hash_seed: of the process, and of programs that it starts.
         copy: the number of the process with that seed that forks it.
+        in_worlds: whether it is to play in worlds.
 
     Raises:
         InputError: if the explorer cannot be loaded.
     """
     # A program is started anew, with addresses of its own.
     parent = guardian if is_program(setup.name) else guardian.nursery(hash_seed, copy)
+    if in_worlds and parent is not guardian:
+        parent.prepare(WORLDS, "load")
     process = Process(parent, "player", setup, hash_seed)
     try:
         return process, _description(process, setup)

@@ -8,12 +8,11 @@ import os
 import signal
 import time
 import traceback
-from collections.abc import Callable, MutableSequence, Sequence
+from collections.abc import MutableSequence
 from contextlib import suppress
-from functools import partial
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 from allworlds.engines.isolation.jobs import (
     PlayerSetup,
@@ -31,37 +30,19 @@ from allworlds.engines.isolation.messages import (
     Message,
     RecordLogs,
     Refusal,
-    RunLogs,
     StretchResult,
-    TraceEvent,
     write_message,
 )
 from allworlds.engines.isolation.process import address_space, limit_memory
-from allworlds.engines.python.examiner import name_run
-from allworlds.engines.python.play import ExplorerRunner, ending_maker
+from allworlds.engines.python.play import ExplorerRunner
 from allworlds.explorers import Shield, Subject, is_program, load
 from allworlds.inputs import InputError
-from allworlds.judging import Environment, Log, perform, unwatched
-from allworlds.protocol import (
-    Action,
-    Checkpoint,
-    Choices,
-    Kind,
-    Percept,
-    Schedules,
-    limit_calls,
-    number_of,
-)
-from allworlds.world import Deciding, State
+from allworlds.protocol import limit_calls
 
 if TYPE_CHECKING:
     from allworlds.engines.isolation.generator_player import GeneratorPlayer
-    from allworlds.engines.isolation.shared_logs import LibraryPlayer
-
-T = TypeVar("T")
-
-CHUNK, CHUNK_SECONDS = 64, 0.1
-"""The number of logs, or of seconds, after which logs are sent."""
+    from allworlds.engines.isolation.library_player import LibraryPlayer
+    from allworlds.engines.isolation.world_player import WorldPlayer
 
 NATIVE_MEMORY = 2048
 """MB of address space that a shared library has, unless another limit is named."""
@@ -87,6 +68,7 @@ class PlayerProcess:
         self._beat = beat
         self._pid = os.getpid()
         self._stretches: LibraryPlayer | GeneratorPlayer | None = None
+        self._in_worlds: WorldPlayer | None = None
         self._look_at = 0.0
 
     def run(self) -> None:
@@ -155,19 +137,27 @@ class PlayerProcess:
     def _do(self, subject: Subject, runner: ExplorerRunner, job: Job) -> None:
         match job:
             case PlayRuns():
-                self._play_runs(runner, job)
+                self._world_player(runner).play_runs(job)
             case PlayRecords(records, policy, order, plain):
                 self._send(RecordLogs(runner.play_records(records, policy, order, plain=plain)))
             case PlayStretch() | PlayTree() | PlaySegments():
                 self._send(self._play_stretch(subject, job))
             case Trace():
-                self._trace(subject, job)
+                self._world_player(runner).trace(job)
+
+    def _world_player(self, runner: ExplorerRunner) -> WorldPlayer:
+        """The part that plays in worlds; the process that forked this one has loaded it."""
+        from allworlds.engines.isolation.world_player import WorldPlayer
+
+        if self._in_worlds is None:
+            self._in_worlds = WorldPlayer(runner, self._send)
+        return self._in_worlds
 
     def _play_stretch(
         self, subject: Subject, job: PlayStretch | PlayTree | PlaySegments
     ) -> StretchResult:
         from allworlds.engines.isolation.generator_player import GeneratorPlayer
-        from allworlds.engines.isolation.shared_logs import LibraryPlayer
+        from allworlds.engines.isolation.library_player import LibraryPlayer
 
         if self._stretches is None:
             if subject.native is not None and job.compiled:
@@ -178,51 +168,6 @@ class PlayerProcess:
         result = self._stretches.play(job)
         self._intact()
         return StretchResult(result.size, result.threads, result.last, subject.copies)
-
-    def _play_runs(self, runner: ExplorerRunner, job: PlayRuns) -> None:
-        logs: list[tuple[int, Log]] = []
-        finished: list[int] = []
-        due = time.monotonic() + CHUNK_SECONDS
-        for number, log in runner.play_runs(
-            job.engine, job.unit, job.numbers, job.order, job.script
-        ):
-            if log is None:
-                finished.append(number)
-            else:
-                logs.append((number, log))
-            if len(logs) >= CHUNK or time.monotonic() > due:
-                self._send(RunLogs(logs, finished))
-                logs, finished = [], []
-                due = time.monotonic() + CHUNK_SECONDS
-        if logs or finished:
-            self._send(RunLogs(logs, finished))
-
-    def _trace(self, subject: Subject, job: Trace) -> None:
-        rules = job.rules
-        name = name_run(rules, job.world)
-        every = job.schedules == "all"
-        for choices in Schedules() if every else [rules.choices(name, job.script)]:
-            self._send(TraceEvent(None))
-            world: Environment = rules.task.environment(job.world)
-            watch: Callable[[Checkpoint], object] = unwatched
-            if job.adversary:
-                world = deciding = Deciding(job.adversary)
-                watch = partial(self._settled, deciding)
-            log = perform(
-                TracedWorld(world, self._send),
-                subject.player(),
-                TracedChoices(choices, self._send),
-                rules.budget(job.world.map),
-                self._beat,
-                ended=ending_maker(any_answer=not rules.task.is_map),
-                watch=watch,
-            )
-            self._intact()
-        self._send(RecordLogs([log]))
-
-    def _settled(self, deciding: Deciding, shown: Checkpoint) -> None:
-        for dart in deciding.heed(shown):
-            self._send(TraceEvent(dart, settled=True))
 
     def _send(self, message: Message) -> None:
         self._connection.send_bytes(write_message(message))
@@ -241,40 +186,6 @@ class PlayerProcess:
             signal.setitimer(timer, 0)
         os.fstat(self._connection.fileno())  # an OSError ends the process, see its role
         self._look_at = time.monotonic() + LOOK
-
-
-class TracedWorld:
-    """A world that reports each step before the explorer sees its outcome."""
-
-    def __init__(self, world: Environment, send: Callable[[Message], None]) -> None:
-        self._world, self._send = world, send
-        self.initial, self.first, self.told = world.initial, world.first, world.told
-
-    @property
-    def over(self) -> bool:
-        """Whether the world ends the run."""
-        return self._world.over
-
-    def step(self, state: State, action: Action) -> tuple[State, Percept]:
-        """Step the world, and report the step to the owner."""
-        after, percept = self._world.step(state, action)
-        self._send(TraceEvent((number_of(action), percept)))
-        return after, percept
-
-
-class TracedChoices(Choices):
-    """Choices that report each pick."""
-
-    def __init__(self, choices: Choices, send: Callable[[Message], None]) -> None:
-        super().__init__()
-        self._choices, self._send = choices, send
-        self.record = choices.record
-
-    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
-        """Pick one of the options, and report the choice to the owner."""
-        picked = self._choices.pick(options, of, cost)
-        self._send(TraceEvent(self.record[-1]))
-        return picked
 
 
 def _print_to(path: str) -> None:

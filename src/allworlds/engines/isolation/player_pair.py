@@ -297,7 +297,8 @@ class PlayerPair(Struct):
 
     def _player(self, which: str) -> Process:
         if which not in self._processes:
-            process, description = self._start(*self._place(which))
+            place, in_worlds = self._place(which), which == "first"
+            process, description = self._start(*place, in_worlds=in_worlds)
             self._processes[which], self._copies = process, description.copies
         return self._processes[which]
 
@@ -311,13 +312,15 @@ class PlayerPair(Struct):
         """Whether the process at a place has loaded compiled code, if any has."""
         return seed == 0 and copy in (0, BEHIND)
 
-    def _start(self, seed: int, copy: int) -> tuple[Process, ExplorerDescription]:
+    def _start(
+        self, seed: int, copy: int, *, in_worlds: bool
+    ) -> tuple[Process, ExplorerDescription]:
         if self.in_stretches and not is_program(self.setup.name):
             if not self._has_compiled_code(seed, copy):
                 self.guardian.nursery(seed, copy).prepare(GENERATORS, "load")
             elif copy:
                 self.guardian.nursery(seed, copy, alike=True)
-        return start_player(self.guardian, self.setup, seed, copy)
+        return start_player(self.guardian, self.setup, seed, copy, in_worlds=in_worlds)
 
     def _change_second(self, plays: int, *, may_visit: bool = False) -> None:
         """Count plays of the second player, and replace it if it is time for that."""

@@ -19,7 +19,7 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any
 
-from allworlds.engines.isolation.guardian import OWNERS, launch
+from allworlds.engines.isolation.guardian import GUARDIAN, OWNERS, launch
 from allworlds.engines.isolation.guardian_requests import (
     AskExitCode,
     EndProcesses,
@@ -113,9 +113,12 @@ class Guardian:
         """The exit code of a process; None while it goes on."""
         return self._ask(AskExitCode(pid))[0]
 
-    def prepare(self, module: str, function: str) -> None:
-        """Let it call a function of this package: all later processes share the loaded modules."""
-        self._ask(Prepare(module, function))
+    def prepare(self, module: str, function: str) -> int | None:
+        """Let it call a function of this package: all later processes share the loaded modules.
+
+        Return what the function has returned, a number or None.
+        """
+        return self._ask(Prepare(module, function))[0]
 
     def nursery(self, seed: int, copy: int = 0, *, alike: bool = False) -> Guardian:
         """A guardian that forks processes with another hash seed and address layout.
@@ -196,7 +199,7 @@ def _ends(process: subprocess.Popen[bytes], seconds: float) -> bool:
 
 def start_guardian() -> Guardian:
     """A guardian of its own interpreter."""
-    sock, process = launch("guardian", 0, child_path())
+    sock, process = launch(GUARDIAN, 0, child_path())
     return Guardian(sock, process.pid, process)
 
 

@@ -1,4 +1,8 @@
-"""The roles of forked processes, by name; imported once, in the guardian, so that all share it."""
+"""The roles of forked processes, by name.
+
+A guardian imports what each role needs, so that all its processes share it; a nursery, which forks
+players alone, what a second player needs.
+"""
 
 from __future__ import annotations
 
@@ -8,14 +12,17 @@ import signal
 import socket
 import sys
 from collections.abc import Callable, MutableSequence
+from importlib import import_module
 from multiprocessing.connection import Connection
-from typing import NoReturn, TypeAlias, cast
+from typing import TYPE_CHECKING, NoReturn, TypeAlias, cast
 
-from allworlds.engines.isolation.guardian import Role, serve
+from allworlds.engines.isolation.guardian import NURSERY, Role, serve
 from allworlds.engines.isolation.player import PlayerProcess
 from allworlds.engines.isolation.process import BEAT_WORDS, Guardian, have_relayed_stderr
-from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.isolation.stderr_stream import patient_stderr
+
+if TYPE_CHECKING:
+    from allworlds.engines.isolation.referee import RefereeProcess
 
 
 def player(connection: Connection, beat: MutableSequence[int], _: Guardian | None) -> PlayerProcess:
@@ -27,12 +34,14 @@ def referee(
     connection: Connection, beat: MutableSequence[int], guardian: Guardian | None
 ) -> RefereeProcess:
     """Run the process that judges, which has no user's code in it."""
+    from allworlds.engines.isolation.referee import RefereeProcess
+
     assert guardian is not None
     return RefereeProcess(connection, beat, guardian)
 
 
 Maker: TypeAlias = Callable[
-    [Connection, MutableSequence[int], Guardian | None], PlayerProcess | RefereeProcess
+    [Connection, MutableSequence[int], Guardian | None], "PlayerProcess | RefereeProcess"
 ]
 
 
@@ -63,6 +72,9 @@ ROLES: dict[str, Role] = {make.__name__: _role(make) for make in (player, refere
 """Every role by its name."""
 
 
-def guard(descriptor: int) -> NoReturn:
-    """Be a guardian, with that end of the socket to the owner."""
+def guard(descriptor: int, kind: str) -> NoReturn:
+    """Be a guardian, or a nursery, with that end of the socket to the owner."""
+    if kind != NURSERY:
+        for module in ("referee", "world_player"):
+            import_module(f"allworlds.engines.isolation.{module}")
     serve(socket.socket(fileno=descriptor), ROLES)

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import mmap
 import os
-from collections.abc import MutableSequence, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from allworlds.engines.isolation.jobs import PlaySegments, PlayStretch, PlayTree
 from allworlds.engines.isolation.messages import StretchResult
-from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.kernel.stretch import Stretch
 from allworlds.engines.kernel.tree_memory import TreeMemory
 from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
-from allworlds.explorers import NativeExplorer, threads_left, threads_now
 
 if TYPE_CHECKING:
-    from allworlds.engines.kernel.chunks import CopyingPlayer
+    from allworlds.engines.isolation.player_pair import PlayerPair
 
 
 class StretchMemory:
@@ -131,48 +129,3 @@ def _mapped(path: str, size: int) -> mmap.mmap:
     if hasattr(mmap, "MADV_DONTFORK"):  # a copy made by the explorer must not write here
         memory.madvise(mmap.MADV_DONTFORK)
     return memory
-
-
-class LibraryPlayer:
-    """A player's side of stretches and trees, for a shared library: compiled code plays them.
-
-    Args:
-        explorer: loaded here.
-        beat: see :func:`allworlds.judging.episode.play`.
-
-    Attributes:
-        native: the explorer, as compiled code calls it.
-    """
-
-    def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
-        from allworlds.engines.kernel.batches import NativePlayer
-        from allworlds.engines.kernel.memory_arrays import StretchArrays, TreeArrays
-
-        addresses, state = explorer.library.addresses(), explorer.state()
-        self.native = NativePlayer(addresses, state, explorer.handed(), beat)
-        self._states = addresses["clone"], addresses["new"]
-        self._copying: CopyingPlayer | None = None
-        self._memories = OpenedMemories(StretchArrays, TreeArrays)
-        self._threads = threads_now()
-
-    def play(self, job: PlayStretch | PlayTree | PlaySegments) -> StretchResult:
-        """Play all runs of a stretch, or of a chunk of a tree."""
-        size, last = self._played(job)
-        left = threads_left(self._threads)
-        self._threads += left
-        return StretchResult(size, left, last)
-
-    def _played(self, job: PlayStretch | PlayTree | PlaySegments) -> tuple[int, bool]:
-        """The number of bytes, and whether a tree ends here."""
-        if isinstance(job, PlayStretch):
-            stretch = self._memories.stretch(job)
-            whole = (stretch, job.runs, job.order, job.policy)
-            return self.native.play(*whole, again=job.again), False
-        if self._copying is None:
-            from allworlds.engines.kernel.chunks import CopyingPlayer
-
-            self._copying = CopyingPlayer(self.native, self._states)
-        memory = self._memories.tree(job)
-        if isinstance(job, PlayTree):
-            return self._copying.play(memory, job.request, job.chunk, job.runs)
-        return self._copying.play_again(memory, job.policy, job.roots), False

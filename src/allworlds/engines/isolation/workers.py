@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+import time
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import islice
@@ -97,7 +98,7 @@ class Workers(Struct):
         # An explorer that counts its runs is not to know of which unit they are.
         order = in_any_order(units) if self.subject.from_user else units
         waiting = (_UnitTask(unit) for unit in order)
-        task = next(waiting, None)
+        task, look_at = next(waiting, None), 0.0
         while task or self._busy:
             while task and len(self._busy) < self.limits.workers:
                 self._hand_out(engine, task)
@@ -105,16 +106,22 @@ class Workers(Struct):
             for connection in wait(list(self._busy), POLL):
                 assert isinstance(connection, Connection)
                 yield self._receive(connection, engine)
-            for referee, _ in list(self._busy.values()):
-                if referee.silent_for() > WAKE:
-                    if self._stops.too_many(referee.pid):
-                        raise Unsettled(STOPPED)
-                    referee.wake()
-                if referee.silent_for() > PATIENCE:
-                    yield self._replace(referee, engine, f"silent for {PATIENCE:g} s")
-                elif referee.has_ended():
-                    yield self._replace(referee, engine, referee.death()[0])
+            if time.monotonic() >= look_at:
+                yield from self._look_at_referees(engine)
+                look_at = time.monotonic() + POLL
             check_deadline(self.deadline)
+
+    def _look_at_referees(self, engine: WorkerEngine) -> Iterator[PartialResult[UnitOfRuns, Any]]:
+        """Wake referees that are silent, and replace those that are lost."""
+        for referee, _ in list(self._busy.values()):
+            if referee.silent_for() > WAKE:
+                if self._stops.too_many(referee.pid):
+                    raise Unsettled(STOPPED)
+                referee.wake()
+            if referee.silent_for() > PATIENCE:
+                yield self._replace(referee, engine, f"silent for {PATIENCE:g} s")
+            elif referee.has_ended():
+                yield self._replace(referee, engine, referee.death()[0])
 
     def _hand_out(self, engine: WorkerEngine, task: _UnitTask) -> None:
         referee = self._idle.pop() if self._idle else self._new_referee()

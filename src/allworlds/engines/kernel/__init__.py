@@ -27,6 +27,8 @@ lock only to start and to end, so that threads share the work.
     the fewest traversals that suffice from a state of knowledge, and its door;
 ``counting``
     the numbers of maps, by vertices and faces;
+``capabilities``
+    the explorers and lighthouses that it knows, and the sizes that it has room for;
 ``records``, ``walk_records``, ``tables``, ``names``, ``law_numbers``
     the records in memory, the tables, and the names of small numbers;
 ``compiling``, ``calls``, ``bits``, ``code``

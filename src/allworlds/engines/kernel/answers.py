@@ -9,10 +9,11 @@ from __future__ import annotations
 from numpy import int64
 
 from allworlds.engines.kernel.calls import entry_of
+from allworlds.engines.kernel.capabilities import LONG
 from allworlds.engines.kernel.compiling import inlined, inner
 from allworlds.engines.kernel.embedding import grown, spell_out
 from allworlds.engines.kernel.law_numbers import MAP, NO_ESTIMATE, POSE
-from allworlds.engines.kernel.records import LONG, NONE
+from allworlds.engines.kernel.records import NONE
 
 
 @inner

@@ -17,41 +17,25 @@ from typing import Any
 from numpy import argwhere, array, asarray, full, int8, int64, maximum, zeros
 
 from allworlds.engines.kernel import demand_tally as tally, runs
-from allworlds.engines.kernel.algorithm1 import algorithm1_addresses
+from allworlds.engines.kernel.capabilities import EXPLORERS
 from allworlds.engines.kernel.classes import rule_address
 from allworlds.engines.kernel.compiling import uncollected
 from allworlds.engines.kernel.counting import count
 from allworlds.engines.kernel.demand_driven import explore
 from allworlds.engines.kernel.law_numbers import LAWS
-from allworlds.engines.kernel.lighthouses import KINDS, lighthouse_address
+from allworlds.engines.kernel.lighthouses import lighthouse_address
 from allworlds.engines.kernel.names import EVENTS, POLICIES
-from allworlds.engines.kernel.records import COUNTING, JOB, LONG, ROBOT, new
+from allworlds.engines.kernel.records import COUNTING, JOB, ROBOT, new
 from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows
-from allworlds.engines.kernel.tables import MOST_EDGES, gluing_rule, packed
-from allworlds.engines.kernel.two_vertices import two_vertices_addresses
+from allworlds.engines.kernel.tables import gluing_rule, packed
 from allworlds.engines.kernel.walk_records import WALK
+from allworlds.lazy import loaded
 
 EVERY = 1 << 62
 """A number above that of any run."""
 
-COMPILING = "compiling the kernel; this is done once and takes some seconds"
-"""The notice for a first use."""
-
 UNDEFINED = runs.UNDEFINED
 """The entry for a bound that has no value."""
-
-EXPLORERS: dict[str, Callable[[], tuple[int, int, int]]] = {
-    "algorithm1": algorithm1_addresses,
-    "algorithm1-cluster": two_vertices_addresses,
-    "algorithm1-natural": two_vertices_addresses,
-}
-"""The built-in explorers that are compiled."""
-
-LIGHTHOUSES = frozenset(KINDS)
-"""The lighthouses that are compiled."""
-
-MOST_BUDGET = LONG // (2 * MOST_EDGES) - 2
-"""The largest number of traversals that a run has room for."""
 
 
 def judge(
@@ -145,6 +129,12 @@ def load_judge(level: Level) -> None:
         runs.examine(job, job.explorer, *asked_of(level, (-1,)).arguments, stop)
 
 
+def explorer_addresses(explorer: str) -> tuple[int, int, int]:
+    """The addresses of the functions of an explorer of :data:`EXPLORERS`, which is compiled."""
+    compiled: Callable[[], tuple[int, int, int]] = loaded(EXPLORERS[explorer])
+    return compiled()
+
+
 def compile_apart(explorer: str) -> None:
     """Let another process compile an explorer, and leave it in the cache.
 
@@ -157,7 +147,8 @@ def compile_apart(explorer: str) -> None:
 
 _APART = (
     "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
-    "from allworlds.engines.kernel.engine import EXPLORERS; EXPLORERS[sys.argv[2]]()"
+    "from allworlds.engines.kernel.engine import explorer_addresses; "
+    "explorer_addresses(sys.argv[2])"
 )
 
 
@@ -186,7 +177,7 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
     robot.events[:] = 0
     explorer = job.explorer
     if level.explorer in EXPLORERS:
-        explorer.start, explorer.step, explorer.answer = EXPLORERS[level.explorer]()
+        explorer.start, explorer.step, explorer.answer = explorer_addresses(level.explorer)
     explorer.state = asarray(robot).ctypes.data
 
 

@@ -8,11 +8,11 @@ robot that has arrived by the dart.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
 
 from numba import types
 
+from allworlds.engines.kernel.capabilities import LIGHTHOUSES
 from allworlds.engines.kernel.code import number
 from allworlds.engines.kernel.compiling import RECORD, callback, inner
 from allworlds.engines.kernel.records import NONE, WORLD
@@ -182,19 +182,7 @@ def _point(world, dart):
             world.bearing[other] += degree
 
 
-KINDS: dict[str, Callable[..., None]] = {
-    "none": none,
-    "position": position,
-    "directional": directional,
-    "compass": compass,
-    "cluster": cluster,
-    "cluster-single": cluster_single,
-    "natural": natural,
-}
-"""The lighthouses by the names of their kinds; a new one is a function and an entry."""
-
-
 @cache
 def lighthouse_address(kind: str) -> int:
-    """The address of the compiled lighthouse."""
-    return callback(KINDS[kind], types.void(RECORD(WORLD)))
+    """The address of the compiled lighthouse of :data:`LIGHTHOUSES`."""
+    return callback(globals()[LIGHTHOUSES[kind]], types.void(RECORD(WORLD)))

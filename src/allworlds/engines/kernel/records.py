@@ -11,15 +11,13 @@ from typing import Any
 
 from numpy import dtype, int32, int64, recarray, uint8, zeros
 
+from allworlds.engines.kernel.capabilities import LONG
+
 DARTS = 32
 """Room for the darts of a world, and for its vertices."""
 
 DEPTHS = 16
 """Room for the decisions of a gluing: one for each edge, and the root's degree."""
-
-LONG = 1 << 18
-"""Room for all that grows with a walk: the darts that an explorer may believe in, the darts
-of an unfolded log, and so the darts of a world times the traversals of its budget."""
 
 FOLDED = LONG // 16
 """Room for the nodes of an unfolded log: more than the traversals of the largest budget."""

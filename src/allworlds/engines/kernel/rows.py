@@ -31,8 +31,8 @@ class Level(Struct, frozen=True, eq=False):
         edges: m, at most MOST_EDGES.
         limit: the largest number of vertices, at most m + 1.
         simple, planar: the class.
-        explorer: one of :data:`allworlds.engines.kernel.engine.EXPLORERS`.
-        lighthouse: one of :data:`allworlds.engines.kernel.engine.LIGHTHOUSES`.
+        explorer: one of :data:`allworlds.engines.kernel.capabilities.EXPLORERS`.
+        lighthouse: one of :data:`allworlds.engines.kernel.capabilities.LIGHTHOUSES`.
         policy: ``fifo``, ``lifo`` or ``nearest``.
         laws: the checked ones; those before ``map`` always are.
         bounds: of the law ``bound``.

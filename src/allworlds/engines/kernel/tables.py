@@ -9,9 +9,6 @@ from numpy import array, int64, ones
 
 from allworlds.judging import paper_bound
 
-MOST_EDGES = 12
-"""The largest number of edges for which every packed number has its room."""
-
 UNBOUNDED = 1 << 40
 """The number in place of no bound: more than any walk costs."""
 

@@ -10,7 +10,8 @@
     the runs of a unit, and their counting in all engines;
 ``python_engine``
     all runs of a unit; **the** loop of the exhaustive check;
-``play``, ``players``, ``second_play``, ``earlier_plays``, ``comparison``, ``in_process``
+``play``, ``world_runner``, ``players``, ``second_play``, ``earlier_plays``, ``comparison``,
+``in_process``
     a user's explorer, which plays every run twice, earlier ones again, and the comparison of plays;
 ``partial_world``
     a world that is decided where the robot looks;

@@ -16,6 +16,7 @@ from allworlds.engines.python.prints import Prints, Silence, printing_to
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.python.tour import Tour
+from allworlds.engines.python.world_runner import WorldRunner
 from allworlds.explorers import Subject
 from allworlds.judging import Log
 
@@ -30,11 +31,13 @@ class InProcessPlayers:
     subject: Subject
     tour: Tour = field(default_factory=lambda: Tour(None, alike=True, stays=True))
     _runner: ExplorerRunner = field(init=False)
+    _in_worlds: WorldRunner = field(init=False)
     _logs: list[Log] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         second = self.subject.second_player()
         self._runner = ExplorerRunner(self.subject.player(), second=second)
+        self._in_worlds = WorldRunner(self._runner)
 
     @property
     def answer_timeout(self) -> float:
@@ -55,7 +58,7 @@ class InProcessPlayers:
     ) -> Iterator[list[tuple[int, Log]]]:
         """The logs of these runs, some at a time."""
         order = secrets.randbits(64)
-        played = self._runner.play_runs(engine, unit, numbers, order, script)
+        played = self._in_worlds.play_runs(engine, unit, numbers, order, script)
         while True:
             with printing_to(Silence()):
                 some = list(islice(played, CHUNK))

@@ -1,19 +1,16 @@
-"""Playing: the runs of a unit in their worlds, and records without a world."""
+"""Playing without a world: records, which are the percepts of an earlier play."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, MutableSequence, Sequence
+from collections.abc import Callable, MutableSequence, Sequence
 from random import Random
 from typing import NamedTuple
 
 from msgspec import Struct, field
 
-from allworlds.engines.python.examiner import name_run
-from allworlds.engines.python.run_counter import RunCounter
-from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
 from allworlds.judging import EndingOf, Log, any_ending_of, ending_of, perform
 from allworlds.protocol import Choices, Percept, Player, Told, policy_named
-from allworlds.world import IllegalAction, World
+from allworlds.world import IllegalAction
 
 
 class Record(NamedTuple):
@@ -71,7 +68,7 @@ def ending_maker(*, any_answer: bool) -> EndingOf:
 
 
 class ExplorerRunner(Struct):
-    """A runner plays runs of an explorer in this process.
+    """A runner plays an explorer in this process.
 
     Attributes:
         player: the explorer.
@@ -85,47 +82,6 @@ class ExplorerRunner(Struct):
     beat: MutableSequence[int] = field(default_factory=lambda: [0, 0])
     intact: Callable[[], None] = lambda: None
     second: Player | None = None
-    _unit: UnitOfRuns | None = None
-    _runs: Iterator[NumberedRun] = field(default_factory=lambda: iter(()))
-    _next: int = 0
-
-    def play_runs(
-        self,
-        engine: RunCounter,
-        unit: UnitOfRuns,
-        numbers: Sequence[int],
-        order: int,
-        script: tuple[int, ...] | None = None,
-    ) -> Iterator[tuple[int, Log | None]]:
-        """Yield the logs of these runs, each with its number; None behind the last of a run.
-
-        Args:
-            engine: the scope, with its rules.
-            unit: the unit.
-            numbers: of the runs, ascending.
-            order: seed of the order.
-            script: the choices to be made; None for every schedule that the scope asks for.
-        """
-        scope, rules = engine.scope, engine.scope.rules
-        placed = self._find(engine, unit, numbers)
-        Random(order).shuffle(placed)  # noqa: S311  # it need not be secret for longer than a run
-        for number, world in placed:
-            self.beat[0] = number
-            name = name_run(rules, world)
-            budget = rules.budget(world.map)
-            every = [rules.choices(name, script)] if script is not None else scope.schedule(name)
-            for choices in every:
-                log = perform(
-                    rules.task.environment(world),
-                    self.player,
-                    choices,
-                    budget,
-                    self.beat,
-                    ended=ending_maker(any_answer=not rules.task.is_map),
-                )
-                self.intact()
-                yield number, log
-            yield number, None
 
     def play_records(
         self, records: Sequence[Record], policy: str, order: int, *, plain: bool = False
@@ -137,7 +93,7 @@ class ExplorerRunner(Struct):
         player = self.player if plain or self.second is None else self.second
         logs: dict[int, Log] = {}
         numbers = list(range(len(records)))
-        Random(order).shuffle(numbers)  # noqa: S311  # as above
+        Random(order).shuffle(numbers)  # noqa: S311  # it need not be secret for longer than a run
         for number in numbers:
             self.beat[0] = number
             record = records[number]
@@ -154,20 +110,3 @@ class ExplorerRunner(Struct):
             logs[number] = log._replace(checkpoints=())
             self.intact()
         return [logs[number] for number in range(len(records))]
-
-    def _find(
-        self, engine: RunCounter, unit: UnitOfRuns, numbers: Sequence[int]
-    ) -> list[tuple[int, World]]:
-        """The worlds of these runs; going on in a unit costs nothing."""
-        if unit != self._unit or not numbers or numbers[0] < self._next:
-            self._unit, self._next = unit, 0
-            self._runs = engine.runs(unit)
-        wanted = set(numbers)
-        found: list[tuple[int, World]] = []
-        while len(found) < len(wanted):
-            run = next(self._runs)
-            self._next = run.number + 1
-            if run.number in wanted:
-                assert run.lighthouse is not None
-                found.append((run.number, World(run.map, run.lighthouse, 0)))
-        return found

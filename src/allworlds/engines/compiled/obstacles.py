@@ -1,0 +1,69 @@
+"""The checks that the compiled engine cannot do, and why; no compiled code is loaded here."""
+
+from __future__ import annotations
+
+import os
+
+from allworlds.engines.compiled.sizes import WALKED_FROM
+from allworlds.engines.kernel.capabilities import EXPLORERS, LIGHTHOUSES, MOST_BUDGET, MOST_EDGES
+from allworlds.engines.kernel.law_numbers import CHECKED
+from allworlds.engines.python.scope import Given, Scope
+from allworlds.explorers import Subject
+from allworlds.inputs import show
+from allworlds.judging import LAWS
+from allworlds.maps import MapClass
+from allworlds.world import LIGHTHOUSES as KINDS, Directional, Lighthouse
+
+
+def obstacle(scope: Scope, subject: Subject) -> str:
+    """The reason why the kernel cannot do a check; empty if it can."""
+    rules, extent = scope.rules, scope.extent
+    if not subject.from_user and subject.name not in EXPLORERS:
+        return f"runs only {', '.join(EXPLORERS)}, not {show(subject.name)}"
+    if subject.from_user and not hasattr(os, "memfd_create"):
+        return "judges users' explorers on Linux alone"
+    if kind_of(rules.kind) not in LIGHTHOUSES:
+        return f"does not know the lighthouse {show(str(rules.lighthouse))}"
+    if isinstance(scope.coverage, Given):
+        return "tries every map of a class, and no given worlds"
+    if extent.where is not None:
+        return f"does not know the condition {show(extent.where.name)}"
+    if not extent.map_class.plain:
+        return f"does not know the class {extent.map_class}"
+    if extent.levels[-1] > MOST_EDGES:
+        return f"has room for {MOST_EDGES} edges, not for {extent.levels[-1]}"
+    if not rules.task.is_map:
+        return f"judges the task map alone, not {show(rules.task.name)}"
+    if rules.policy not in ("fifo", "lifo", "nearest"):
+        return f"knows the policies fifo, lifo and nearest, not {show(rules.policy)}"
+    if unknown := [law for law in rules.applying if law not in CHECKED]:
+        return f"does not check the law {unknown[0]!r}"
+    if scope.schedules != "one":
+        return "walks one schedule (see worst for all of them)"
+    if beyond := rules.the_bound.variables & {"d", "g"}:
+        named = " and ".join(sorted(beyond))
+        return f"does not know {named} of the bound {show(rules.the_bound.name)}"
+    if rules.step_budget is not None and rules.step_budget > MOST_BUDGET:
+        return f"has room for a step budget of {MOST_BUDGET}, not of {rules.step_budget}"
+    return ""
+
+
+def kind_of(kind: type[Lighthouse]) -> str:
+    """The kernel's name of a kind of lighthouse."""
+    if KINDS.get(kind.kind) is kind:
+        return kind.kind
+    return f"{kind.kind}-single"
+
+
+def walks(scope: Scope, subject: Subject, edges: int) -> bool:
+    """Whether each map of the level is walked once for every bearing."""
+    rules = scope.rules
+    return (
+        edges >= WALKED_FROM
+        and subject.name == "algorithm1"
+        and rules.kind is Directional
+        and scope.extent.map_class is MapClass.MAPS
+        and rules.laws in (None, tuple(LAWS))
+        and rules.step_budget is None
+        and rules.the_bound.variables <= {"n", "m"}
+    )

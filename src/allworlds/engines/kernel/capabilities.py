@@ -1,0 +1,38 @@
+"""The names that the kernel knows, and the sizes that it has room for.
+
+No compiled code is loaded here, so that a process can ask what the kernel could do.
+"""
+
+from __future__ import annotations
+
+EXPLORERS = {
+    "algorithm1": "engines.kernel.algorithm1:algorithm1_addresses",
+    "algorithm1-cluster": "engines.kernel.two_vertices:two_vertices_addresses",
+    "algorithm1-natural": "engines.kernel.two_vertices:two_vertices_addresses",
+}
+"""The built-in explorers that are compiled, with the functions that compile them."""
+
+LIGHTHOUSES = {
+    "none": "none",
+    "position": "position",
+    "directional": "directional",
+    "compass": "compass",
+    "cluster": "cluster",
+    "cluster-single": "cluster_single",
+    "natural": "natural",
+}
+"""The lighthouses by the names of their kinds; a new one is an entry, and a function of that name
+in ``lighthouses``."""
+
+MOST_EDGES = 12
+"""The largest number of edges for which every packed number has its room."""
+
+LONG = 1 << 18
+"""Room for all that grows with a walk: the darts that an explorer may believe in, the darts
+of an unfolded log, and so the darts of a world times the traversals of its budget."""
+
+MOST_BUDGET = LONG // (2 * MOST_EDGES) - 2
+"""The largest number of traversals that a run has room for."""
+
+COMPILING = "compiling the kernel; this is done once and takes some seconds"
+"""The notice for a first use."""
