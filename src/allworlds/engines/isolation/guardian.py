@@ -59,6 +59,10 @@ stdout by then.  In a role of :data:`OWNERS` a socket to the guardian follows.""
 OWNERS = frozenset({"referee"})
 """The roles that may own processes; no user's code is in them."""
 
+ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1"}
+"""The environment in which NumPy is loaded: its threads for linear algebra, which nobody needs here,
+take a tenth of a second of each processor at their start.  Players have the owner's."""
+
 GUARDIAN, NURSERY = "guardian", "nursery"
 """The kinds of processes that fork others."""
 
@@ -90,7 +94,7 @@ def launch(
         pass_fds=(theirs.fileno(),),
         # A Ctrl-C is for the owner.
         start_new_session=True,
-        env={**os.environ, HASH_SEED: str(hash_seed)},
+        env={**ONE_THREAD, **os.environ, HASH_SEED: str(hash_seed)},
     )
     theirs.close()
     return ours, process
