@@ -151,7 +151,7 @@ def without_workers(monkeypatch):
         "allworlds.engines.isolation.workers.Workers",
         lambda subject, limits, deadline=None: Here(loaded(subject, limits), deadline),
     )
-    monkeypatch.setattr("allworlds.engines.isolation.confirm._players", players)
+    monkeypatch.setattr("allworlds.engines.isolation.apart._players", players)
     monkeypatch.setattr("allworlds.explorers.program.Program._pass_stderr_on", lambda _: None)
 
 

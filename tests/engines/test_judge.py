@@ -12,7 +12,7 @@ from allworlds.engines.compiled.agreement import ListingEngine
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.kernel.algorithm1 import algorithm1_addresses
 from allworlds.engines.kernel.calls import address_of
-from allworlds.engines.kernel.engine import EXPLORERS, judge
+from allworlds.engines.kernel.engine import judge
 from allworlds.engines.kernel.names import ANSWER_READY, CHECKPOINT, MOVE
 from allworlds.engines.kernel.records import ACTION, ANSWER, PERCEPT, ROBOT
 from allworlds.explorers import algorithm1, in_process_subject
@@ -222,7 +222,8 @@ def laws_of(monkeypatch, explore, only):
     """The laws that are broken, run by run, by both judges; only one is looked at, or all."""
     bound = "n - 1" if only in (None, "bound") else None
     rules = Rules(laws=None if only is None else (only,), bound=bound)
-    monkeypatch.setitem(EXPLORERS, "algorithm1", lambda: addresses(*WRONG[explore]))
+    wrong = addresses(*WRONG[explore])
+    monkeypatch.setattr("allworlds.engines.kernel.engine.explorer_addresses", lambda _: wrong)
     subject = replace(in_process_subject(explore), explore=explore)
     for edges in EDGES:
         extent = Extent(MapClass.MAPS, edges)

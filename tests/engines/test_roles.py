@@ -18,14 +18,8 @@ import processes
 import small
 from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, subject_of
 from allworlds.engines.isolation import process, process_tree
-from allworlds.engines.isolation.jobs import (
-    GuardianLost,
-    HarnessError,
-    PlayerSetup,
-    PlayRecords,
-    PlayRuns,
-    Trace,
-)
+from allworlds.engines.isolation.failures import GuardianLost, HarnessError
+from allworlds.engines.isolation.jobs import PlayerSetup, PlayRecords, PlayRuns, Trace
 from allworlds.engines.isolation.messages import (
     ExplorerDescription,
     Failure,

@@ -5,7 +5,8 @@ from types import SimpleNamespace
 import pytest
 
 from allworlds.engines import GivenWorlds, Scope
-from allworlds.engines.isolation.jobs import PlayerSetup, Unsettled
+from allworlds.engines.isolation.failures import Unsettled
+from allworlds.engines.isolation.jobs import PlayerSetup
 from allworlds.engines.isolation.one_player import receive
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.python_engine import PythonEngine

@@ -10,7 +10,8 @@ from allworlds.engines.compiled.stretches import PlayedByStretches, counts_of
 from allworlds.engines.compiled.trees import LATER, PlayedByTrees
 from allworlds.engines.compiled.users_kernel import load as load_here
 from allworlds.engines.isolation.chunk_player import ChunkPlayer
-from allworlds.engines.isolation.jobs import PlaySegments, PlayTree, Unsettled
+from allworlds.engines.isolation.failures import Unsettled
+from allworlds.engines.isolation.jobs import PlaySegments, PlayTree
 from allworlds.engines.isolation.library_player import LibraryPlayer
 from allworlds.engines.isolation.shared_logs import OpenedMemories
 from allworlds.engines.kernel import chunks

@@ -3,7 +3,7 @@
 import pytest
 
 import small
-from allworlds.engines.isolation.confirm import MOST_CHOICES
+from allworlds.engines.isolation.fresh_process import MOST_CHOICES
 from allworlds.engines.isolation.process import GRACE
 from allworlds.inputs import InputError
 from allworlds.judging import Finding

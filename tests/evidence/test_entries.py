@@ -4,7 +4,7 @@ import pytest
 
 import allworlds
 from allworlds.document import replace, replace as replaced
-from allworlds.engines.isolation.jobs import HarnessError
+from allworlds.engines.isolation.failures import HarnessError
 from allworlds.evidence.claims import claim_table, ledger
 from allworlds.evidence.claims.claim_table import CHECKS
 from allworlds.evidence.claims.claim_types import (

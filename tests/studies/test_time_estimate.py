@@ -6,7 +6,7 @@ import pytest
 
 from allworlds import check
 from allworlds.engines import EnginesDisagree, Silent, drawn_units, level_size
-from allworlds.engines.kernel.tables import MOST_EDGES
+from allworlds.engines.kernel.capabilities import MOST_EDGES
 from allworlds.maps import Extent, MapClass
 from allworlds.reports import text as text_of
 from allworlds.studies.check import estimate

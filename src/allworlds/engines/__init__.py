@@ -43,7 +43,7 @@ if TYPE_CHECKING:
         players_for as players_for,
         why_not_compiled as why_not_compiled,
     )
-    from allworlds.engines.isolation.jobs import Unsettled as Unsettled
+    from allworlds.engines.isolation.failures import Unsettled as Unsettled
     from allworlds.engines.isolation.stderr_stream import patient_stderr as patient_stderr
     from allworlds.engines.isolation.subject_probe import subject_of as subject_of
     from allworlds.engines.isolation.workers import workers_for as workers_for

@@ -5,7 +5,8 @@ from __future__ import annotations
 from itertools import islice
 
 from allworlds.document import replace
-from allworlds.engines.isolation.confirm import outcomes_apart, played_again
+from allworlds.engines.isolation.apart import outcomes_apart
+from allworlds.engines.isolation.confirm import played_again
 from allworlds.engines.python.examiner import Outcome
 from allworlds.engines.single import single_run
 from allworlds.engines.units.effort import Limits

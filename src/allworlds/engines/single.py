@@ -22,7 +22,7 @@ from allworlds.document import (
     one_of,
     replace,
 )
-from allworlds.engines.isolation.confirm import examine_apart, walk_apart
+from allworlds.engines.isolation.apart import examine_apart, walk_apart
 from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
 from allworlds.engines.python.prints import Silence, printing_to
 from allworlds.engines.units.effort import Limits

@@ -161,7 +161,7 @@ class AskedLighthouse(Request):
             SCOPE,
             "KIND",
             f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, {OWN}, or several with + between them "
-            "(default: directional, or the one that a built-in explorer is written for).",
+            "[default: directional, or the one that a built-in explorer is written for].",
             told=Annotated[Text, about("`KIND[:key=value,...]`")],
         ),
     ] = Taken(_lighthouse, None)

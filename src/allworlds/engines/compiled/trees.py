@@ -25,7 +25,7 @@ from allworlds.engines.compiled.stretches import (
     counts_of,
 )
 from allworlds.engines.compiled.tallies import tally_of
-from allworlds.engines.isolation.jobs import Unsettled
+from allworlds.engines.isolation.failures import Unsettled
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.shared_logs import TreeMemoryPair
 from allworlds.engines.kernel.chunks import RunOfTree, UnitTree

@@ -6,6 +6,8 @@ The **guardian** forks them all, and ends them, and all that they have started.
 
 ``jobs``, ``messages``
     messages to players; and those of players: integers and texts alone;
+``failures``
+    failures for which no explorer is to blame;
 ``referee_jobs``
     messages to referees, and their answers;
 ``guardian``, ``guardian_requests``, ``roles``, ``process``, ``process_tree``
@@ -22,10 +24,12 @@ The **guardian** forks them all, and ends them, and all that they have started.
 ``shared_logs``, ``library_player``, ``generator_player``
     many runs of a user's explorer at a time, in shared memory; played by a shared library, or by a
     generator;
+``log_entries``
+    the messages of an explorer in Python, as bytes;
 ``chunk_player``
     trees of runs, walked by an explorer in Python, or a program, that can be copied;
-``confirm``
-    single runs, and findings once more in fresh processes;
+``fresh_process``, ``apart``, ``confirm``
+    one job in a process of its own; single runs there, and findings once more;
 ``subject_probe``
     the keywords that an explorer takes;
 ``overheard``

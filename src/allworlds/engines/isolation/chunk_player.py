@@ -11,16 +11,20 @@ from itertools import chain
 from typing import TYPE_CHECKING, NamedTuple
 
 from allworlds.engines.isolation.jobs import PlaySegments, PlayTree
+from allworlds.engines.isolation.log_entries import (
+    entry_of_answer,
+    entry_of_checkpoint,
+    motion_of,
+)
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.shared_logs import OpenedMemories
 from allworlds.engines.kernel.tree_requests import END_OF_RUN, INSIDE, LAST, NEXT, PERCEPT, SEGMENT
-from allworlds.engines.kernel.writing import LogEnd, answer_entry, shown_entry
+from allworlds.engines.kernel.writing import LogEnd
 from allworlds.engines.python.partial_world import PartialWorld, beginning, places
 from allworlds.explorers import CopyingExplorer
-from allworlds.inputs import integer, let_users_interrupt
-from allworlds.judging import UncheckedAnswer, ending_of, integers
+from allworlds.inputs import let_users_interrupt
 from allworlds.maps import Decision, MapClass
-from allworlds.protocol import Ambiguous, Checkpoint, ExplorerFault, Move, Percept
+from allworlds.protocol import Checkpoint, ExplorerFault, Move, Percept
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.tree_memory import TreeMemory
@@ -105,26 +109,16 @@ class _Actor:
             raise _CannotBeTold from None
 
 
-def _motion(message: Move, degree: int) -> int:
-    """The motion below the degree."""
-    return (message.k if type(message.k) is int else integer(message.k)) % degree
-
-
 def _entry(message: object) -> bytes:
     """The bytes of a message that is no motion."""
-    if type(message) is Ambiguous:
-        raise _CannotBeTold
+    if isinstance(message, LogEnd):
+        return bytes((message,))
     try:
-        if type(message) is Checkpoint:
-            sigma, alpha = integers(message.sigma), integers(message.alpha)
-            entry = shown_entry(sigma, alpha, integer(message.here))
-        elif isinstance(message, LogEnd):
-            entry = bytes((message,))
-        else:
-            ending = ending_of(message)
-            if type(ending) is not UncheckedAnswer:
-                return bytes((LogEnd.WITHOUT_ANSWER,))
-            entry = answer_entry(ending.sigma, ending.alpha, ending.here)
+        entry = (
+            entry_of_checkpoint(message)
+            if type(message) is Checkpoint
+            else entry_of_answer(message)
+        )
     except BaseException as error:  # noqa: BLE001  # what is published may raise anything
         let_users_interrupt(error)
         return bytes((LogEnd.WITHOUT_ANSWER,))
@@ -181,7 +175,7 @@ class _Walk(_Actor):
                 self.log += over
                 return True
             if type(message) is Move:
-                motion = _motion(message, world.degree)
+                motion = motion_of(message, world.degree)
                 self.log.append(motion)
                 after = self._first(world.after(motion))
                 if after is None:
@@ -278,7 +272,7 @@ class _Repetition(_Actor):
                 if not left:
                     log.append(LogEnd.STRANGE)  # the first play ended here
                     break
-                log.append(_motion(message, percept.degree))
+                log.append(motion_of(message, percept.degree))
                 left -= 1
                 if not left and inside != END_OF_RUN:
                     break

@@ -1,168 +1,37 @@
-"""Single runs in processes of their own, and findings once more in fresh ones."""
+"""Findings once more in fresh processes: is the run repeated?"""
 
 from __future__ import annotations
 
 import os
-import secrets
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from random import Random
-from typing import NamedTuple
 
 from allworlds.document import replace
-from allworlds.engines.isolation.jobs import PlayerSetup, PlayRecords, Trace
-from allworlds.engines.isolation.messages import RecordLogs, TraceEvent
-from allworlds.engines.isolation.one_player import PlayerLost, receive, start_player
+from allworlds.engines.isolation.fresh_process import logs_of, record_of, traced
+from allworlds.engines.isolation.jobs import PlayerSetup, Trace
 from allworlds.engines.isolation.overheard import Overheard
-from allworlds.engines.isolation.player_pair import PlayerPair
-from allworlds.engines.isolation.process import Process, guardian
 from allworlds.engines.python.comparison import difference_of, nondeterministic, side_by_side
-from allworlds.engines.python.examiner import LOST, Outcome, name_run
+from allworlds.engines.python.examiner import LOST
 from allworlds.engines.python.hash_seeds import LAYOUTS
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.play import Record
-from allworlds.engines.python.players import OneRun, Players
-from allworlds.engines.python.python_engine import PythonEngine
-from allworlds.engines.python.runs_of_unit import GivenWorlds
-from allworlds.engines.python.scope import Scope
-from allworlds.engines.python.second_play import PlayedTwice
-from allworlds.engines.python.tour import SEEDS, Tour
+from allworlds.engines.python.tour import SEEDS
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
-from allworlds.inputs import InputError
 from allworlds.judging import (
-    Episode,
     Fault,
     Finding,
     Log,
-    LostRun,
     Over,
-    Rules,
     UncheckedAmbiguous,
     UncheckedAnswer,
     UncheckedValue,
-    Violation,
     answered,
-    canonical_world,
-    place_of,
 )
-from allworlds.maps import CombinatorialMap, Dart, Extent, MapClass
-from allworlds.protocol import Estimate, Percept, Schedule, Transcript, action_numbered, number_of
-from allworlds.world import Adversary, World
+from allworlds.maps import CombinatorialMap
+from allworlds.protocol import Estimate, Schedule, action_numbered, number_of
 
 REPEATED = 5
 """The number of plays of the record of a finding in a process."""
-
-MOST_CHOICES = 1000
-"""The number of choices that are kept of the turn in which a run was lost: there may be no end."""
-
-
-class Traced(NamedTuple):
-    """A walk that was sent step by step.
-
-    Attributes:
-        transcript: the walk.
-        choices: the index taken at each choice.
-        settled: the darts behind which an explorer has settled a vertex, against an adversary,
-            each with the number of actions before.
-        lost: the way the player was lost; None if it was not.
-    """
-
-    transcript: Transcript
-    choices: tuple[int, ...]
-    settled: tuple[tuple[int, Dart], ...]
-    lost: PlayerLost | None
-
-
-def examine_apart(
-    subject: Subject,
-    rules: Rules,
-    world: World,
-    script: tuple[int, ...],
-    limits: Limits,
-    hash_seed: int | None = None,
-) -> Outcome:
-    """The judged run of a user's explorer, played twice, as in a check.
-
-    Both players have the hash seed, if one is given.
-    """
-    engine, unit = _of_these(rules, (world,))
-    ((canonical, place),) = unit.worlds
-    with _players(subject, limits, hash_seed) as players:
-        twice = PlayedTwice(engine, subject.name, players, alone=True)
-        placed = {0: OneRun(0, place, canonical)}
-        ((_, outcome),) = twice.outcomes(unit, placed, given=script)
-    if isinstance(outcome, Outcome) and not subject.importable:
-        record = _record_of(rules, canonical, outcome.episode.transcript, outcome.choices)
-        return replace(outcome, output=InProcessPlayers(subject).printed(record, rules.policy))
-    with Overheard() as heard:
-        setup = PlayerSetup.of(subject, limits, heard.path)
-        if isinstance(outcome, Outcome):
-            record = _record_of(rules, canonical, outcome.episode.transcript, outcome.choices)
-            _logs_of((record,), rules.policy, setup, (hash_seed or 0, 0))
-        else:
-            traced = _traced(Trace(rules, canonical, "one", script), setup, hash_seed)
-            outcome = Outcome(
-                Episode(traced.transcript, (), outcome),
-                Violation(outcome.law, outcome.expected, outcome.seen),
-                "",
-                traced.choices,
-                rules.the_bound.of(world.map, world.start),
-                hash_seed,
-            )
-    return replace(outcome, output=heard.text)
-
-
-def outcomes_apart(
-    subject: Subject,
-    rules: Rules,
-    worlds: Sequence[World],
-    limits: Limits,
-    hash_seed: int | None = None,
-) -> Iterator[Outcome | LostRun]:
-    """The judged runs of a user's explorer in these worlds, each played once, in any order."""
-    engine, unit = _of_these(rules, worlds)
-    with _players(subject, limits, hash_seed) as players:
-        once = PlayedTwice(engine, subject.name, players)
-        for _, outcome in once.played_once(unit, [*engine.runs(unit)]):
-            yield outcome
-
-
-def _of_these(rules: Rules, worlds: Sequence[World]) -> tuple[PythonEngine, GivenWorlds]:
-    """An engine that judges by these rules, and these worlds as its unit."""
-    most = max(world.map.edge_count for world in worlds)
-    engine = PythonEngine(Scope(Extent(MapClass.MAPS, most), rules), keep=1)
-    return engine, GivenWorlds(tuple((canonical_world(w), place_of(w)) for w in worlds))
-
-
-def walk_apart(
-    subject: Subject,
-    rules: Rules,
-    adversary: Adversary,
-    script: tuple[int, ...],
-    limits: Limits,
-    hash_seed: int | None,
-) -> Traced:
-    """The walk of an explorer in a process of its own, against an adversary.
-
-    Of a lost player it is what was before.
-    """
-    job = Trace(rules, adversary.at_first, "one", script, adversary)
-    return _traced(job, PlayerSetup.of(subject, limits), hash_seed)
-
-
-@contextmanager
-def _players(subject: Subject, limits: Limits, hash_seed: int | None) -> Iterator[Players]:
-    if not subject.importable:
-        yield InProcessPlayers(subject)
-        return
-    order = Random(secrets.randbits(64))  # noqa: S311  # drawn from the system
-    tour = Tour() if hash_seed is None else Tour(hash_seed, alike=True, stays=True)
-    pair = PlayerPair(guardian(), PlayerSetup.of(subject, limits), order, tour=tour)
-    try:
-        yield pair
-    finally:
-        pair.close()
 
 
 def played_again(
@@ -239,22 +108,8 @@ def _differs(finding: Finding, record: Record, setup: PlayerSetup) -> bool:
 def _recorded(finding: Finding) -> tuple[Record, str]:
     """The record of a finding's run, and its policy."""
     rules, world = finding.rules, finding.world
-    record = _record_of(rules, world, finding.transcript, finding.choices)
+    record = record_of(rules, world, finding.transcript, finding.choices)
     return record, rules.policy
-
-
-def _record_of(
-    rules: Rules, world: World, transcript: Transcript, choices: tuple[int, ...]
-) -> Record:
-    return Record(
-        tuple(transcript.percepts),
-        world.told,
-        choices,
-        rules.budget(world.map),
-        name_run(rules, world),
-        any_answer=not rules.task.is_map,
-        over=rules.task.over_at_the_end(world, transcript),
-    )
 
 
 def _plays(
@@ -264,24 +119,10 @@ def _plays(
 
     The prints of the first play alone are those of the run.
     """
-    yield _logs_of((record,), policy, setup, places[0])
+    yield logs_of((record,), policy, setup, places[0])
     silent = replace(setup, output=os.devnull)
     for place in places:
-        yield _logs_of((record,) * REPEATED, policy, silent, place)
-
-
-def _logs_of(
-    records: tuple[Record, ...], policy: str, setup: PlayerSetup, place: tuple[int, int]
-) -> list[Log] | None:
-    """The logs of records in a fresh process of that place; None if it is lost."""
-    try:
-        with _fresh(setup, place) as player:
-            player.send(PlayRecords(records, policy, 0))
-            message = receive(player, setup)
-    except (InputError, PlayerLost):  # an explorer may not be importable any more
-        return None
-    assert isinstance(message, RecordLogs)
-    return message.logs
+        yield logs_of((record,) * REPEATED, policy, silent, place)
 
 
 def _same_walk(finding: Finding, log: Log) -> bool:
@@ -310,7 +151,7 @@ def trace(finding: Finding, setup: PlayerSetup, schedules: Schedule) -> Finding:
     The run is played in a fresh process that sends every step before it can be lost.
     """
     job = Trace(finding.rules, finding.world, schedules)
-    told = _traced(job, setup, finding.hash_seed)
+    told = traced(job, setup, finding.hash_seed)
     again = told.lost is not None and told.lost.law == finding.law
     return replace(
         finding,
@@ -319,42 +160,3 @@ def trace(finding: Finding, setup: PlayerSetup, schedules: Schedule) -> Finding:
         confirmed=again,
         traced=True,
     )
-
-
-def _traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
-    """The walk, as far as it is known."""
-    steps: list[tuple[int, Percept]] = []
-    choices: list[int] = []
-    vertices: list[tuple[int, Dart]] = []
-    settled = 0
-    lost: PlayerLost | None = None
-    try:
-        with _fresh(setup, (1 if hash_seed is None else hash_seed, 0)) as player:
-            player.send(job)
-            while isinstance(message := receive(player, setup), TraceEvent):
-                match message.what:
-                    case None:
-                        steps, choices, vertices, settled = [], [], [], 0
-                    case int() as dart if message.settled:
-                        vertices.append((len(steps), dart))
-                    case int() as index:
-                        choices.append(index)
-                    case tuple() as step:
-                        steps.append(step)
-                        settled = len(choices)
-    except InputError:
-        pass  # the explorer may not be importable any more: the run was not repeated
-    except PlayerLost as error:
-        lost = error
-    kept = choices if lost is None else choices[: settled + MOST_CHOICES]
-    walk = tuple((action_numbered(number), percept) for number, percept in steps)
-    return Traced(Transcript(job.world.first, walk), tuple(kept), tuple(vertices), lost)
-
-
-@contextmanager
-def _fresh(setup: PlayerSetup, place: tuple[int, int]) -> Iterator[Process]:
-    player, _ = start_player(guardian(), setup, *place)
-    try:
-        yield player
-    finally:
-        player.close()

@@ -14,16 +14,20 @@ from typing import Any
 
 from allworlds.engines.isolation.chunk_player import ChunkPlayer
 from allworlds.engines.isolation.jobs import PlaySegments, PlayStretch, PlayTree
+from allworlds.engines.isolation.log_entries import (
+    entry_of_answer,
+    entry_of_checkpoint,
+    motion_of,
+)
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.shared_logs import OpenedMemories
 from allworlds.engines.kernel.stretch import HEAD
-from allworlds.engines.kernel.writing import LogEnd, answer_entry, shown_entry
+from allworlds.engines.kernel.writing import LogEnd
 from allworlds.engines.python.play import Recorded
 from allworlds.explorers import CopyingExplorer
-from allworlds.inputs import integer, let_users_interrupt
-from allworlds.judging import UncheckedAnswer, closed, ending_of, integers
+from allworlds.inputs import let_users_interrupt
+from allworlds.judging import closed
 from allworlds.protocol import (
-    Ambiguous,
     Checkpoint,
     Choices,
     ExplorerFault,
@@ -143,7 +147,7 @@ def log_of_run(
         run = player(world.first, choices, world.told)
         _write_log(log, run, world, budget, beat)
     except StopIteration as stop:
-        log += _answer(stop.value)
+        log += entry_of_answer(stop.value)
     except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
         let_users_interrupt(error)
         machine = type(error) is ExplorerFault and error.machine
@@ -176,8 +180,7 @@ def _write_log(
                 log.append(LogEnd.OVER_BUDGET)
                 return
             motions_left -= 1
-            k = message.k
-            motion = (k if type(k) is int else integer(k)) % degree
+            motion = motion_of(message, degree)
             log.append(motion)
             try:
                 state, reply = world.step(state, motion)
@@ -190,8 +193,7 @@ def _write_log(
                 log.append(LogEnd.SHOWN_TOO_OFTEN)
                 return
             shown_left -= 1
-            sigma, alpha = integers(message.sigma), integers(message.alpha)
-            log += shown_entry(sigma, alpha, integer(message.here))
+            log += entry_of_checkpoint(message)
             reply = None
         else:
             log.append(LogEnd.WITHOUT_ANSWER)
@@ -204,12 +206,3 @@ def _percept(degree: int, marks: int, bearing: int) -> Percept:
 
 def _told(told: int) -> int | None:
     return None if told < 0 else told
-
-
-def _answer(answer: object) -> bytes:
-    if type(answer) is Ambiguous:
-        return bytes((LogEnd.STRANGE,))
-    ending = ending_of(answer)
-    if type(ending) is not UncheckedAnswer:
-        return bytes((LogEnd.WITHOUT_ANSWER,))
-    return answer_entry(ending.sigma, ending.alpha, ending.here)

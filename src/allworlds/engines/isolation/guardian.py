@@ -60,8 +60,8 @@ OWNERS = frozenset({"referee"})
 """The roles that may own processes; no user's code is in them."""
 
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1"}
-"""The environment in which NumPy is loaded: its threads for linear algebra, which nobody needs here,
-take a tenth of a second of each processor at their start.  Players have the owner's."""
+"""The environment in which NumPy is loaded: its threads for linear algebra are not needed, and
+take a tenth of a second at their start.  Players have the owner's environment."""
 
 GUARDIAN, NURSERY = "guardian", "nursery"
 """The kinds of processes that fork others."""

@@ -24,18 +24,6 @@ if TYPE_CHECKING:  # a player loads what its messages hold, and nothing for the 
     from allworlds.world import Adversary, World
 
 
-class HarnessError(RuntimeError):
-    """Raised if a process without user's code has failed, so that no explorer is to blame."""
-
-
-class Unsettled(Exception):
-    """Raised if processes are lost again and again, so that there is no verdict on the explorer."""
-
-
-class GuardianLost(HarnessError, Unsettled):
-    """Raised if the process that starts all others is killed or stopped, or does not start."""
-
-
 class PlayerSetup(Struct, frozen=True):
     """A player's first message: the explorer that it loads.
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from allworlds.engines.isolation.jobs import HarnessError, PlayerSetup, Unsettled
+from allworlds.engines.isolation.failures import HarnessError, Unsettled
+from allworlds.engines.isolation.jobs import PlayerSetup
 from allworlds.engines.isolation.messages import ExplorerDescription
 from allworlds.engines.isolation.process import GRACE, NO_RUN, Garbled, Guardian, Process
 from allworlds.engines.isolation.process_tree import Stops

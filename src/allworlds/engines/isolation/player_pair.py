@@ -10,15 +10,14 @@ from typing import TypeVar
 from msgspec import Struct, field
 
 from allworlds.document import replace
+from allworlds.engines.isolation.failures import HarnessError, Unsettled
 from allworlds.engines.isolation.jobs import (
-    HarnessError,
     PlayerSetup,
     PlayRecords,
     PlayRuns,
     PlaySegments,
     PlayStretch,
     PlayTree,
-    Unsettled,
 )
 from allworlds.engines.isolation.messages import (
     ExplorerDescription,

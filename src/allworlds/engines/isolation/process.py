@@ -19,6 +19,7 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any
 
+from allworlds.engines.isolation.failures import GuardianLost, HarnessError
 from allworlds.engines.isolation.guardian import GUARDIAN, OWNERS, launch
 from allworlds.engines.isolation.guardian_requests import (
     AskExitCode,
@@ -30,7 +31,6 @@ from allworlds.engines.isolation.guardian_requests import (
     receive,
     send,
 )
-from allworlds.engines.isolation.jobs import GuardianLost, HarnessError
 from allworlds.engines.isolation.messages import Failure, Refusal, read_message
 from allworlds.engines.isolation.process_tree import (
     Stops,

@@ -8,7 +8,8 @@ from multiprocessing.connection import Connection
 from random import Random
 from typing import Any
 
-from allworlds.engines.isolation.jobs import HarnessError, PlayerSetup, Unsettled
+from allworlds.engines.isolation.failures import HarnessError, Unsettled
+from allworlds.engines.isolation.jobs import PlayerSetup
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.process import Guardian, limit_memory
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress

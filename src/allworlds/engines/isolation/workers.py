@@ -13,7 +13,7 @@ from typing import Any, Self
 
 from msgspec import Struct, field
 
-from allworlds.engines.isolation.jobs import Unsettled
+from allworlds.engines.isolation.failures import Unsettled
 from allworlds.engines.isolation.one_player import STOPPED
 from allworlds.engines.isolation.process import (
     WAKE,

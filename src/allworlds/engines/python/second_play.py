@@ -39,7 +39,7 @@ from itertools import islice
 from typing import NamedTuple
 
 from allworlds.document import replace
-from allworlds.engines.isolation.jobs import Unsettled
+from allworlds.engines.isolation.failures import Unsettled
 from allworlds.engines.python.comparison import (
     copies_blamed,
     difference_of,
@@ -97,6 +97,17 @@ class _Play(NamedTuple):
     episode: Episode
     record: Record
     fits: bool
+
+
+class _Due(NamedTuple):
+    """Plays that have been sent to the second player.
+
+    ``plays``: their number; ``order``: of their plays, by index; ``earlier``: those behind them.
+    """
+
+    plays: int
+    order: list[int]
+    earlier: list[_Play]
 
 
 class _Unlike(NamedTuple):
@@ -219,28 +230,16 @@ class PlayedTwice:
                     yield placed[number], log.ending
                 else:
                     whole.append(self._play(placed[number], log, script, fits))
-            records = [play.record for play in whole]
-            self.earlier.spare += (PLAYS - 2) * len(records)
-            earlier = self.earlier.draw_for(len(records))
-            # A run that ended in a fault is played again once: a silence is not waited out often.
-            lively = [i for i, play in enumerate(whole) if not isinstance(play.log.ending, Fault)]
-            rounds = self._rounds(len(lively), len(earlier))
-            self.earlier.spare -= len(earlier) + (rounds - 1) * len(lively)
-            order = [*range(len(records)), *lively * (rounds - 1)]
-            due = [*(records[i] for i in order), *(play.record for play in earlier)]
-            self.players.send_records(due, self._policy)
+            due = self._send(whole)
+            # Judged while they are played once more.
             outcomes = [
                 self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 for play in whole
             ]
-            again = self.players.receive_logs()
+            seconds = self._receive(due, unlike)
             seed = self.players.tour.turn
-            self._look_back(earlier, again[len(order) :], unlike)
-            seconds: dict[int, list[Log]] = {i: [] for i in range(len(whole))}
-            for i, log in zip(order, again, strict=False):
-                seconds[i].append(log)
-            for i, (play, outcome) in enumerate(zip(whole, outcomes, strict=True)):
-                second = differing_or_first(play.log, seconds[i])
+            for play, outcome, again in zip(whole, outcomes, seconds, strict=True):
+                second = differing_or_first(play.log, again)
                 if not play.fits:
                     yield play.one, replace(outcome, violation=nondeterministic(OTHER_CHOICES))
                 elif may_be_the_machine(play.log, second) and matters(play.one):
@@ -262,6 +261,28 @@ class PlayedTwice:
         yield from self._settle(unit, doubtful, remark)
         if unlike:
             yield from self._by_seed(unlike, remark)
+
+    def _send(self, plays: list[_Play]) -> _Due:
+        """Send these plays to the second player, some of them more than once, and earlier ones."""
+        self.earlier.spare += (PLAYS - 2) * len(plays)
+        earlier = self.earlier.draw_for(len(plays))
+        # A run that ended in a fault is played again once: a silence is not waited out often.
+        lively = [i for i, play in enumerate(plays) if not isinstance(play.log.ending, Fault)]
+        rounds = self._rounds(len(lively), len(earlier))
+        self.earlier.spare -= len(earlier) + (rounds - 1) * len(lively)
+        order = [*range(len(plays)), *lively * (rounds - 1)]
+        due = [*(plays[i] for i in order), *earlier]
+        self.players.send_records([play.record for play in due], self._policy)
+        return _Due(len(plays), order, earlier)
+
+    def _receive(self, due: _Due, unlike: list[_Unlike]) -> list[list[Log]]:
+        """The logs of each play that was sent; earlier plays that differ now are noted."""
+        logs = self.players.receive_logs()
+        self._look_back(due.earlier, logs[len(due.order) :], unlike)
+        seconds: list[list[Log]] = [[] for _ in range(due.plays)]
+        for i, log in zip(due.order, logs, strict=False):
+            seconds[i].append(log)
+        return seconds
 
     def _waited_enough(self) -> bool:
         """Give the unit up if silences have taken too long; return whether they have."""

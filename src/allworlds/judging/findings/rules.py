@@ -130,7 +130,7 @@ class AskedRules(AskedTask):
             f"Largest number of traversals: {', '.join(BOUNDS)} (paper: the sum of its bounds (1) "
             "and (2)), or an expression with + - * // **, min and max over paper, n "
             "vertices, m edges, d0 degree of the start, D largest degree, d diameter, g genus "
-            "(default: the explorer's own, else the lighthouse's).",
+            "[default: the explorer's own, else the lighthouse's].",
             told=Annotated[
                 Text,
                 about("the bound on the traversals; `none` where the law was not checked"),
@@ -142,7 +142,7 @@ class AskedRules(AskedTask):
         Option(
             RULES,
             "LAWS",
-            f"Check these alone, with commas: {', '.join(LAWS)} (default: all that apply).",
+            f"Check these alone, with commas: {', '.join(LAWS)} [default: all that apply].",
             parse=law_names,
             told=Annotated[
                 Different[JudgedLaw],
@@ -155,8 +155,8 @@ class AskedRules(AskedTask):
         Option(
             RULES,
             "B",
-            "The most traversals of a run: more break the law 'budget' (default: 8 "
-            "times the bound 'paper', plus 100).",
+            "The most traversals of a run: more break the law 'budget' [default: 8 "
+            "times the bound 'paper', plus 100].",
             parse=integer_of,
             told=Annotated[
                 Positive | None,

@@ -47,7 +47,7 @@ class WorstRequest(
         Option(
             SCOPE,
             "M",
-            f"At most M edges (default: {DEFAULT_EDGES} of algorithm1, {OTHERS_EDGES} of others).",
+            f"At most M edges [default: {DEFAULT_EDGES} of algorithm1, {OTHERS_EDGES} of others].",
             parse=integer_of,
             told=Annotated[Positive, about("at most so many")],
         ),
