@@ -260,7 +260,7 @@ VERBS = (
         "search",
         "Search for worlds that no motion tells apart, by SMT.",
         telling="reports.tellings.search:search_telling",
-        example="--lighthouse position --class simple --edges 6",
+        example="--lighthouse position --class simple --edges 6 --vertices 4",
         help=(
             "Find two different worlds that no motion tells apart, or show that there are none. "
             "Exit code 0: answered, 3: the time was over, 4: no world exists within the bounds."

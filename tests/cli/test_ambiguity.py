@@ -73,7 +73,7 @@ def test_the_census_counts_inside_a_class(cli):
     [
         (["ambiguity", "twins", "k4", "nowhere"], "'nowhere' is neither JSON"),
         (["ambiguity", "twins", "k4", "k4", "--lighthouse", "sun"], "'sun' is not one of"),
-        (["ambiguity", "twins", "k4", '{"sigma": [0, 1]}'], "'alpha' must be a list"),
+        (["ambiguity", "twins", "k4", '{"sigma": [0, 1]}'], "'alpha' is missing"),
         (["ambiguity", "twins", "k4"], "B"),
         (["ambiguity", "class", "k4", "--limit", "0"], "limit 0"),
         (["ambiguity", "class", "k4", "--limit", "many"], "many"),

@@ -70,7 +70,7 @@ BAD = [
     (["check", "--edges", "-3"], "-3"),
     (["check", "--edges", "x"], "x"),
     (["check", "--edges", "2.5"], "2.5"),
-    (["check", "--vertices", "1", "--edges", "2"], "1"),
+    (["check", "--vertices", "0", "--edges", "2"], "0"),
     (["check", "--vertices", "3"], "3"),
     (["check", "--class", "nonsense"], "nonsense"),
     (["check", "--lighthouse", "nonsense"], "nonsense"),

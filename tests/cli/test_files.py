@@ -88,6 +88,31 @@ def test_a_file_that_cannot_be_written_is_refused_before_the_run(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("check --html mine.py", "html 'mine.py' is a source or a library"),
+        ("check --html -q", "html lacks its FILE: '-q'"),
+        ("check --junit one --html ./one", "html and junit are both to be written into"),
+        ("explain found.json --html found.json", "html 'found.json' is a file that is read"),
+        ("explain found.json --html=./found.json", "html './found.json' is a file that is read"),
+        ("run algorithm1 @world.json --csv world.json", "csv 'world.json' is a file that is read"),
+        ("check mine --csv mine", "csv 'mine' is a file that is read"),
+        ("check --native mine --csv mine", "csv 'mine' is a file that is read"),
+        ("check mine:explore --csv mine", "csv 'mine' is a file that is read"),
+    ],
+)
+def test_what_is_read_and_what_is_a_source_is_not_written(
+    words, said, tmp_path, monkeypatch, refused
+):
+    monkeypatch.chdir(tmp_path)
+    texts = dict.fromkeys(("mine.py", "mine", "found.json", "world.json"), "kept")
+    for name, text in texts.items():
+        Path(name).write_text(text)
+    assert said in refused(*words.split())
+    assert {file.name: file.read_text() for file in tmp_path.iterdir()} == texts
+
+
 def test_asking_whether_a_file_can_be_written_leaves_it_as_it_is(tmp_path):
     there, not_there = tmp_path / "there", tmp_path / "not-there"
     there.write_text("kept")

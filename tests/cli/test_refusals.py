@@ -1,6 +1,7 @@
 """Words on the command line that mean nothing, or nothing together, or might mean two things."""
 
 import json
+import shlex
 
 import pytest
 
@@ -29,6 +30,63 @@ OPTIONS = [
     for param in command.params
     if param.param_type_name == "option" and not param.is_flag
 ]
+
+
+@pytest.mark.parametrize(("verb", "command"), [*verbs()], ids=str)
+def test_the_example_of_a_verb_is_a_whole_command(verb, command, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    first = command.help.splitlines()[0]
+    begins = f"Example: allworlds {verb}"
+    assert first.startswith(begins)
+    command.make_context(verb, shlex.split(first.removeprefix(begins)))  # raises what is missing
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["check", ""],
+        ["run", "", "theta"],
+        ["fuzz", "", "--runs", "1", "--edges", "3"],
+        ["compare", ""],
+    ],
+)
+def test_an_empty_explorer_is_not_the_default_one(refused, words):
+    assert "explorer ''" in refused(*words)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("{", "file 'world' is not JSON"),
+        ('{"alpha": [1, 0]}', "file 'world': 'sigma' is missing; a map has 'sigma' and 'alpha'"),
+        ("[]", "file 'world': a world is an object"),
+        ('{"law": "map"}', "file 'world': this is a report or a finding"),
+    ],
+)
+def test_a_file_with_a_wrong_world_is_named(refused, text, said, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "world").write_text(text)
+    assert said in refused("run", "algorithm1", "@world")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("run algorithm1 torus:0x3", "torus:0x3: R and C are at least 1"),
+        ("run algorithm1 cubic:0", "cubic:0: N is even, and at least 2"),
+        ("run", "run takes [EXPLORER] and a WORLD or --family, and nothing is given"),
+        ("check --lighthouse none+none", "the lighthouse none stands there twice"),
+        ("check --native .", "--native '.': it is a directory"),
+        ("check file.py?x=3", "'file.py?x=3' names no function; legal is file.py:FUNCTION?x=3"),
+        ("check --where file.py:condition", "returns <function condition.<locals>.<lambda>>, not"),
+        ("replay object.json", "this is no finding and no report of one: it has no 'version'"),
+    ],
+)
+def test_a_refusal_says_what_would_be_legal(refused, words, said, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "object.json").write_text("{}")
+    (tmp_path / "file.py").write_text("def condition(least):\n    return lambda map_: True\n")
+    assert said in refused(*words.split())
 
 
 @pytest.mark.no_cover

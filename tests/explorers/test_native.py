@@ -220,7 +220,7 @@ def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
 
 @pytest.mark.parametrize(
     ("path", "said"),
-    [("", "empty"), ("nowhere.so", "no such file"), (".", "no such file")],
+    [("", "empty"), ("nowhere.so", "no such file"), (".", "it is a directory")],
 )
 def test_what_is_no_file_is_refused(refused, path, said):
     assert said in refused("check", "--native", path)

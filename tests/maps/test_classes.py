@@ -59,6 +59,13 @@ def test_a_bound_below_two_vertices_is_refused_by_name(vertices, edges):
         Extent(MapClass.SIMPLE, edges, vertices)
 
 
+@pytest.mark.parametrize("map_class", NOT_SIMPLE)
+def test_a_class_with_loops_may_be_bounded_to_one_vertex(map_class):
+    assert Extent(map_class, 4, 1).vertex_limit(4) == 1
+    with pytest.raises(InputError, match=r"vertices = 0, .* at least 1"):
+        Extent(map_class, 4, 0)
+
+
 @pytest.mark.parametrize("map_class", MapClass)
 def test_no_bound_at_all_is_refused(map_class):
     with pytest.raises(InputError, match="needs a bound"):

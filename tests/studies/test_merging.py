@@ -131,7 +131,9 @@ def test_what_is_not_of_one_job_is_not_merged(report, refused, tmp_path):
         assert said in refused("merge", runs[0], other)
     assert "are both shard 0/2" in refused("merge", runs[0], runs[0])
     report("check --edges 2", "--shard", "1/3", "--run", str(tmp_path / "third"))
-    assert "is of 1/3, one of 3 shards, not of 2" in refused("merge", runs[0], tmp_path / "third")
+    assert "is of shard 1/3, and not of a job in 2 parts" in refused(
+        "merge", runs[0], tmp_path / "third"
+    )
 
 
 @pytest.mark.usefixtures("without_workers")

@@ -146,6 +146,18 @@ class TellsDarts(Base):
         return map_.alpha[0] + map_.sigma[0]
 
 
+class Far(Base):
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], 0, map_.degree_at[here])
+
+
+class Many(Base):
+    @classmethod
+    def places(cls, map_, start):
+        while True:
+            yield cls()
+
+
 class Endless(Base):
     def sensed(self, map_, here):
         while True:
@@ -263,6 +275,8 @@ def test_what_is_no_lighthouse_is_refused_in_one_line(folder, name, said):
         ("Short", "has 1 percepts for 2 darts"),
         ("Degree", "legal is Percept"),
         ("Negative", "legal is Percept"),
+        ("Far", "bearing=1.* below the degree"),
+        ("Many", "places of the lighthouse .* has more than 100,000 places in a map with 1 edge"),
         ("Texts", "senses 'dark'"),
         ("Exits", "sensed raises SystemExit"),
         ("ActsNot", "acted raises ZeroDivisionError"),
@@ -302,7 +316,7 @@ def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):
         "from allworlds import Lighthouse, Percept\n"
         "@dataclass(frozen=True, slots=True)\nclass Lamp(Lighthouse):\n"
         "    darts: tuple[int, ...]\n    often: int = 1\n"
-        "    name: str = 'a'\n    lit: bool = True\n"
+        "    name: str = 'a'\n    bright: float = 0.5\n    lit: bool = True\n"
         "    height: ClassVar[int] = 3\n"
         "    @classmethod\n    def places(cls, map_, start):\n        yield cls((start,))\n"
         "    def sensed(self, map_, here):\n"
@@ -324,6 +338,7 @@ def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):
     assert World(EDGE, next(lighthouse_named("mine.py:Lamp").places(EDGE, 0))).first.marks == 0
     for name, said in (
         ("mine.py:Lamp:height=4", "has no option 'height'; legal: often, name, lit"),
+        ("mine.py:Lamp:bright=1", "'bright'; its field of that name is 0.5, no integer"),
         ("mine.py:Lamp:lit=3", "option lit = '3' is neither true nor false"),
         ("mine.py:Careless", "sets often = 4 without a type, and so the field keeps 1"),
         ("parity.py:forgets?modulus=5", "sets modulus = 5 without a type"),

@@ -296,7 +296,7 @@ def test_text_that_holds_no_object_is_refused(text):
 @pytest.mark.parametrize("key", ["sigma", "alpha"])
 def test_a_missing_permutation_is_named(key):
     document = {k: v for k, v in DOCUMENT.items() if k != key}
-    with pytest.raises(InvalidMap, match=f"'{key}' must be a list"):
+    with pytest.raises(InvalidMap, match=f"'{key}' is missing"):
         World.from_json(document)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
 from contextlib import suppress
 from dataclasses import fields, make_dataclass
@@ -9,11 +10,15 @@ from functools import cache
 from pathlib import Path
 from typing import Annotated
 
+from allworlds.cli.made_by import words_of_command
 from allworlds.cli.output import complain
 from allworlds.cli.service import tell_service
 from allworlds.inputs import OUTPUT, InputError, Option, a_path, show
 from allworlds.outcome import Result
 from allworlds.reports import FORMATS, content_of, ensure_possible, formats_of
+
+SOURCES = (".c", ".cc", ".cpp", ".dylib", ".h", ".js", ".mjs", ".py", ".rs", ".so")
+"""The ends of names of files that no report replaces."""
 
 
 class Files:
@@ -26,9 +31,15 @@ class Files:
     """
 
     def __post_init__(self) -> None:
+        forms: dict[str, str] = {}
         for form, path in self.named().items():
             ensure_possible(form, path)
             ensure_writable(path)
+            other = forms.setdefault(os.path.realpath(path), form)
+            if other != form:
+                raise InputError(f"{other} and {form} are both to be written into {show(path)}")
+        for form, path in self.named().items():
+            _ensure_meant(form, path)
 
     def expect(self, request: object) -> None:
         """Refuse an option of a request that tells of a file which is not written.
@@ -61,6 +72,32 @@ def files_of(verb: str) -> type[Files]:
 
 def _option(form: str) -> object:
     return Annotated[str | None, Option(OUTPUT, "FILE", FORMATS[form].help)]
+
+
+def _ensure_meant(form: str, path: str) -> None:
+    """Refuse a path that is there since a FILE was forgotten, or whose content is needed."""
+    if path.startswith("-"):
+        raise InputError(f"{form} lacks its FILE: {show(path)} begins with a dash (a file: ./...)")
+    if path.endswith(SOURCES) and os.path.exists(path):  # noqa: PTH110  # takes any text
+        raise InputError(f"{form} {show(path)} is a source or a library, and no report; it stays")
+    if _times_named(path) > 1:
+        raise InputError(f"{form} {show(path)} is a file that is read; name another one")
+
+
+def _times_named(path: str) -> int:
+    """How many words of the command name that file."""
+    real = os.path.realpath(path)
+    return sum(real in _files_in(word) for word in words_of_command())
+
+
+def _files_in(word: str) -> set[str]:
+    """The files that a word may name: as a whole, behind a sign, or before an attribute."""
+    value = word.partition("=")[2] if word.startswith("--") else word
+    found = set()
+    for name in (value, value.removeprefix("@"), *value.partition(":")[::2]):
+        with suppress(ValueError):  # there is no file of such a name
+            found.add(os.path.realpath(name))
+    return found
 
 
 def write_text(path: str, text: str) -> None:

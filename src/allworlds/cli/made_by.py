@@ -39,6 +39,12 @@ def beginning(command: Sequence[str]) -> Iterator[None]:
         _COMMAND.reset(token)
 
 
+def words_of_command() -> tuple[str, ...]:
+    """The words of the command that has begun, without the program's name; none without one."""
+    begun = _COMMAND.get(None)
+    return begun.command if begun else ()
+
+
 def made_by(report: Report, workers: int | None = None) -> MadeBy:
     """Origin and measurements of the document of a report that is written now.
 

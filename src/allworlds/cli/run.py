@@ -55,7 +55,8 @@ class RunWords(ProgramWords):
             family=asked.family is not None,
             program=self.named(None) is not None,
         )
-        name = self.named(explorer) or DEFAULT_EXPLORER
+        name = self.named(explorer)
+        name = DEFAULT_EXPLORER if name is None else name
         return RunRequest(name, world, **values_of(AskedRun, asked))
 
 
@@ -88,8 +89,8 @@ def explorer_and_world(
     """
     wanted = 0 if family else 1
     if not wanted <= len(words) <= wanted + (not program):
-        given = " ".join(words) or "nothing"
-        raise InputError(f"run takes [EXPLORER] and a WORLD or --family, not {show(given)}")
+        given = f"not {show(' '.join(words))}" if words else "and nothing is given"
+        raise InputError(f"run takes [EXPLORER] and a WORLD or --family, {given}")
     explorer = words[0] if len(words) > wanted else None
     world = None if family else words[-1]
     if world is not None and names_explorer(world):

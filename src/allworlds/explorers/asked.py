@@ -60,7 +60,8 @@ class ExplorerWords(ProgramWords):
 
     def value(self) -> str:
         """The explorer's name; the default if none is given."""
-        return self.named(self.explorer) or DEFAULT_EXPLORER
+        name = self.named(self.explorer)
+        return DEFAULT_EXPLORER if name is None else name
 
 
 class ExplorersWords(Request):

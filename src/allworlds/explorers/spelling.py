@@ -73,6 +73,9 @@ def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
     """
     if os.path.isdir(plain):  # noqa: PTH112  # takes any text, as below
         return f"{show(plain)} is a directory; an explorer in it is {Path(plain)}/FILE.py:FUNCTION"
+    if os.path.isfile(plain) and plain.endswith(".py"):  # noqa: PTH113
+        arguments = name.removeprefix(plain)
+        return f"{show(name)} names no function; legal is {plain}:FUNCTION{arguments}"
     if os.path.isfile(plain):  # noqa: PTH113
         return (
             f"{show(plain)} is a file, but no file.py with a function; a program runs with --exec, "

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         did_you_mean as did_you_mean,
         ensure_installed as ensure_installed,
         existing_file as existing_file,
+        in_file as in_file,
         integer as integer,
         integer_of as integer_of,
         is_loop_of_links as is_loop_of_links,

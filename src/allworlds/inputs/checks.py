@@ -9,7 +9,8 @@ import os
 import re
 import signal
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from difflib import get_close_matches
 from importlib.util import find_spec
 from pathlib import Path
@@ -40,6 +41,8 @@ def show(value: object) -> str:
     except BaseException as error:  # noqa: BLE001  # repr may be anybody's code
         let_users_interrupt(error)
         return f"an object of type {type(value).__name__} whose repr fails"
+    if not isinstance(value, str):
+        text = re.sub(" at 0x[0-9a-f]+", "", text)  # an address is another one each time
     return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
 
 
@@ -196,6 +199,15 @@ def parse_json(text: str, kind: type[InputError] = InputError, file: str = "") -
     except (ValueError, RecursionError) as error:
         of = f"file {show(file)} is " if file else ""
         raise kind(f"{of}not JSON: {show(str(error))[1:-1]}") from None
+
+
+@contextmanager
+def in_file(name: str) -> Iterator[None]:
+    """Name the file in what is told of bad input in it; an empty name is no file."""
+    try:
+        yield
+    except InputError as error:
+        raise type(error)(f"file {show(name)}: {error}" if name else str(error)) from None
 
 
 def read_text(path: str) -> str:

@@ -300,7 +300,8 @@ class _Run(Struct):
             if self.cost == self.budget:
                 fault = Fault(
                     "budget",
-                    f"an estimate within {self.budget} traversals",
+                    f"{'an estimate' if self.ended is ending_of else 'an answer'} within "
+                    f"{self.budget} traversals",
                     f"traversal {self.cost + 1}",
                 )
                 return fault, state, None

@@ -134,8 +134,12 @@ class Extent(Struct, frozen=True):
                 at_most(name, value, LARGEST_SIZE)
         if self.edges is not None and self.edges < 1:
             raise InputError(f"edges = {show(self.edges)}, but a map has at least 1 edge")
-        if self.vertices is not None and self.vertices < 2:
-            raise InputError(f"vertices = {show(self.vertices)}, but the bound must be at least 2")
+        least = 1 + self.map_class.simple
+        if self.vertices is not None and self.vertices < least:
+            raise InputError(
+                f"vertices = {show(self.vertices)}, but a map of the class {self.map_class} has at "
+                f"least {least}"
+            )
         if self.edges is None and self.vertices is None:
             raise InputError("a class needs a bound: edges, or vertices for the simple classes")
         if self.edges is None and not self.map_class.simple:

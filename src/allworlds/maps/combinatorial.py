@@ -301,6 +301,8 @@ class CombinatorialMap(Pictured, WrittenByFields):
         if not isinstance(document, Mapping):
             raise InvalidMap(f"a map is an object with 'sigma' and 'alpha', not {show(document)}")
         for key in ("sigma", "alpha"):
+            if key not in document:
+                raise InvalidMap(f"{key!r} is missing; a map has 'sigma' and 'alpha'")
             if not isinstance(document.get(key), list | tuple):
                 raise InvalidMap(f"{key!r} must be a list of darts, not {show(document.get(key))}")
         return cls(document["sigma"], document["alpha"])

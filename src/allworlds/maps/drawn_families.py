@@ -21,7 +21,13 @@ Ends: TypeAlias = list[tuple[int, int]]
 
 
 def torus(rows: int, columns: int, random: Random) -> CombinatorialMap:
-    """The square lattice on the torus, from any of its darts; m = 2RC."""
+    """The square lattice on the torus, from any of its darts; m = 2RC.
+
+    Raises:
+        ValueError: if there is no row or no column.
+    """
+    if rows < 1 or columns < 1:
+        raise ValueError("R and C are at least 1")
     cells = [(r, c) for r in range(rows) for c in range(columns)]
     start = random.randrange(len(cells))
     around = []
@@ -48,8 +54,10 @@ def cubic(vertices: int, random: Random) -> CombinatorialMap:
     """A connected map in which every vertex has degree 3; m = 3N/2.
 
     Raises:
-        ValueError: for an odd number of vertices.
+        ValueError: for an odd number of vertices, or none.
     """
+    if vertices < 1 or vertices % 2:
+        raise ValueError("N is even, and at least 2")
     return regular(3, vertices, random)
 
 

@@ -16,6 +16,7 @@ from allworlds.inputs import (
     Request,
     Taken,
     did_you_mean,
+    in_file,
     integer_of,
     one_of,
     parse_json,
@@ -111,7 +112,7 @@ def _world_named(text: str, kind: LighthouseKind, seed: int | None, holes: str |
                     f"{name} {given} has no effect on world {show(text)}, which is no family"
                 )
     if text.startswith("@"):
-        return _world_of_json(read_text(text[1:]), kind)
+        return _world_of_json(read_text(text[1:]), kind, text[1:])
     if _is_json(text):
         return _world_of_json(text, kind)
     if _CODE.fullmatch(text):
@@ -189,12 +190,13 @@ def _is_json(text: str) -> bool:
     return True
 
 
-def _world_of_json(text: str, kind: LighthouseKind) -> World:
-    document = parse_json(text)
+def _world_of_json(text: str, kind: LighthouseKind, file: str = "") -> World:
+    document = parse_json(text, file=file)
     keys = document.keys() if isinstance(document, dict) else set()
-    if keys & {"findings", "finding", "law"} and not keys & {"sigma", "alpha"}:
-        raise InputError("this is a report or a finding, not a world; see replay and explain")
-    return World.from_json(document, missing=kind)
+    with in_file(file):
+        if keys & {"findings", "finding", "law"} and not keys & {"sigma", "alpha"}:
+            raise InputError("this is a report or a finding, not a world; see replay and explain")
+        return World.from_json(document, missing=kind)
 
 
 def _hint(name: str) -> str:

@@ -10,6 +10,7 @@ from allworlds.document import Document, Positive, ShardText, Text, about, taken
 from allworlds.engines.units.shards import Portion, a_shard, shards_of
 from allworlds.inputs import show
 from allworlds.version import __version__
+from allworlds.words import plural
 
 FORMAT = 2
 """The format of identities and of what is kept under them: raised whenever either changes.
@@ -88,7 +89,8 @@ class Identity(Document):
         if other.explorer != self.explorer:
             return f"is of another text of the explorer {show(mine)}, or of its program"
         if other.shards != self.shards:
-            return f"is of {other.shard}, one of {other.shards} shards, not of {self.shards}"
+            part = f"shard {other.shard}" if other.shards > 1 else "the whole job"
+            return f"is of {part}, and not of a job in {plural(self.shards, 'part')}"
         return ""
 
 

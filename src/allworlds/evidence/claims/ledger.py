@@ -311,7 +311,9 @@ def _hint(option: str, name: str, legal: Sequence[str]) -> str:
     if len(several) > 1 and set(several) <= {*legal}:
         return f"; claims are named one by one: {' '.join(f'--{option} {c}' for c in several)}"
     near = get_close_matches(name, legal, 3, 0.4)
-    return f"; near it are {', '.join(near)}" if near else ""
+    if near:
+        return f"; near it are {', '.join(near)}"
+    return f"; the {len(legal)} claims are in docs/claims.md, the first are {', '.join(legal[:3])}"
 
 
 def proofs_of_clone() -> Path | None:

@@ -84,6 +84,8 @@ def library_path(path: str) -> Path:
     file = existing_file("--native", path)
     if file is None:
         reason = "it is a loop of links" if is_loop_of_links(path) else "there is no such file"
+        if Path(path).is_dir():
+            reason = "it is a directory"
         raise InputError(f"--native {show(path)}: {reason}")
     return file
 

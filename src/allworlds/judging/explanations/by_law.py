@@ -161,7 +161,9 @@ def tell_budget(story: Story) -> Telling:
     if str(story.finding.seen).startswith("checkpoint "):
         why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
     else:
-        why = [*(tell_rounds(story) or [_say_last_step(story)]), SHOW]
+        why = tell_rounds(story) or [_say_last_step(story)]
+        if story.finding.rules.task.is_map:
+            why = [*why, SHOW]
     return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
 
 

@@ -11,6 +11,7 @@ from allworlds.inputs import (
     Named,
     Option,
     Request,
+    in_file,
     integer_of,
     parse_json,
     read_text,
@@ -47,11 +48,15 @@ class FindingWords(Request):
         Raises:
             InputError: naming the file, the offending value in it, or the number.
         """
-        found = findings_of(parse_json(read_text(self.file), file=self.file))
+        document = parse_json(read_text(self.file), file=self.file)
+        with in_file(self.file):
+            found = findings_of(document)
         if not 1 <= self.number <= len(found):
             holds = f"findings 1 to {len(found)}" if len(found) > 1 else "1 finding"
             raise InputError(f"finding = {self.number} is not there: the file holds {holds}")
-        return ChosenFinding(Finding.from_json(found[self.number - 1]), self.number, len(found))
+        with in_file(self.file):
+            finding = Finding.from_json(found[self.number - 1])
+        return ChosenFinding(finding, self.number, len(found))
 
     def value(self) -> Finding:
         """The chosen finding alone, without its number."""

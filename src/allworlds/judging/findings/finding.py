@@ -183,9 +183,11 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
             raise InputError("this is a world or a map, not a finding; see run")
         if not isinstance(document, Mapping):
             raise InputError(f"a finding is an object, not {show(document)}")
-        if document.get("version") != VERSION:
+        if "version" not in document:
+            raise InputError("this is no finding and no report of one: it has no 'version'")
+        if document["version"] != VERSION:
             raise InputError(
-                f"finding of version {show(document.get('version'))}; this program reads {VERSION}"
+                f"finding of version {show(document['version'])}; this program reads {VERSION}"
             )
         explorer, law = document.get("explorer"), document.get("law")
         if not isinstance(explorer, str):

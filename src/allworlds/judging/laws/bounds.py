@@ -125,8 +125,10 @@ def bound_named(text: str) -> Bound:
             warnings.simplefilter("ignore")
             tree = ast.parse(text if plain else "", mode="eval")
     except (SyntaxError, ValueError, MemoryError, RecursionError):
+        product = re.fullmatch(r"(\d+) *([a-zA-Z]\w*)", text)
+        hint = f"; did you mean '{product[1]}*{product[2]}'?" if product else ""
         raise InputError(
-            f"bound {show(text)} is not one of {', '.join(BOUNDS)} or an expression"
+            f"bound {show(text)} is not one of {', '.join(BOUNDS)} or an expression{hint}"
         ) from None
     try:
         evaluate = _compile(tree.body, text)
@@ -161,6 +163,18 @@ _OPERATORS: dict[type[ast.operator], Callable[[int, int], int]] = {
     ast.Mult: operator.mul,
     ast.FloorDiv: operator.floordiv,
 }
+_OTHERS: dict[type[ast.operator], str] = {
+    ast.Div: "/",
+    ast.Mod: "%",
+    ast.MatMult: "@",
+    ast.BitXor: "^",
+    ast.BitAnd: "&",
+    ast.BitOr: "|",
+    ast.LShift: "<<",
+    ast.RShift: ">>",
+}
+"""The signs of operators that no bound has."""
+
 _FUNCTIONS: dict[str, Callable[..., int]] = {"min": min, "max": max}
 _LARGEST_POWER = 64
 _LARGEST_BITS = 4096
@@ -209,8 +223,7 @@ def _binary(op: ast.operator, left: _Evaluate, right: _Evaluate, text: str) -> _
 
         return power
     if type(op) not in _OPERATORS:
-        sign = {ast.Div: "/", ast.Mod: "%"}.get(type(op), type(op).__name__)
-        raise InputError(f"{sign} in bound {show(text)} is not one of + - * // **")
+        raise InputError(f"{_OTHERS[type(op)]} in bound {show(text)} is not one of + - * // **")
     apply: Any = _OPERATORS[type(op)]
     result: _Evaluate = lambda names: apply(left(names), right(names))  # noqa: E731
     return result

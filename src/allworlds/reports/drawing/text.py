@@ -33,6 +33,7 @@ _LEGEND = {
     "▲": "▲ dart where the bearing is 0",
     "S": "S start",
     "R": "R robot at the end",
+    "a": "a, b, ... under darts: darts with one letter look alike",
 }
 """The signs in the order of the legend."""
 
@@ -219,7 +220,8 @@ def _row(texts: Mapping[int, str]) -> str:
 
 def _signs(scene: Scene) -> set[str]:
     marked = {"●"} if any(scene.marks.values()) else set()
-    return marked | {sign for sign, darts in _signed(scene).items() if darts}
+    lettered = {"a"} if scene.labels is not None else set()
+    return marked | lettered | {sign for sign, darts in _signed(scene).items() if darts}
 
 
 def _legend(signs: set[str], width: int) -> str:

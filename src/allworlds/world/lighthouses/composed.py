@@ -181,6 +181,9 @@ def composed_from_json(parts: object, read: Callable[[object], Lighthouse]) -> C
 
 def check_together(parts: Sequence[tuple[str, type[Lighthouse]]]) -> None:
     """Raise InvalidWorld if two of these kinds, with their names, cannot be put together."""
+    for number, (name, kind) in enumerate(parts):
+        if kind in [other for _, other in parts[:number]]:
+            raise InvalidWorld(f"the lighthouse {name} stands there twice")
     for what, has in (
         ("have marks", lambda kind: kind.gives_marks),
         ("have bearings", lambda kind: kind.gives_bearings),

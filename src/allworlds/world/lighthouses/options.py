@@ -7,7 +7,7 @@ it another default; every place then has the value in that field.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import MISSING, fields
 from functools import cache
 from typing import Any, Literal, NamedTuple, TypeAlias, get_args, get_origin, get_type_hints
 
@@ -177,7 +177,9 @@ def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
         pairs = pairs_in(f"{name}:{text}", text)
     except InputError as error:
         raise InvalidWorld(str(error)) from None
-    return {key: _legal(of, name, key).of_text(f"option {key}", value) for key, value in pairs}
+    return {
+        key: _legal(kind, of, name, key).of_text(f"option {key}", value) for key, value in pairs
+    }
 
 
 def ensure_options(kind: Any, name: str, given: Mapping[str, object]) -> dict[str, OptionValue]:
@@ -188,16 +190,19 @@ def ensure_options(kind: Any, name: str, given: Mapping[str, object]) -> dict[st
     """
     of = options_of(kind)
     return {
-        key: _legal(of, name, key).checked(f"lighthouse.{key}", value)
+        key: _legal(kind, of, name, key).checked(f"lighthouse.{key}", value)
         for key, value in given.items()
     }
 
 
-def _legal(of: Mapping[str, FieldOption], name: str, key: str) -> FieldOption:
-    if key not in of:
-        legal = f"legal: {', '.join(of)}" if of else "it has none"
-        raise InvalidWorld(f"the lighthouse {show(name)} has no option {show(key)}; {legal}")
-    return of[key]
+def _legal(kind: Any, of: Mapping[str, FieldOption], name: str, key: str) -> FieldOption:
+    if key in of:
+        return of[key]
+    legal = f"legal: {', '.join(of)}" if of else "it has none"
+    default = next((field.default for field in fields(kind) if field.name == key), MISSING)
+    if key not in PLACE and default is not MISSING:
+        legal = f"its field of that name is {show(default)}, no integer, text or boolean"
+    raise InvalidWorld(f"the lighthouse {show(name)} has no option {show(key)}; {legal}")
 
 
 def value_of(kind: Any, key: str) -> OptionValue:

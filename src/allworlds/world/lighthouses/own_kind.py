@@ -12,6 +12,7 @@ from typing import Any
 from allworlds.inputs import integer, show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Percept, Told, UserCode, tried
+from allworlds.words import plural
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.options import kind_with, options_in
 from allworlds.world.lighthouses.place_checks import InvalidWorld, Unsteady
@@ -148,12 +149,19 @@ class _Checks:
         self.name, self.kind = name, kind
 
     def places(
-        self, places: Any, kind: type[Lighthouse], _map: CombinatorialMap, _start: Dart
+        self, places: Any, kind: type[Lighthouse], map_: CombinatorialMap, _start: Dart
     ) -> Iterator[Lighthouse]:
         """Places of the class, with the options that were asked for."""
         what = f"lighthouse {show(self.name)}: places"
         every = tried(what, lambda: iter(places), InvalidWorld)
+        met = 0
         while (place := tried(what, lambda: next(every, _END), InvalidWorld)) is not _END:
+            met += 1
+            if met > MOST_PLACES:
+                raise InvalidWorld(
+                    f"places of the lighthouse {show(self.name)} has more than {MOST_PLACES:,} "
+                    f"places in a map with {plural(map_.edge_count, 'edge')}; does it end?"
+                )
             chosen = getattr(kind, "chosen", {})
             if type(place) is not self.kind or any(
                 getattr(place, key) != value for key, value in chosen.items()
@@ -179,11 +187,15 @@ class _Checks:
 
     def _percept(self, map_: CombinatorialMap, dart: Dart, percept: object) -> Percept:
         plain = _plain(percept) if type(percept) is Percept else None
-        if plain is None or plain.degree != map_.degree_at[dart]:
+        if (
+            plain is None
+            or plain.degree != map_.degree_at[dart]
+            or (plain.bearing or 0) >= plain.degree
+        ):
             raise InvalidWorld(
                 f"the lighthouse {show(self.name)} senses {show(percept)} at a dart of degree "
                 f"{map_.degree_at[dart]}; legal is Percept(degree, marks, bearing) with that "
-                "degree, marks from 0 on, and a bearing from 0 on or None"
+                "degree, marks from 0 on, and a bearing from 0 on and below the degree, or None"
             )
         return plain
 
@@ -242,6 +254,9 @@ CHECKED = [name for name in vars(_Checks) if name in WATCHED]
 """The methods of which what they return is checked."""
 
 _END = object()
+
+MOST_PLACES = 100_000
+"""The largest number of places in one map: more than anybody waits for, and a memory can hold."""
 
 
 def _plain(percept: Percept) -> Percept | None:
