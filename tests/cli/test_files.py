@@ -113,6 +113,12 @@ def test_what_is_read_and_what_is_a_source_is_not_written(
     assert {file.name: file.read_text() for file in tmp_path.iterdir()} == texts
 
 
+def test_a_new_file_may_have_the_name_of_an_explorer_or_a_world(tmp_path, monkeypatch, cli):
+    monkeypatch.chdir(tmp_path)
+    assert cli("run", "greedy", "theta", "--csv", "theta")[0] == 0
+    assert (tmp_path / "theta").exists()
+
+
 def test_asking_whether_a_file_can_be_written_leaves_it_as_it_is(tmp_path):
     there, not_there = tmp_path / "there", tmp_path / "not-there"
     there.write_text("kept")

@@ -78,7 +78,9 @@ def _ensure_meant(form: str, path: str) -> None:
     """Refuse a path that is there since a FILE was forgotten, or whose content is needed."""
     if path.startswith("-"):
         raise InputError(f"{form} lacks its FILE: {show(path)} begins with a dash (a file: ./...)")
-    if path.endswith(SOURCES) and os.path.exists(path):  # noqa: PTH110  # takes any text
+    if not Path(path).exists():
+        return
+    if path.endswith(SOURCES):
         raise InputError(f"{form} {show(path)} is a source or a library, and no report; it stays")
     if _times_named(path) > 1:
         raise InputError(f"{form} {show(path)} is a file that is read; name another one")
