@@ -77,7 +77,7 @@ def test_the_census_counts_inside_a_class(cli):
         (["ambiguity", "twins", "k4"], "B"),
         (["ambiguity", "class", "k4", "--limit", "0"], "limit 0"),
         (["ambiguity", "class", "k4", "--limit", "many"], "many"),
-        (["ambiguity", "class", "k4", "--lighthouse", "none"], "lighthouse none"),
+        (["ambiguity", "class", "k4", "--lighthouse", "none"], "not none: a class may have no end"),
         (["ambiguity", "class", "theta", "--class", "simple"], "not simple"),
         (["ambiguity", "census"], "needs a bound"),
         (["ambiguity", "census", "--edges", "0"], "edges = 0"),

@@ -151,9 +151,9 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
 def _checked(world: World, limit: int, universe: MapClass) -> None:
     if not isinstance(world.lighthouse, Position | Directional):
         raise InputError(
-            f"under the lighthouse {world.lighthouse.kind} no class is made, which can be infinite "
-            "unless it is known that one vertex looks like no other; legal are the lighthouses "
-            "position and directional, and 'ambiguity census' takes every one"
+            f"'ambiguity class' takes the lighthouses position and directional, not "
+            f"{world.lighthouse.kind}: a class may have no end where it is not known that one "
+            "vertex looks like no other; see 'ambiguity census'"
         )
     if an_integer("limit", limit) < 1:
         raise InputError(f"limit {show(limit)} is too small; at least the world itself is listed")

@@ -27,7 +27,7 @@ from allworlds.maps import (
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.marked_code import is_least_rooting
 from allworlds.studies.ambiguity.members import projection_of
-from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, twins
+from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
 from allworlds.world import InvalidWorld, LighthouseKind, Position, World
 
 BATCH = 200
@@ -174,7 +174,7 @@ def ensure_stands(kind: LighthouseKind) -> None:
     if kind.as_class.leaves_marks:
         raise InputError(
             f"under the lighthouse {kind} the robot leaves marks itself, and a census is of what "
-            "motions alone can tell apart; legal are lighthouses that stand where they are"
+            f"motions alone can tell apart; legal are {standing()}"
         )
 
 

@@ -19,7 +19,7 @@ from allworlds.inputs import InputError, answers
 from allworlds.maps import Dart, Disagreement, Labelled, carries, classes_of_union, numbering
 from allworlds.protocol import Move, Percept
 from allworlds.studies.ambiguity.ambiguity_requests import TwinsRequest
-from allworlds.world import World, a_world, flaw, kind_of
+from allworlds.world import LIGHTHOUSES, World, a_world, flaw, kind_of
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
 """``different``: two maps, or two places of the lighthouse."""
@@ -93,7 +93,7 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
     if kind_of(a.lighthouse).as_class.leaves_marks:
         raise InputError(
             f"under the lighthouse {kinds[0]} the robot leaves marks itself, and twins are "
-            "compared by motions alone; legal are lighthouses that stand where they are"
+            f"compared by motions alone; legal are {standing()}"
         )
     first, second = classes_of_union(*(Labelled(w.map, w.percepts, w.start) for w in (a, b)))
     proof: dict[str, Any]
@@ -189,3 +189,8 @@ def _carries_all(a: World, b: World, order: list[Dart], image: Dart) -> bool:
         return False
     images = numbering(b.map.sigma, b.map.alpha, image)
     return all(a.percepts[d] == b.percepts[e] for d, e in zip(order, images, strict=True))
+
+
+def standing() -> str:
+    """The kinds of lighthouses that stand where they are, in words."""
+    return ", ".join(name for name, kind in LIGHTHOUSES.items() if not kind.leaves_marks)
