@@ -78,7 +78,10 @@ def test_a_file_with_a_wrong_world_is_named(refused, text, said, tmp_path, monke
         ("check --lighthouse none+none", "the lighthouse none stands there twice"),
         ("check --native .", "--native '.': it is a directory"),
         ("ambiguity twins k4 k4 --lighthouse movable", "legal are none, position, directional,"),
-        ("ambiguity census --lighthouse movable", "legal are none, position, directional,"),
+        (
+            "ambiguity census --lighthouse movable --edges 1",
+            "legal are none, position, directional,",
+        ),
         ("check file.py?x=3", "'file.py?x=3' names no function; legal is file.py:FUNCTION?x=3"),
         ("check --where file.py:condition", "returns <function condition.<locals>.<lambda>>, not"),
         ("replay object.json", "this is no finding and no report of one: it has no 'version'"),
