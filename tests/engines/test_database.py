@@ -59,7 +59,7 @@ OTHERS = {
     "edges": (replace(JOB, parameters={"edges": 3, "bound": "n+m"}), "is of edges = 2, not 3"),
     "bound": (
         replace(JOB, parameters={"edges": 2, "bound": None}),
-        "is of bound = 'n+m', not None",
+        "is of bound = 'n+m', not the default",
     ),
     "name": (
         replace(JOB, explorer={"name": "b", "digest": "1"}),
@@ -69,7 +69,7 @@ OTHERS = {
         replace(JOB, explorer={"name": "a", "digest": "2"}),
         "another text of the explorer 'a'",
     ),
-    "shards": (replace(JOB, shard="0/2"), "is of 0/1, one of 1 shard"),
+    "shards": (replace(JOB, shard="0/2"), "is of the whole job, and not of a job in 2 parts"),
 }
 
 

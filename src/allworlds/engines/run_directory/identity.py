@@ -82,7 +82,7 @@ class Identity(Document):
                 return f"is of another text of {', '.join(map(show, changed or its))}"
             if mine != its:
                 said = name.replace("_", "-")
-                return f"is of {said} = {show(its)}, not {show(mine)}"
+                return f"is of {said} = {_in_words(its)}, not {_in_words(mine)}"
         mine, its = self.explorer["name"], other.explorer["name"]
         if mine != its:
             return f"is of the explorer {show(its)}, not {show(mine)}"
@@ -92,6 +92,13 @@ class Identity(Document):
             part = f"shard {other.shard}" if other.shards > 1 else "the whole job"
             return f"is of {part}, and not of a job in {plural(self.shards, 'part')}"
         return ""
+
+
+def _in_words(value: Any) -> str:
+    """A parameter as the command line has it: without a value the default, a list with commas."""
+    if value is None:
+        return "the default"
+    return ",".join(map(str, value)) if isinstance(value, list | tuple) else show(value)
 
 
 def canonical(value: Any) -> str:
