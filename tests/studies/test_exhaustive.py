@@ -496,7 +496,7 @@ def test_the_listener_is_told_of_every_world():
     [
         {"edges": 0},
         {"edges": -1},
-        {"vertices": 1, "edges": 2},
+        {"vertices": 0, "edges": 2},
         {"vertices": 3, "edges": None},
         {"map_class": "nonsense"},
         {"lighthouse": "nonsense"},

@@ -276,7 +276,7 @@ def test_what_is_no_lighthouse_is_refused_in_one_line(folder, name, said):
         ("Degree", "legal is Percept"),
         ("Negative", "legal is Percept"),
         ("Far", "bearing=1.* below the degree"),
-        ("Many", "places of the lighthouse .* has more than 100,000 places in a map with 1 edge"),
+        ("Many", "places of the lighthouse .* has more than 100 places in a map with 1 edge"),
         ("Texts", "senses 'dark'"),
         ("Exits", "sensed raises SystemExit"),
         ("ActsNot", "acted raises ZeroDivisionError"),
@@ -294,6 +294,7 @@ def test_what_is_no_lighthouse_is_refused_in_one_line(folder, name, said):
 )
 def test_an_error_in_a_lighthouse_is_bad_input_that_names_it(folder, kind, said, monkeypatch):
     monkeypatch.setattr("allworlds.protocol.model_calls._Limit.seconds", 0.2)
+    monkeypatch.setattr("allworlds.world.lighthouses.own_kind.MOST_PLACES", 100)
     with pytest.raises(InvalidWorld, match=said) as error:
         next(worlds(edges=1, lighthouse=f"bad.py:{kind}"))
     assert f"bad.py:{kind}" in str(error.value)
