@@ -84,7 +84,10 @@ def test_a_file_with_a_wrong_world_is_named(refused, text, said, tmp_path, monke
         ),
         ("check file.py?x=3", "'file.py?x=3' names no function; legal is file.py:FUNCTION?x=3"),
         ("check --where file.py:condition", "returns <function condition.<locals>.<lambda>>, not"),
-        ("replay object.json", "this is no finding and no report of one: it has no 'version'"),
+        (
+            "replay object.json",
+            "file 'object.json': this is no finding and no report of one: it has no 'version'",
+        ),
     ],
 )
 def test_a_refusal_says_what_would_be_legal(refused, words, said, tmp_path, monkeypatch):

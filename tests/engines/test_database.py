@@ -61,6 +61,10 @@ OTHERS = {
         replace(JOB, parameters={"edges": 2, "bound": None}),
         "is of bound = 'n+m', not the default",
     ),
+    "laws": (
+        replace(JOB, parameters={"edges": 2, "bound": ["map", "pose"]}),
+        "is of bound = 'n+m', not map,pose",
+    ),
     "name": (
         replace(JOB, explorer={"name": "b", "digest": "1"}),
         "is of the explorer 'a', not 'b'",

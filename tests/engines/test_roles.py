@@ -8,7 +8,7 @@ import os
 import signal
 import socket
 import threading
-from contextlib import suppress
+from contextlib import closing, suppress
 from multiprocessing import Pipe
 from pathlib import Path
 
@@ -36,6 +36,7 @@ from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.python.play import Record
 from allworlds.explorers import load
+from allworlds.inputs import InputError
 from allworlds.judging import Fault, Rules, UncheckedAnswer
 from allworlds.maps import Extent, MapClass
 from allworlds.protocol import Percept
@@ -243,3 +244,19 @@ def test_an_explorer_of_ours_beats_while_it_walks_and_not_after():
         pass
     assert max(beats) > (1, 0)
     assert beats[-1] == (1, 0)
+
+
+def test_what_plays_in_worlds_is_loaded_before_the_explorer_where_it_is_asked_for(tmp_path):
+    file = tmp_path / "looks.py"
+    file.write_text(
+        "import sys\n"
+        "assert 'allworlds.engines.isolation.world_player' in sys.modules\n"
+        "def explore(first):\n    yield\n"
+    )
+    setup = PlayerSetup(f"{file}:explore", None, 2.0, None)
+    with closing(process.start_guardian()) as own:
+        with pytest.raises(InputError, match="AssertionError"):
+            start_player(own, setup, 3, in_worlds=False)
+        for seed in (0, 3):
+            player, _ = start_player(own, setup, seed)
+            player.close()

@@ -12,11 +12,11 @@ from allworlds.engines.compiled.trees import PlayedByTrees
 from allworlds.engines.compiled.users_engine import UsersEngine
 from allworlds.engines.isolation.guardian import Prepare, _Guardian
 from allworlds.engines.isolation.jobs import PlayerSetup, PlayStretch
+from allworlds.engines.isolation.memory_limit import address_space
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.one_player import PlayerLost
 from allworlds.engines.isolation.player import PlayerProcess
 from allworlds.engines.isolation.player_pair import PlayerPair
-from allworlds.engines.isolation.process import address_space
 from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.isolation.referee_jobs import RefereeSetup
 from allworlds.engines.isolation.shared_logs import StretchMemory

@@ -9,7 +9,7 @@ from allworlds.cli.files import Files
 from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit
 from allworlds.document import replace
-from allworlds.explorers import DEFAULT_EXPLORER, ProgramWords, names_explorer
+from allworlds.explorers import ProgramWords, names_explorer
 from allworlds.inputs import OUTPUT, SCOPE, Argument, InputError, Option, answer, show, values_of
 from allworlds.studies.run import AskedRun, RunRequest, WorldNames
 from allworlds.world import names_of_worlds
@@ -55,9 +55,7 @@ class RunWords(ProgramWords):
             family=asked.family is not None,
             program=self.named(None) is not None,
         )
-        name = self.named(explorer)
-        name = DEFAULT_EXPLORER if name is None else name
-        return RunRequest(name, world, **values_of(AskedRun, asked))
+        return RunRequest(self.named_or_default(explorer), world, **values_of(AskedRun, asked))
 
 
 def run(words: RunWords, *, asked: AskedRun, files: Files, output: OutputGroup) -> int:

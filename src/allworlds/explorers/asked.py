@@ -43,6 +43,11 @@ class ProgramWords(Request):
             raise InputError(f"give {' or '.join(named)}, not both")
         return next(iter(named.values()), None)
 
+    def named_or_default(self, explorer: str | None) -> str:
+        """The name of the explorer, as :meth:`named`; the default if none is given."""
+        name = self.named(explorer)
+        return DEFAULT_EXPLORER if name is None else name
+
 
 class ExplorerWords(ProgramWords):
     """The argument and options of the command line that name an explorer."""
@@ -60,8 +65,7 @@ class ExplorerWords(ProgramWords):
 
     def value(self) -> str:
         """The explorer's name; the default if none is given."""
-        name = self.named(self.explorer)
-        return DEFAULT_EXPLORER if name is None else name
+        return self.named_or_default(self.explorer)
 
 
 class ExplorersWords(Request):

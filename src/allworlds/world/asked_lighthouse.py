@@ -82,9 +82,9 @@ def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
 
 def _flaw(kind: type[Lighthouse], map_: CombinatorialMap, other: Sequence[int]) -> str:
     places = [*kind.places(map_, 0)]
-    if len({*places}) < len(places):
-        twice = next(place for number, place in enumerate(places) if place in places[:number])
-        return f"the place {twice} is there twice"
+    for number, place in enumerate(places):
+        if place in places[:number]:
+            return f"the place {place} is there twice"
     if places != [*kind.places(map_, 0)]:
         return "asked twice, it has other places"
     renamed = [*kind.places(map_.relabelled(other), other[0])]

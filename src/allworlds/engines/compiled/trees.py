@@ -57,7 +57,7 @@ MOST_LOST = 2
 """The number of walks that may be lost, if no single run is."""
 
 MEND = "mend the copying, or leave it out"
-"""What is advised where copies go wrong and no run can be named."""
+"""The advice where copies go wrong and no run can be named."""
 
 
 class WalkedTree(NamedTuple):

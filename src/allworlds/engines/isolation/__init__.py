@@ -14,6 +14,8 @@ The **guardian** forks them all, and ends them, and all that they have started.
     starting, reading and ending processes;
 ``layout``
     layouts of memory, drawn for each process;
+``memory_limit``
+    the address space of a process, and a bound on it;
 ``relay``
     the stderr of processes, on its way to that of the owner;
 ``player``, ``world_player``, ``one_player``, ``player_pair``

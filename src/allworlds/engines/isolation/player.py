@@ -24,6 +24,7 @@ from allworlds.engines.isolation.jobs import (
     Trace,
 )
 from allworlds.engines.isolation.layout import run_deeper, scatter_memory, scatter_objects
+from allworlds.engines.isolation.memory_limit import address_space, limit_memory
 from allworlds.engines.isolation.messages import (
     ExplorerDescription,
     Failure,
@@ -33,7 +34,6 @@ from allworlds.engines.isolation.messages import (
     StretchResult,
     write_message,
 )
-from allworlds.engines.isolation.process import address_space, limit_memory
 from allworlds.engines.python.play import ExplorerRunner
 from allworlds.explorers import Shield, Subject, is_program, load
 from allworlds.inputs import InputError

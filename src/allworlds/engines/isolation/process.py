@@ -145,6 +145,8 @@ class Guardian:
 
     def close(self) -> None:
         """End the guardian, and everything that it has started."""
+        for nursery in self._nurseries.values():
+            nursery.close()
         self._sock.close()
         if self._process:
             stops, deadline = Stops(), time.monotonic() + ANSWERS
@@ -364,39 +366,3 @@ def close_all(*processes: Process) -> None:
         process.connection.close()
         process.beat.release()
         process._memory.close()  # noqa: SLF001
-
-
-def address_space() -> int:
-    """MB of address space of this process; 0 if unknown."""
-    with suppress(OSError):
-        pages = int(Path("/proc/self/statm").read_text().split()[0])
-        return pages * mmap.PAGESIZE >> 20
-    return 0
-
-
-def limit_memory(megabytes: int, besides: int = 0) -> None:
-    """Bound the address space of this process.
-
-    Args:
-        megabytes: the bound.
-        besides: MB that do not count.
-
-    Raises:
-        InputError: if it is larger already; the limit would then act only on further growth.
-    """
-    import resource
-
-    _, most = resource.getrlimit(resource.RLIMIT_AS)
-    size = min(megabytes + besides << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
-    # With such a limit the process would come to its end when its stack grows.
-    too_small = size < address_space() << 20
-    if not too_small:
-        resource.setrlimit(resource.RLIMIT_AS, (size, size))
-        try:
-            mmap.mmap(-1, mmap.PAGESIZE).close()
-        except OSError:
-            too_small = True
-    if too_small:
-        raise InputError(
-            f"memory {megabytes} MB is probably too small: a process is larger before it begins"
-        )

@@ -10,8 +10,9 @@ from typing import Any
 
 from allworlds.engines.isolation.failures import HarnessError, Unsettled
 from allworlds.engines.isolation.jobs import PlayerSetup
+from allworlds.engines.isolation.memory_limit import limit_memory
 from allworlds.engines.isolation.player_pair import PlayerPair
-from allworlds.engines.isolation.process import Guardian, limit_memory
+from allworlds.engines.isolation.process import Guardian
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.isolation.worker_engine import WorkerEngine
 from allworlds.engines.python.earlier_plays import SPARE, EarlierPlays
