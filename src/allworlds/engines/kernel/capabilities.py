@@ -12,17 +12,11 @@ EXPLORERS = {
 }
 """The built-in explorers that are compiled, with the functions that compile them."""
 
-LIGHTHOUSES = {
-    "none": "none",
-    "position": "position",
-    "directional": "directional",
-    "compass": "compass",
-    "cluster": "cluster",
-    "cluster-single": "cluster_single",
-    "natural": "natural",
-}
+LIGHTHOUSES = frozenset(
+    {"none", "position", "directional", "compass", "cluster", "cluster-single", "natural"}
+)
 """The lighthouses by the names of their kinds; a new one is an entry, and a function of that name
-in ``lighthouses``."""
+in ``lighthouses``, with ``_`` for ``-``."""
 
 MOST_EDGES = 12
 """The largest number of edges for which every packed number has its room."""

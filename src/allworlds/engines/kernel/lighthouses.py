@@ -12,7 +12,6 @@ from functools import cache
 
 from numba import types
 
-from allworlds.engines.kernel.capabilities import LIGHTHOUSES
 from allworlds.engines.kernel.code import number
 from allworlds.engines.kernel.compiling import RECORD, callback, inner
 from allworlds.engines.kernel.records import NONE, WORLD
@@ -184,5 +183,5 @@ def _point(world, dart):
 
 @cache
 def lighthouse_address(kind: str) -> int:
-    """The address of the compiled lighthouse of :data:`LIGHTHOUSES`."""
-    return callback(globals()[LIGHTHOUSES[kind]], types.void(RECORD(WORLD)))
+    """The address of the compiled lighthouse, one of :data:`capabilities.LIGHTHOUSES`."""
+    return callback(globals()[kind.replace("-", "_")], types.void(RECORD(WORLD)))
