@@ -67,15 +67,20 @@ def test_a_player_that_is_lost_or_sends_another_message_is_ended(monkeypatch, an
     assert answering(monkeypatch, answer) == (None, 1)
 
 
-def test_what_is_prepared_is_called_once():
+@pytest.mark.parametrize(("answer", "times"), [(None, 1), (0, 2), (1, 2)])
+def test_what_is_prepared_is_called_once_and_what_is_asked_each_time(monkeypatch, answer, times):
+    called = []
+    monkeypatch.setattr(gc, "told", lambda: [called.append(0), answer][1], raising=False)
     ours, theirs = socket.socketpair()
     with ours, theirs:
         guardian = _Guardian(ours, {})
         try:
-            returned = {guardian._prepare(Prepare("time", "monotonic_ns")) for _ in range(2)}
+            answers = [guardian._prepare(Prepare("gc", "told")) for _ in range(2)]
         finally:
             gc.unfreeze()
-        assert len(returned) == 1
+    assert answers == [answer, answer]
+    assert len(called) == times
+    assert guardian._prepared == ({Prepare("gc", "told")} if answer is None else set())
 
 
 def test_a_player_plays_a_stretch_that_it_is_shown():

@@ -114,7 +114,7 @@ class _Guardian:
         self._owned: dict[socket.socket, set[int]] = {owner: set()}
         self._control: dict[int, socket.socket] = {}
         self._ended: dict[int, int] = {}
-        self._prepared: dict[Prepare, Answer] = {}
+        self._prepared: set[Prepare] = set()
         self._nurseries: dict[ReachNursery, tuple[socket.socket, int]] = {}
         self._relay = Relay()
         self._selector.register(self._relay, EVENT_READ)
@@ -227,11 +227,13 @@ class _Guardian:
                 return self._prepare(request)
 
     def _prepare(self, request: Prepare) -> Answer:
-        if request not in self._prepared:
-            returned = getattr(import_module(request.module), request.function)()
-            self._prepared[request] = returned
-            gc.freeze()
-        return self._prepared[request]
+        if request in self._prepared:
+            return None
+        returned: Answer = getattr(import_module(request.module), request.function)()
+        if returned is None:
+            self._prepared.add(request)
+        gc.freeze()
+        return returned
 
     def _spawn(self, request: Spawn, descriptors: list[int]) -> int:
         ours, theirs = socket.socketpair()

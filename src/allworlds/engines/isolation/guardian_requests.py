@@ -44,7 +44,8 @@ class AskExitCode(Struct, frozen=True):
 class Prepare(Struct, frozen=True):
     """Call a function without arguments: all that are forked later share the modules it loads.
 
-    It is called once; answered by what it has returned.
+    It is called once if it returns None; one that returns a number is called each time, and that is
+    the answer.
 
     Attributes:
         module, function: its module, which belongs to this package, and its name.
