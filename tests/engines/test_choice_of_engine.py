@@ -47,7 +47,7 @@ def closure():
     ("options", "reason"),
     [
         ({"policy": "random:1"}, "random:1"),
-        ({"schedules": "all", "edges": 2}, "schedule"),
+        ({"schedules": "all", "edges": 2}, "built-in explorers in one schedule"),
         ({"step_budget": 100_000}, "100000"),
         ({"edges": 13}, "13"),
         ({"explore": closure()}, "foreign"),

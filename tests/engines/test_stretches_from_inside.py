@@ -102,7 +102,7 @@ def test_a_referee_takes_the_engine_of_native_explorers():
         referee = RefereeProcess(theirs, bytearray(16), None)
         pair = PlayerPair(None, SETUP, Random(1))
         engine = referee._bind(
-            UsersEngine(scope, 1), RefereeSetup(subject, Limits(), 1), pair, EarlierPlays()
+            UsersEngine(PythonEngine(scope, 1)), RefereeSetup(subject, Limits(), 1), pair, EarlierPlays()
         )
         assert isinstance(engine, PlayedByTrees)
         assert engine.stretches.players is pair

@@ -8,9 +8,10 @@ from typing import Annotated, Any, Protocol, TypeAlias
 from msgspec import Struct
 
 from allworlds.document import one_of, replace
-from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER
+from allworlds.engines.compiled.sizes import COMPILER, compiled_from
 from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
+from allworlds.engines.python.costs import CostEngine
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.transports.split import Split
@@ -62,7 +63,7 @@ class General:
 
     def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
-        return ReadyEngine(players_for(job), PythonEngine(job.scope, job.keep))
+        return ReadyEngine(players_for(job), _python_engine(job))
 
 
 class Compiled:
@@ -98,7 +99,7 @@ class Compiled:
         if job.subject.from_user:
             from allworlds.engines.compiled.users_engine import UsersEngine
 
-            apart = UsersEngine(job.scope, job.keep)
+            apart = UsersEngine(_python_engine(job))
             if job.cluster is None:
                 apart.compiled(job)
             return ReadyEngine(players_for(job), apart)
@@ -112,6 +113,11 @@ class Compiled:
 
         far = Dask(job.cluster, workers, job.deadline)
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
+
+
+def _python_engine(job: Job) -> PythonEngine:
+    kind = CostEngine if job.costs else PythonEngine
+    return kind(job.scope, job.keep)
 
 
 def players_for(job: Job) -> Transport[Any]:
@@ -152,9 +158,9 @@ def why_not_compiled(scope: Scope, subject: Subject) -> str:
 
     That is so of native explorers, and of all where there is no compiler.
     """
-    most = scope.extent.levels[-1]
-    expected = subject.compiled or (most > COMPILED_FROM and bool(lack_of(*COMPILER)))
-    if not expected or most < COMPILED_FROM:
+    most, least = scope.extent.levels[-1], compiled_from(scope.schedules)
+    expected = subject.compiled or (most > least and bool(lack_of(*COMPILER)))
+    if not expected or most < least:
         return ""
     obstacle = ENGINES["kernel"].obstacle(scope, subject)
     return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
@@ -174,7 +180,7 @@ def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = N
     """
     if name == "auto":
         compiled = ENGINES["kernel"]
-        small = scope.extent.levels[-1] < COMPILED_FROM
+        small = scope.extent.levels[-1] < compiled_from(scope.schedules)
         # Hundreds of MB of address space are the compiled engine's own.
         small |= memory is not None and subject.from_user and not subject.compiled
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled

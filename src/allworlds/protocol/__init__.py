@@ -43,11 +43,13 @@ if TYPE_CHECKING:
         POLICIES as POLICIES,
         SEEDED as SEEDED,
         Choices as Choices,
+        Counted as Counted,
         Kind as Kind,
         Policy as Policy,
         Schedule as Schedule,
         Schedules as Schedules,
         a_schedule as a_schedule,
+        are_due as are_due,
         next_script as next_script,
         policy_named as policy_named,
     )

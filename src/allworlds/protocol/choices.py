@@ -11,6 +11,8 @@ from collections.abc import Iterator, Sequence, Sized
 from random import Random
 from typing import Literal, Protocol, TypeAlias, TypeVar, cast, get_args, overload
 
+from typing_extensions import override
+
 from allworlds.inputs import InputError, show
 
 T = TypeVar("T")
@@ -176,32 +178,49 @@ class Schedules:
     """Every schedule of one explorer on one world, in lexicographic order.
 
     Usage: iterate; give each :class:`Choices` to one run; when the run has ended the next
-    one takes the next schedule.  An explorer without choices has one schedule.
+    one takes the next schedule.  An explorer without choices has one schedule.  A run that did not
+    make the choices that were due is the last: there might be no end.
     """
 
     def __iter__(self) -> Iterator[Choices]:
         """Yield the choices of one run after the other."""
         script: tuple[int, ...] | None = ()
         while script is not None:
-            choices = _Counted(script)
+            choices = Counted(script)
             yield choices
-            script = next_script(choices.record, choices.widths)
+            script = next_script(script, choices.record, choices.widths)
 
 
-def next_script(record: Sequence[int], widths: Sequence[int]) -> tuple[int, ...] | None:
-    """The first choices of the schedule after this one, all others being 0; None after the last."""
-    for turn in reversed(range(min(len(record), len(widths)))):
+def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int]) -> bool:
+    """Whether these are the choices of the script, all others being 0."""
+    length = max(len(script), len(record))
+    due = (*script, *(0,) * (length - len(script)))
+    return tuple(record) == due and len(widths) == len(record)
+
+
+def next_script(
+    script: Sequence[int], record: Sequence[int], widths: Sequence[int]
+) -> tuple[int, ...] | None:
+    """The script of the schedule after this one; None after the last, or if this is not its run."""
+    if not are_due(script, record, widths):
+        return None
+    for turn in reversed(range(len(record))):
         if record[turn] < widths[turn] - 1:
             return (*record[:turn], record[turn] + 1)
     return None
 
 
-class _Counted(Choices):
-    """Choices that also record the number of options."""
+class Counted(Choices):
+    """Choices of one of all schedules, which also record the number of options.
+
+    Args:
+        script: answers for the first choices; all others are 0.
+    """
 
     def __init__(self, script: Sequence[int]) -> None:
         super().__init__(Fifo(), script)
 
+    @override
     def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
         _check_sequence("options", options)
         # Asked once: it may be the explorer's code, and say something else the next time.

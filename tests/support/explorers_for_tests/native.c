@@ -31,10 +31,11 @@ void *thrown[1 << 16];
 
 #ifdef CHOOSES
 static allworlds_pick pick;
+static void *asked;
 void allworlds_choose(void *none, allworlds_pick given, void *context)
 {
-    (void)none, (void)context;
-    pick = given;
+    (void)none;
+    pick = given, asked = context;
 }
 #endif
 

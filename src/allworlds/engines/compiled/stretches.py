@@ -1,5 +1,8 @@
 """Users' explorers in the compiled engine: stretches of runs, played twice, and judged between.
 
+A stretch has a log for each run, or, where every schedule is tried, one for each schedule of each
+run; then it is played and judged in portions (:mod:`allworlds.engines.kernel.schedule_judge`).
+
 A stretch is laid out and judged by a referee, which has no user's code in it; its two players play
 it, the first in worlds, the second against the recorded percepts, each in an order of its own.
 The general engine (:mod:`allworlds.engines.python.second_play`) plays a stretch anew in which
@@ -21,16 +24,19 @@ from typing import Any, NamedTuple
 from allworlds.document import replace
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
+from allworlds.engines.isolation.jobs import DueSchedules
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.kernel.batches import LaidOutRuns, ReplayableRun, UnitJudge
 from allworlds.engines.kernel.rows import BrokenRun, Level, Rows
+from allworlds.engines.kernel.schedule_judge import ScheduleJudge
 from allworlds.engines.kernel.stretch import LONGEST_STRETCH, MOST_EARLIER
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.comparison import nondeterministic
+from allworlds.engines.python.costs import CostTally
 from allworlds.engines.python.earlier_plays import KEPT, EarlierPlays
 from allworlds.engines.python.examiner import LOST, Outcome, Referee
-from allworlds.engines.python.players import OneRun
+from allworlds.engines.python.players import OneRun, placed_run
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
@@ -38,12 +44,15 @@ from allworlds.engines.python.second_play import PLAYS, PlayedTwice
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import SPELL
 from allworlds.judging import Fault, Finding, Log, LostRun, UncheckedAnswer, Violation, retold
-from allworlds.maps import Code, CombinatorialMap
+from allworlds.maps import Code, CombinatorialMap, rooted_code
 from allworlds.world import World
 
 AGREEMENT_EDGES = 3
 """The largest m for which both judges judge every log, and must agree, and the general engine plays
 everything, too."""
+
+OF_EVERY_SCHEDULE = 2
+"""The same limit where every schedule is tried: with 3 edges a run has some 30."""
 
 AT_FIRST, AFTER_LOSS, LEAST = 64, 64, 16
 """The runs of the first stretch, of the one after a loss, and of the shortest.  Each stretch has
@@ -68,10 +77,17 @@ class _EarlierRun(NamedTuple):
     kept: ReplayableRun
 
 
-class _Differing(NamedTuple):
-    """Runs whose two plays differ: the numbers of those of the stretch, and earlier plays."""
+class _Chosen(NamedTuple):
+    """A play: the number of its run in its unit, and its choices if every schedule is tried."""
 
-    here: list[int]
+    number: int
+    choices: tuple[int, ...]
+
+
+class _Differing(NamedTuple):
+    """Plays that differ from their second ones: those of the stretch, and earlier ones."""
+
+    here: list[_Chosen]
     earlier: list[_EarlierRun]
 
 
@@ -109,7 +125,8 @@ class PlayedByStretches:
         level = self.level(unit)
         first, second = _memory(unit.edges)
         keep = self.engine.keep
-        judge = UnitJudge(level, unit.prefix, keep, first.stretch, second.stretch)
+        kind = UnitJudge if self.engine.scope.schedules == "one" else ScheduleJudge
+        judge = kind(level, unit.prefix, keep, first.stretch, second.stretch)
         batch = None
         while batch is None or not batch.last:
             began = time.monotonic()
@@ -125,9 +142,8 @@ class PlayedByStretches:
             else:
                 slow = time.monotonic() - began > REPORT_EVERY
                 most = self._most // 2 if slow else 2 * self._most
-                longest = LONGEST_STRETCH if self.players.tour.complete else SPELL
-                self._most = max(LEAST, min(most, longest))
-                if unit.edges <= AGREEMENT_EDGES:
+                self._most = max(LEAST, min(most, self._longest))
+                if unit.edges <= self._compared:
                     general = self._by_the_general_engine(unit, batch)
                     tally.remarks.update(general.remarks)
                     for found in general.findings:
@@ -140,45 +156,71 @@ class PlayedByStretches:
         scope = self.engine.scope
         return level_of(self.explorer, scope.rules, scope.extent, unit.edges)
 
-    def outcomes(self, one: OneRun) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
+    def outcomes(
+        self, one: OneRun, choices: tuple[int, ...] = ()
+    ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
         """The outcome of a run that is played anew, by the general engine."""
         given = GivenWorlds(((one.world, one.place),))
-        return self._general.outcomes(given, {one.number: one})
+        return self._general.outcomes(given, {one.number: one}, given=choices)
 
     def finding(self, one: OneRun, outcome: Outcome | LostRun) -> Finding:
         """The finding of a run that breaks a law, or that was lost."""
         return self._general.finding(one, outcome)
 
+    @property
+    def _compared(self) -> int:
+        """The largest m for which both judges and both engines are compared."""
+        one = self.engine.scope.schedules == "one"
+        return AGREEMENT_EDGES if one else OF_EVERY_SCHEDULE
+
+    @property
+    def _longest(self) -> int:
+        """The largest number of plays in a stretch: at first the second player changes soon."""
+        return LONGEST_STRETCH if self.players.tour.complete else SPELL
+
     def _compiled(self, unit: LevelRuns, judge: UnitJudge, batch: LaidOutRuns) -> Tally | None:
         """The tally of a stretch; None if the general engine must make it."""
+        tally = self.engine.tally()
+        while not judge.is_done(batch):
+            part = self._portion(unit, judge, batch)
+            if part is None:
+                return None
+            tally.add(part)
+        return tally
+
+    def _portion(self, unit: LevelRuns, judge: UnitJudge, batch: LaidOutRuns) -> Tally | None:
+        """The tally of the next portion of a stretch, which may be all of it; None as above."""
         first, second = _memory(unit.edges)
         policy, size = self.engine.scope.rules.policy, 0
-        if batch.runs:
-            played = first.play(self.players, "first", batch.runs, policy)
+        row, script = judge.next
+        due = DueSchedules(row, script, self._longest) if judge.every else None
+        if row < batch.runs:
+            played = first.play(self.players, "first", batch.runs, policy, due)
             if played is None:
                 return None
             size = played
         if self._seed != self.players.tour.hash_seed:
             self._seed = self.players.tour.hash_seed
             self._kept.forget()
-        earlier = self._kept.draw(MOST_EARLIER) if batch.runs else []
+        earlier = self._kept.draw(MOST_EARLIER) if row < batch.runs else []
         again = [play.kept for play in earlier]
         rows, readable = judge.judge(batch, size, again)
-        if not readable:
+        logs = judge.logs
+        if not readable or (size and not logs):
             return None
-        if unit.edges <= AGREEMENT_EDGES:
+        if unit.edges <= self._compared:
             self._compare(unit, batch, judge, rows)
         differing: list[int] = []
-        if batch.runs:
-            played = second.play(self.players, "second", batch.runs + len(earlier), policy)
+        if logs:
+            played = second.play(self.players, "second", logs + len(earlier), policy, due)
             if played is None:
                 return None
-            differing = judge.differing(batch, played, again)
-        tally = tally_of(rows, unit, self.engine.scope, self.engine.keep)
+            differing = judge.differing(played, again)
+        tally = self._tally(rows, unit, judge)
         by_seed = self.players.tour.differ
         unlike = _Differing(
-            [judge.number(row) for row in differing if row < batch.runs],
-            [earlier[row - batch.runs] for row in differing if row >= batch.runs],
+            [_chosen(judge, row) for row in differing if row < logs],
+            [earlier[row - logs] for row in differing if row >= logs],
         )
         for _ in self._finding(unit, batch, judge, rows.broken, unlike, tally):
             if by_seed and self.players.tour.alike:
@@ -186,11 +228,25 @@ class PlayedByStretches:
                 self._stash += tally.findings
                 return None
         if not differing:
-            wanted = min(batch.runs, max(ANEW, KEPT - len(self._kept)))
-            for row in self.players.random.sample(range(batch.runs), wanted):
+            wanted = min(logs, max(ANEW, KEPT - len(self._kept)))
+            for row in self.players.random.sample(range(logs), wanted):
                 kept = judge.kept(row)
                 if kept.short:
                     self._kept.keep(_EarlierRun(unit, judge.number(row), kept))
+        return tally
+
+    def _tally(self, rows: Rows, unit: LevelRuns, judge: UnitJudge) -> Tally:
+        """A tally of the counts of a portion."""
+        tally = tally_of(rows, unit, self.engine.scope, self.engine.tally())
+        if isinstance(judge, ScheduleJudge):
+            for each in rows.most_expensive:
+                row = tally.row(unit.edges, each.vertices)
+                assert row.most_expensive is not None
+                choices = judge.choices_of_dearest(each.vertices)
+                row.most_expensive = row.most_expensive._replace(choices=choices)
+            if isinstance(tally, CostTally):
+                for vertices, cost in judge.best.items():
+                    tally.best_of(vertices, cost)
         return tally
 
     def _finding(
@@ -208,13 +264,32 @@ class PlayedByStretches:
             yield
         else:
             for each in broken:
-                if not self.find(unit, each, tally):
-                    self._confirm(unit, batch, judge, each)
-                    self.find(unit, each, tally, otherwise=nondeterministic(THIRD))
+                choices = self._choices_of(unit, batch, judge, each)
+                if not self.find(unit, each, tally, choices):
+                    self._confirm(unit, batch, judge, each, choices)
+                    self.find(unit, each, tally, choices, otherwise=nondeterministic(THIRD))
                 yield
         for play in differing.earlier:
-            self._find_differing(play.unit, [play.number], tally)
+            self._find_differing(play.unit, [_Chosen(play.number, play.kept.choices)], tally)
             yield
+
+    def _choices_of(
+        self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, broken: BrokenRun
+    ) -> tuple[int, ...]:
+        """The choices of the first schedule in which the run breaks the law; none if it has one."""
+        if not isinstance(judge, ScheduleJudge):
+            return ()
+        runs = self._runs(unit, batch)
+        for row in judge.rows_that_break(broken.law):
+            run = runs[judge.number(row)]
+            if _is_at(broken, run.map, run.place):
+                return judge.kept(row).choices
+        raise EnginesDisagree(f"the kernel says that {broken.law} is broken, and not by which log")
+
+    def _runs(self, unit: LevelRuns, batch: LaidOutRuns) -> dict[int, NumberedRun]:
+        """The runs of a stretch, by their numbers."""
+        runs = islice(self.engine.runs(unit, batch.first), batch.until - batch.first)
+        return {run.number: run for run in runs}
 
     def _by_the_general_engine(self, unit: LevelRuns, batch: LaidOutRuns) -> Tally:
         tally = self.engine.tally()
@@ -228,7 +303,7 @@ class PlayedByStretches:
     def _compare(self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, rows: Rows) -> None:
         """Raise EnginesDisagree unless the Python judge counts the same in the same logs."""
         scope, keep = self.engine.scope, self.engine.keep
-        counted, judged = tally_of(rows, unit, scope, keep), self.engine.tally()
+        counted, judged = tally_of(rows, unit, scope, Tally(keep)), self.engine.tally()
         for one, outcome in self._outcomes(unit, batch, judge, judged):
             self.engine.count_outcome(self._referee, one.world, one.place, outcome, judged)
         kernels, pythons = counts_of(counted), counts_of(judged)
@@ -243,35 +318,36 @@ class PlayedByStretches:
     def _outcomes(
         self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, tally: Tally
     ) -> Iterator[tuple[OneRun, Outcome]]:
-        """The outcome of each run of a stretch, by its first log, as the Python judge has it."""
-        row = 0
-        for run in islice(self.engine.runs(unit, batch.first), batch.until - batch.first):
-            world = self.engine.count_run(run, tally)
-            if world is not None:
-                episode = retold(_log(judge.kept(row)), world)
-                outcome = self._referee.outcome(world, episode, ())
-                yield OneRun(run.number, run.place, world), outcome
-                row += 1
+        """The outcome of each first log of a portion, as the Python judge has it."""
+        runs = self._runs(unit, batch)
+        for number in judge.counted:
+            self.engine.count_run(runs[number], tally)
+        for row in range(judge.logs):
+            one, kept = placed_run(runs[judge.number(row)]), judge.kept(row)
+            episode = retold(_log(kept), one.world)
+            yield one, self._referee.outcome(one.world, episode, kept.choices)
 
     def find(
         self,
         unit: LevelRuns,
         broken: BrokenRun,
         tally: Tally,
+        choices: tuple[int, ...] = (),
         otherwise: Violation | None = None,
     ) -> bool:
         """Find a broken run by the general engine, if it may be among the smallest.
 
+        ``choices`` are its own, if every schedule is tried.
         Return False if another law is broken then, or none; if ``otherwise`` is given, find that.
         """
         key = _key(unit, broken)
         # In small levels each unit must find what the general engine finds in it.
-        small = unit.edges <= AGREEMENT_EDGES
+        small = unit.edges <= self._compared
         worst = self._worst.findings
         if not small and len(worst) >= self.engine.keep and key >= worst[-1].key:
             return True
         one = self.placed(broken.sigma, broken.alpha, key[-1])
-        for again, outcome in self.outcomes(one):
+        for again, outcome in self.outcomes(one, choices):
             if not isinstance(outcome, Outcome):
                 tally.find(self.finding(again, outcome))
                 continue
@@ -294,13 +370,17 @@ class PlayedByStretches:
         return OneRun(0, place, World(map_, lighthouse, 0))
 
     def _confirm(
-        self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, broken: BrokenRun
+        self,
+        unit: LevelRuns,
+        batch: LaidOutRuns,
+        judge: UnitJudge,
+        broken: BrokenRun,
+        choices: tuple[int, ...],
     ) -> None:
         """Raise EnginesDisagree unless the Python judge judges the same log as the kernel did."""
         law = ""
         for one, outcome in self._outcomes(unit, batch, judge, self.engine.tally()):
-            map_ = one.world.map
-            if (map_.sigma, map_.alpha, one.place) == (broken.sigma, broken.alpha, broken.place):
+            if _is_at(broken, one.world.map, one.place) and outcome.choices == choices:
                 law = _law(outcome)
         if law != broken.law:
             raise EnginesDisagree(
@@ -309,18 +389,24 @@ class PlayedByStretches:
                 f"alpha={list(broken.alpha)} place={broken.place}"
             )
 
-    def _find_differing(self, unit: LevelRuns, differing: Sequence[int], tally: Tally) -> None:
-        """Find runs whose plays differ, even if they agree when they are played once more."""
-        wanted = {*differing}
+    def _find_differing(self, unit: LevelRuns, differing: Sequence[_Chosen], tally: Tally) -> None:
+        """Find plays that differ, even if they agree when they are played once more."""
+        wanted = {each.number for each in differing}
         runs = islice(self.engine.runs(unit), max(wanted) + 1)
-        chosen = [run for run in runs if run.number in wanted and run.lighthouse]
-        chosen.sort(key=lambda run: run.map.vertex_count)
-        placed = {run.number: _one(run) for run in chosen[:MOST_DIFFERING]}
+        found = {run.number: run for run in runs if run.number in wanted}
+        chosen = sorted(differing, key=lambda each: found[each.number].map.vertex_count)
+        by_choices: dict[tuple[int, ...], dict[int, OneRun]] = {}
+        for number, choices in chosen[:MOST_DIFFERING]:
+            by_choices.setdefault(choices, {})[number] = placed_run(found[number])
         tour = self.players.tour
         by_seed = tour.differ
         # Only for these plays: a library then leaves a process without compiled code again.
-        tour.hold(PLAYS * len(placed))
-        again = [*self._general.outcomes(unit, placed)]
+        tour.hold(PLAYS * sum(map(len, by_choices.values())))
+        again = [
+            each
+            for choices, placed in by_choices.items()
+            for each in self._general.outcomes(unit, placed, given=choices)
+        ]
         explained = by_seed and tour.alike
         for one, outcome in again:
             if (
@@ -334,13 +420,18 @@ class PlayedByStretches:
                 tally.find(self._general.finding(one, settled))
 
 
+def _chosen(judge: UnitJudge, row: int) -> _Chosen:
+    return _Chosen(judge.number(row), judge.kept(row).choices)
+
+
+def _is_at(broken: BrokenRun, map_: CombinatorialMap, place: int) -> bool:
+    """Whether a broken run is in this map, which is rooted at dart 0, at that place."""
+    code = rooted_code(map_.sigma, map_.alpha, 0)
+    return place == broken.place and code == (broken.sigma, broken.alpha)
+
+
 def _law(outcome: Outcome) -> str:
     return outcome.violation.law if outcome.violation else ""
-
-
-def _one(run: NumberedRun) -> OneRun:
-    assert run.lighthouse is not None
-    return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
 
 
 def counts_of(tally: Tally) -> object:

@@ -105,7 +105,7 @@ class CompiledEngine(Struct, frozen=True):
         yield self._tally(unit, rows)
 
     def _tally(self, unit: LevelRuns, rows: Rows) -> Tally:
-        tally = tally_of(rows, unit, self.scope, self.keep)
+        tally = tally_of(rows, unit, self.scope, Tally(self.keep))
         tally.witnesses.update(rows.events)
         tally.witnesses = +tally.witnesses
         for broken in rows.broken:
@@ -139,9 +139,8 @@ class CompiledEngine(Struct, frozen=True):
             tally.find(examiner.finding(world, place, outcome))
 
 
-def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, keep: int) -> Tally:
-    """A tally of the kernel's counts, without the events and the findings."""
-    tally = Tally(keep)
+def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, tally: Tally) -> Tally:
+    """The empty tally with the kernel's counts, without the events and the findings."""
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.most_expensive
     }
@@ -151,7 +150,7 @@ def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, keep: int) -> Tally:
             Row(
                 counts.worlds,
                 counts.runs,
-                counts.runs,
+                counts.episodes,
                 counts.traversals,
                 counts.traversals_rooted,
                 counts.largest,

@@ -167,7 +167,8 @@ class PlayedByTrees(Struct):
 
     def _can_walk(self, unit: LevelRuns) -> bool:
         """Whether the unit can be walked as a tree."""
-        if unit.edges <= AGREEMENT_EDGES or self._given_up >= MOST_GIVEN_UP:
+        one = self.stretches.engine.scope.schedules == "one"
+        if not one or unit.edges <= AGREEMENT_EDGES or self._given_up >= MOST_GIVEN_UP:
             return False
         return self._players.in_trees and self.stretches.level(unit).lighthouse in KINDS
 
@@ -179,7 +180,7 @@ class PlayedByTrees(Struct):
         if walked.rows is None:
             return None, walked
         engine = self.stretches.engine
-        tally = tally_of(walked.rows, unit, engine.scope, engine.keep)
+        tally = tally_of(walked.rows, unit, engine.scope, engine.tally())
         for broken in walked.rows.broken:
             if not self.stretches.find(unit, broken, tally):
                 return None, WalkedTree(None, broken)

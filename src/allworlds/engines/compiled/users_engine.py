@@ -29,22 +29,31 @@ class UsersEngine(Struct, frozen=True):
     """The engine in which a user's explorer plays in stretches or trees, and the kernel judges.
 
     Attributes:
-        scope, keep: as for the general engine.
+        general: the Python engine, by which it is checked, and which knows the scope.
     """
 
-    scope: Scope
-    keep: int
+    general: PythonEngine
+
+    @property
+    def scope(self) -> Scope:
+        """The worlds and the rules of the check."""
+        return self.general.scope
+
+    @property
+    def keep(self) -> int:
+        """The number of findings that are kept."""
+        return self.general.keep
 
     def tally(self) -> Tally:
         """Return an empty tally."""
-        return Tally(self.keep)
+        return self.general.tally()
 
-    @staticmethod
-    def compiled(job: Job) -> None:
+    def compiled(self, job: Job) -> None:
         """Compile or load the kernel in the guardian, before it forks."""
-        if not guardian().prepare(KERNEL, "is_kept"):
+        one = self.scope.schedules == "one"
+        if not guardian().prepare(KERNEL, "is_kept" if one else "are_schedules_kept"):
             job.notice(COMPILING)
-        guardian().prepare(KERNEL, "load")
+        guardian().prepare(KERNEL, "load" if one else "load_with_schedules")
 
     def for_built_in(
         self,
@@ -52,7 +61,7 @@ class UsersEngine(Struct, frozen=True):
         beat: MutableSequence[int] | None = None,
     ) -> PartwiseEngine:
         """Return the engine with a built-in explorer, of the interface ``WorkerEngine``."""
-        return PythonEngine(self.scope, self.keep).for_built_in(subject, beat)
+        return self.general.for_built_in(subject, beat)
 
     def for_users(
         self, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
@@ -61,5 +70,4 @@ class UsersEngine(Struct, frozen=True):
         from allworlds.engines.compiled.users_kernel import judged_by_kernel
 
         players.in_stretches = True
-        engine = PythonEngine(self.scope, self.keep)
-        return judged_by_kernel(engine, explorer, players, earlier)
+        return judged_by_kernel(self.general, explorer, players, earlier)

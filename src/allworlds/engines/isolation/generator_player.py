@@ -13,7 +13,7 @@ from random import Random
 from typing import Any
 
 from allworlds.engines.isolation.chunk_player import ChunkPlayer
-from allworlds.engines.isolation.jobs import PlaySegments, PlayStretch, PlayTree
+from allworlds.engines.isolation.jobs import DueSchedules, PlaySegments, PlayStretch, PlayTree
 from allworlds.engines.isolation.log_entries import (
     entry_of_answer,
     entry_of_checkpoint,
@@ -21,8 +21,16 @@ from allworlds.engines.isolation.log_entries import (
 )
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.shared_logs import OpenedMemories
-from allworlds.engines.kernel.stretch import HEAD
-from allworlds.engines.kernel.writing import LogEnd
+from allworlds.engines.kernel.stretch import (
+    HEAD,
+    RUN_BUDGET,
+    RUN_MOTIONS,
+    RUN_NUMBER,
+    RUN_SCRIPT,
+    RUN_TOLD,
+    Stretch,
+)
+from allworlds.engines.kernel.writing import LogEnd, picks_entry
 from allworlds.engines.python.play import Recorded
 from allworlds.explorers import CopyingExplorer
 from allworlds.inputs import let_users_interrupt
@@ -30,10 +38,12 @@ from allworlds.judging import closed
 from allworlds.protocol import (
     Checkpoint,
     Choices,
+    Counted,
     ExplorerFault,
     Move,
     Percept,
     Player,
+    next_script,
     policy_named,
 )
 from allworlds.world import IllegalAction
@@ -73,29 +83,67 @@ class GeneratorPlayer:
                 return StretchResult(-1, 0)
             return ChunkPlayer(self._runs, self._beat, self._memories).play(job)
         stretch = self._memories.stretch(job)
-        heads = stretch.heads[: HEAD * job.runs].tolist()
+        if job.schedules is not None and not job.again:
+            return StretchResult(self._every_schedule(stretch, job, job.schedules), 0)
         logs, begins = bytearray(), [0] * job.runs
         order = [*range(job.runs)]
         Random(job.order).shuffle(order)  # noqa: S311  # it need not be secret for longer than a run
         for run in order:
-            budget, told, number, motions = heads[HEAD * run : HEAD * (run + 1)]
-            self._beat[0], begins[run] = number, len(logs)
-            world: ByteWorld | Recorded
-            if job.again:
-                start = stretch.starts[run]
-                sensed = stretch.percepts[start : start + 3 * (motions + 1)].tobytes()
-                world = recorded(sensed, told)
-            else:
-                table = stretch.worlds[stretch.wide * run : stretch.wide * (run + 1)]
-                world = ByteWorld(table.tobytes(), told)
+            begins[run] = len(logs)
             choices = Choices(policy_named(job.policy))
-            player = self._second if job.again else self._player
-            log = log_of_run(world, player, choices, budget, self._beat)
-            self._intact()
+            if job.schedules is not None:
+                choices = Counted(self._script(stretch, run))
+            log = self._log(stretch, run, choices, again=job.again)
             if log is None:
                 return StretchResult(-1, 0)
             logs += log
         return StretchResult(stretch.put(logs, begins), 0)
+
+    def _every_schedule(self, stretch: Stretch, job: PlayStretch, due: DueSchedules) -> int:
+        """Play every schedule of runs, as far as there is room; return the bytes of the logs."""
+        logs, row, left = bytearray(), due.row, due.most
+        script: tuple[int, ...] | None = due.script
+        while row < job.runs and left:
+            choices = Counted(script or ())
+            log = self._log(stretch, row, choices, again=False)
+            if log is None:
+                return -1
+            if len(logs) + len(log) > len(stretch.logs):
+                break
+            logs += log
+            left -= 1
+            script = next_script(script or (), choices.record, choices.widths)
+            row += script is None
+        return stretch.put(logs, ()) or -1
+
+    def _log(self, stretch: Stretch, run: int, choices: Choices, *, again: bool) -> bytes | None:
+        """The log of one run; None if the machine may have made it go wrong."""
+        row = stretch.heads[HEAD * run : HEAD * (run + 1)].tolist()
+        budget, told = row[RUN_BUDGET], row[RUN_TOLD]
+        self._beat[0] = row[RUN_NUMBER]
+        world: ByteWorld | Recorded
+        if again:
+            start = stretch.starts[run]
+            end = start + 3 * (row[RUN_MOTIONS] + 1)
+            world = recorded(stretch.percepts[start:end].tobytes(), told)
+        else:
+            table = stretch.worlds[stretch.wide * run : stretch.wide * (run + 1)]
+            world = ByteWorld(table.tobytes(), told)
+        player = self._second if again else self._player
+        log = log_of_run(world, player, choices, budget, self._beat)
+        self._intact()
+        if log is None or not isinstance(choices, Counted):
+            return log
+        made = picks_entry(choices.record, choices.widths)
+        return None if made is None else log + made
+
+    @staticmethod
+    def _script(stretch: Stretch, run: int) -> bytes:
+        """The script behind the percepts of a record."""
+        row = stretch.heads[HEAD * run : HEAD * (run + 1)].tolist()
+        start = stretch.starts[run] + 3 * (row[RUN_MOTIONS] + 1)
+        script: bytes = stretch.percepts[start : start + row[RUN_SCRIPT]].tobytes()
+        return script
 
 
 def load() -> None:

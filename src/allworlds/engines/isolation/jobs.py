@@ -97,6 +97,7 @@ class PlayStretch(Struct, frozen=True):
         policy: answers the explorer's choices.
         again: whether the runs are played against the recorded percepts there, not in worlds.
         compiled: whether compiled code plays; then the explorer is a shared library, loaded there.
+        schedules: if every schedule is tried: the ones that are due.
     """
 
     memory: str
@@ -106,6 +107,23 @@ class PlayStretch(Struct, frozen=True):
     policy: str
     again: bool
     compiled: bool = True
+    schedules: DueSchedules | None = None
+
+
+class DueSchedules(Struct, frozen=True):
+    """The schedules that are played of the runs of a stretch, one run after the other.
+
+    Against records there is one for each run.
+
+    Attributes:
+        row: of the run that is played first.
+        script: of the choices in its first schedule; all others are 0.
+        most: the largest number of schedules; there are fewer where the logs have no more room.
+    """
+
+    row: int
+    script: tuple[int, ...]
+    most: int
 
 
 class PlayTree(Struct, frozen=True):

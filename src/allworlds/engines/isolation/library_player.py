@@ -46,9 +46,7 @@ class LibraryPlayer:
     def _played(self, job: PlayStretch | PlayTree | PlaySegments) -> tuple[int, bool]:
         """The number of bytes, and whether a tree ends here."""
         if isinstance(job, PlayStretch):
-            stretch = self._memories.stretch(job)
-            whole = (stretch, job.runs, job.order, job.policy)
-            return self.native.play(*whole, again=job.again), False
+            return self._stretch(job), False
         if self._copying is None:
             from allworlds.engines.kernel.chunks import CopyingPlayer
 
@@ -57,3 +55,12 @@ class LibraryPlayer:
         if isinstance(job, PlayTree):
             return self._copying.play(memory, job.request, job.chunk, job.runs)
         return self._copying.play_again(memory, job.policy, job.roots), False
+
+    def _stretch(self, job: PlayStretch) -> int:
+        """The number of bytes of the logs of a stretch; -1 if there is no room for one of them."""
+        stretch, due = self._memories.stretch(job), job.schedules
+        if due is None or job.again:
+            whole = (stretch, job.runs, job.order, job.policy)
+            return self.native.play(*whole, again=job.again, every=due is not None)
+        size = self.native.play_schedules(stretch, job.runs, due.row, due.script, due.most)
+        return size or -1

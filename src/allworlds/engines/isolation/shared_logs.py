@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
-from allworlds.engines.isolation.jobs import PlaySegments, PlayStretch, PlayTree
+from allworlds.engines.isolation.jobs import DueSchedules, PlaySegments, PlayStretch, PlayTree
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.kernel.stretch import Stretch
 from allworlds.engines.kernel.tree_memory import TreeMemory
@@ -43,7 +43,14 @@ class StretchMemory:
         """The path by which another process opens it."""
         return f"/proc/{os.getpid()}/fd/{self._file}"
 
-    def play(self, players: PlayerPair, which: str, runs: int, policy: str) -> int | None:
+    def play(
+        self,
+        players: PlayerPair,
+        which: str,
+        runs: int,
+        policy: str,
+        schedules: DueSchedules | None = None,
+    ) -> int | None:
         """Let a player play; return the size of its logs, or None if they cannot be trusted.
 
         Args:
@@ -51,9 +58,12 @@ class StretchMemory:
             which: ``first`` or ``second``.
             runs: the number of runs.
             policy: answers the explorer's choices.
+            schedules: those that are due, if every schedule is tried.
         """
-        order = players.random.getrandbits(63)
-        job = PlayStretch(self.file, self._edges, runs, order, policy, again=which == "second")
+        order, again = players.random.getrandbits(63), which == "second"
+        job = PlayStretch(
+            self.file, self._edges, runs, order, policy, again=again, schedules=schedules
+        )
         result = players.play_stretch(which, job)
         return None if result is None or result.size < 0 or result.threads else result.size
 

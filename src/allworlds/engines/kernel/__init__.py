@@ -11,8 +11,11 @@ lock only to start and to end, so that threads share the work.
     the worlds: maps, finished one after the other, with every lighthouse;
 ``algorithm1``, ``two_vertices``
     explorers, each behind the C interface of all explorers;
-``native``, ``picking``, ``logs``, ``log_codes``, ``writing``, ``stretch``, ``batches``
+``native``, ``known_runs``, ``picking``, ``logs``, ``log_codes``, ``writing``, ``stretch``,
+``batches``
     users' explorers, played in processes of their own, many runs at a time;
+``every_schedule``, ``schedule_judge``
+    the judge of these under every schedule, and its door;
 ``on_demand``, ``tree_player``, ``tree_judge``, ``tree_ends``, ``tree_records``
     users' explorers that can be copied: a world is decided only where the robot looks;
 ``chunks``, ``tree_memory``, ``tree_requests``

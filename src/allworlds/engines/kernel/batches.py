@@ -21,18 +21,21 @@ from allworlds.engines.kernel.engine import asked_of, rows_of, set_up
 from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.names import POLICIES
 from allworlds.engines.kernel.picking import pick_address
-from allworlds.engines.kernel.records import JOB, POLICY, READER, ROBOT, new
+from allworlds.engines.kernel.records import ASKED, JOB, READER, ROBOT, new
 from allworlds.engines.kernel.rows import Level, LevelBounds, Rows
 from allworlds.engines.kernel.stretch import (
     LOG_BYTES,
     LONGEST_EARLIER,
     LONGEST_STRETCH,
     MOST_EARLIER,
+    ROWS,
     RUN_MOTIONS,
     RUN_NUMBER,
     Stretch,
 )
 from allworlds.engines.kernel.tables import tables
+from allworlds.engines.kernel.writing import read_picks
+from allworlds.protocol import DEFAULT_POLICY
 
 
 class LaidOutRuns(Struct, frozen=True):
@@ -59,7 +62,14 @@ class UnitJudge:
         keep: the number of broken runs that are kept of each stretch.
         stretch: for the first play.
         records: for the second.
+
+    Attributes:
+        logs: the number of logs that were judged last, without those of earlier runs.
+        counted: the numbers of the runs that were counted with them.
     """
+
+    every = False
+    """Whether each run has a log for every schedule."""
 
     def __init__(
         self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, records: Stretch
@@ -72,7 +82,7 @@ class UnitJudge:
         self._robot = robot
         self._asked = asked_of(level, prefix, keep)
         self._prefix, self._viable, _, _, self._budgets, *_ = self._asked.arguments
-        self._never = zeros(1, int64)
+        self.logs, self.counted = 0, range(0)
 
     def lay_out(self, most: int) -> LaidOutRuns:
         """Write the next stretch, of about that many runs, to the memory; return its bounds."""
@@ -90,6 +100,15 @@ class UnitJudge:
         if self._job.number < batch.until:
             self.judge(batch, 0)
 
+    def is_done(self, batch: LaidOutRuns) -> bool:
+        """Whether every run of the stretch has been judged."""
+        return bool(self._job.number >= batch.until)
+
+    @property
+    def next(self) -> tuple[int, tuple[int, ...]]:
+        """The row of the run that is played next, and the script of its choices."""
+        return 0, ()
+
     def judge(
         self, batch: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
     ) -> tuple[Rows, bool]:
@@ -103,57 +122,61 @@ class UnitJudge:
             earlier: runs that are played again among them.
         """
         reader, job, asked = self._reader, self._job, self._asked
-        stretch, size = self._stretch, max(0, min(size, LOG_BYTES))
-        kept, percepts = _FIRST_LOGS, _PERCEPTS
-        kept[:size] = stretch.logs[:size]
+        size = max(0, min(size, LOG_BYTES))
+        kept = _FIRST_LOGS
+        kept[:size] = self._stretch.logs[:size]
         reader.logs, reader.size = kept.ctypes.data, size
-        count = batch.runs + len(earlier)
-        begins, ends = zeros(count, int32), zeros(count, int32)
-        starts = zeros(batch.runs + 1, int32)
-        begins[: batch.runs] = stretch.begins[: batch.runs]
-        reader.begins = begins.ctypes.data
-        reader.percepts = percepts.ctypes.data
+        reader.begins, reader.ends = _BEGINS.ctypes.data, _ENDS.ctypes.data
+        reader.percepts, reader.starts = _PERCEPTS.ctypes.data, _STARTS.ctypes.data
         reader.room = LOG_BYTES - sum(len(each.percepts) for each in earlier)
-        reader.starts, reader.ends, reader.noted = starts.ctypes.data, ends.ctypes.data, 0
-        reader.run = reader.strange = 0
+        reader.noted = reader.run = reader.strange = 0
         job.until = batch.until
         asked.clear()
-        runs.examine(job, reader, *asked.arguments, self._never)
-        starts[batch.runs] = reader.noted
-        self._heads[:, RUN_MOTIONS] = (starts[1:] - starts[:-1]) // 3 - 1
-        for row, play in enumerate(earlier, batch.runs):
+        heads, good = self._examine(batch)
+        count = self.logs = len(heads)
+        begins, ends = (each[: count + len(earlier)] for each in (_BEGINS, _ENDS))
+        _STARTS[count] = reader.noted
+        for row, play in enumerate(earlier, count):
             begins[row], ends[row] = size, size + len(play.log)
             kept[size : ends[row]] = play.log
             size += len(play.log)
-        self._first = _Logs(self._heads, percepts, starts, kept[:size], begins, ends)
-        self._hand_over(batch, earlier)
-        good = reader.strange == 0 and reader.run == batch.runs and job.undefined == 0
+        self._first = _Logs(heads, _PERCEPTS, _STARTS[: count + 1], kept[:size], begins, ends)
+        self._hand_over(earlier)
+        good = good and reader.strange == 0 and job.undefined == 0
         return rows_of(asked, job, self._robot), good
 
-    def _hand_over(self, batch: LaidOutRuns, earlier: Sequence[ReplayableRun]) -> None:
+    def _examine(self, batch: LaidOutRuns) -> tuple[Any, bool]:
+        """Judge the logs; return what is said of each, and whether they were all there."""
+        reader, count = self._reader, batch.runs
+        _BEGINS[:count] = self._stretch.begins[:count]
+        self.counted = range(batch.first, batch.until)
+        runs.examine(self._job, reader, *self._asked.arguments, _NEVER)
+        _STARTS[count] = reader.noted
+        self._heads[:, RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
+        return self._heads, reader.run == count
+
+    def _hand_over(self, earlier: Sequence[ReplayableRun]) -> None:
         """Hand the percepts of these and of earlier runs to the second player."""
-        records, first = self._records, self._first
-        end = min(int(first.starts[batch.runs]), int(self._reader.room))
+        records, first, count = self._records, self._first, self.logs
+        end = min(int(first.starts[count]), int(self._reader.room))
         records.percepts[:end] = first.percepts[:end]
-        records.starts[: batch.runs] = first.starts[: batch.runs]
-        records.heads[: batch.runs] = first.heads
-        for row, kept in enumerate(earlier, batch.runs):
+        records.starts[:count] = first.starts[:count]
+        records.heads[:count] = first.heads
+        for row, kept in enumerate(earlier, count):
             length = len(kept.percepts)
             records.percepts[end : end + length] = kept.percepts
             records.starts[row], records.heads[row] = end, kept.head
             end += length
         # Who plays again is not to know which runs these are.
-        records.heads[: batch.runs + len(earlier), RUN_NUMBER] = 0
+        records.heads[: count + len(earlier), RUN_NUMBER] = 0
 
-    def differing(
-        self, batch: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
-    ) -> list[int]:
-        """The numbers of the runs whose second logs differ from their first ones.
+    def differing(self, size: int, earlier: Sequence[ReplayableRun] = ()) -> list[int]:
+        """The numbers of the logs whose second ones differ from them.
 
-        Those of the stretch, and behind them those of earlier ones, are numbered as they were laid
-        out.
+        Those of the stretch, and behind them those of earlier runs, are numbered as they were
+        judged.
         """
-        records, first, count = self._records, self._first, batch.runs + len(earlier)
+        records, first, count = self._records, self._first, self.logs + len(earlier)
         size = max(0, min(size, LOG_BYTES))
         second, found = _SECOND_LOGS[:size], zeros(count, int64)
         second[:] = records.logs[:size]
@@ -163,7 +186,7 @@ class UnitJudge:
         return different
 
     def number(self, row: int) -> int:
-        """The number of a run in its unit."""
+        """The number of the run of a log in its unit."""
         return int(self._first.heads[row, RUN_NUMBER])
 
     def kept(self, row: int) -> ReplayableRun:
@@ -180,6 +203,11 @@ class ReplayableRun(NamedTuple):
     head: Any
     percepts: Any
     log: Any
+
+    @property
+    def choices(self) -> tuple[int, ...]:
+        """The choices that were made, if every schedule is tried; else nothing."""
+        return read_picks(self.log.tobytes())
 
     @property
     def short(self) -> bool:
@@ -207,6 +235,11 @@ _SECOND_LOGS = zeros(LOG_BYTES, uint8)
 _PERCEPTS = zeros(LOG_BYTES, uint8)
 """The percepts on the walks of the first logs."""
 
+_BEGINS, _ENDS, _STARTS = zeros((3, ROWS + 1), int32)
+"""Where each of the first logs begins and ends, and where the percepts of its run begin."""
+
+_NEVER = zeros(1, int64)
+
 _ROOMS: list[tuple[Any, Any, Any]] = []
 
 
@@ -230,7 +263,7 @@ class NativePlayer:
     def __init__(
         self, addresses: dict[str, int], state: int, arrays: Sequence[Any], beat: Any
     ) -> None:
-        self._asked = new(POLICY)
+        self._asked = new(ASKED)
         self._memory = arrays  # what is handed to the explorer must stay
         self._arrays = tuple(_view(each) for each in arrays)
         percept, action, here, *rooms = (each.ctypes.data for each in self._arrays)
@@ -250,13 +283,22 @@ class NativePlayer:
         """The heartbeat."""
         return self._beat
 
-    def handed(self, policy: str) -> tuple[Any, ...]:
+    def handed(self, policy: str, *, every: bool = False) -> tuple[Any, ...]:
         """The explorer, percept, action, here, room and choices, as compiled code takes them."""
-        self._asked.policy = POLICIES[policy]
+        self._asked.policy, self._asked.every = POLICIES[policy], every
         percept, action, here, sigma, *_ = self._arrays
         return self._explorer, percept, action, here, len(sigma), self._asked
 
-    def play(self, stretch: Stretch, count: int, order: int, policy: str, *, again: bool) -> int:
+    def play(
+        self,
+        stretch: Stretch,
+        count: int,
+        order: int,
+        policy: str,
+        *,
+        again: bool,
+        every: bool = False,
+    ) -> int:
         """Play runs; return the number of bytes of their logs, or -1 if there is no room for them.
 
         Args:
@@ -265,15 +307,34 @@ class NativePlayer:
             order: seed of the order in which they are played.
             policy: answers its choices.
             again: whether they are played against records.
+            every: whether every schedule is tried: a script answers the choices.
         """
-        every = arange(count)
-        native.shuffle(every, order)
-        common = (*self.handed(policy), stretch.heads)
+        rows = arange(count)
+        native.shuffle(rows, order)
+        common = (*self.handed(policy, every=every), stretch.heads)
         if again:
-            said = (stretch.percepts, stretch.starts, every, stretch.logs, stretch.begins)
+            said = (stretch.percepts, stretch.starts, rows, stretch.logs, stretch.begins)
             return int(native.play_records(*common, *said, self._beat))
-        shown = (stretch.worlds, every, stretch.logs, stretch.begins)
+        shown = (stretch.worlds, rows, stretch.logs, stretch.begins)
         return int(native.play_worlds(*common, *shown, self._beat))
+
+    def play_schedules(
+        self, stretch: Stretch, count: int, row: int, script: Sequence[int], most: int
+    ) -> int:
+        """Play every schedule of runs, as far as there is room; return the bytes of the logs.
+
+        Args:
+            stretch: in shared memory.
+            count: of the runs.
+            row: of the run that is played first.
+            script: of its first schedule.
+            most: the largest number of episodes.
+        """
+        common = self.handed(DEFAULT_POLICY, every=True)
+        self._asked.due = len(script)
+        self._asked.script[: len(script)] = script
+        worlds, rows = (stretch.heads, stretch.worlds), (row, count, most)
+        return int(native.play_schedules(*common, *worlds, *rows, stretch.logs, self._beat))
 
 
 def _view(memory: Any) -> Any:
@@ -291,7 +352,7 @@ def load_native() -> None:
         unit = UnitJudge(level, (-1,), 1, stretch, stretch)
         batch = unit.lay_out(0)
         unit.judge(batch, 0)
-        unit.differing(batch, 0)
+        unit.differing(0)
         player = no_player()
         for again in (False, True):
             player.play(stretch, 0, 0, "fifo", again=again)

@@ -8,10 +8,7 @@ The twins are :mod:`allworlds.judging` and :mod:`allworlds.explorers.shared_libr
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
-from numba import int32, types
-from numba.extending import overload
+from numba import int32
 from numpy import int64
 
 from allworlds.engines.kernel.calls import (
@@ -22,10 +19,18 @@ from allworlds.engines.kernel.calls import (
     call_step,
     call_with,
     narrow,
-    put_word,
 )
 from allworlds.engines.kernel.compiling import entry, inlined, inner
 from allworlds.engines.kernel.gluing import advance
+from allworlds.engines.kernel.known_runs import (
+    RecordedRuns,
+    WorldRuns,
+    degree_of,
+    enter,
+    go,
+    read_script,
+    sense,
+)
 from allworlds.engines.kernel.log_codes import (
     ANSWERED,
     ILLEGAL,
@@ -46,7 +51,6 @@ from allworlds.engines.kernel.stretch import (
     MOST_PLACES,
     PARTNER,
     RUN_BUDGET,
-    RUN_MOTIONS,
     RUN_NUMBER,
     RUN_TOLD,
     WIDE,
@@ -107,19 +111,6 @@ def shuffle(order, seed):
         order[i], order[other] = order[other], order[i]
 
 
-class WorldRuns(NamedTuple):
-    """Runs that are played in their worlds: at a dart."""
-
-    rows: Any
-
-
-class RecordedRuns(NamedTuple):
-    """Runs that are played against recorded percepts: at a percept of three bytes."""
-
-    percepts: Any
-    starts: Any
-
-
 @entry
 def play_worlds(
     explorer, percept, action, here, room, asked, heads, worlds, order, logs, begins, beat
@@ -161,144 +152,133 @@ def play_records(
     return _play(explorer, handed, asked, heads, known, order, logs, begins, beat)
 
 
-@inlined
-def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
-    """Play all runs, by the data that are known of them."""
-    percept, action, _, _ = handed
+@entry
+def play_schedules(
+    explorer, percept, action, here, room, asked, heads, worlds, run, runs, most, logs, beat
+):
+    """Play every schedule of runs in worlds, one after the other; return the bytes of the logs.
+
+    The first is that of the script of ``asked``, in the run of the given number; the last is the
+    last one of ``runs`` runs, or the number ``most``, or the last for which there is room.
+    """
+    handed, known = (percept, action, here, room), WorldRuns(worlds)
     at, due = int64(0), NOTHING_DUE
-    for run in order:
-        head = heads[run]
-        begins[run] = at
-        cost, shown, turn = 0, 0, 1
-        place = _enter(known, run)
-        _sense(known, run, place, percept)
-        _begin(explorer, action, asked, head, beat)
-        while True:
-            turn += 1
-            beat[1] = turn
-            if at + LONGEST_ENTRY > len(logs):
-                return -1
-            kind = action[0]
-            if asked.wrong:
-                logs[at] = STRANGE
-                break
-            if kind == MOVE:
-                if cost == head[RUN_BUDGET]:
-                    logs[at] = OVER_BUDGET
-                    break
-                degree, motion = int64(_degree_of(known, run, place)), int64(action[1])
-                if motion < 0 or motion >= degree:
-                    motion %= degree
-                logs[at] = motion
-                at += 1
-                place = _go(known, head, run, place, motion, cost)
-                if place == NONE:
-                    logs[at] = STRANGE
-                    break
-                _sense(known, run, place, percept)
-                cost += 1
-            elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
-                shown += 1
-                at, due = publish(explorer, handed, logs, at, SHOWN, due)
-                if due[0] < 0:
-                    break
-            else:
-                at, due = end(explorer, handed, kind, logs, at, due)
-                break
-            action[0] = action[1] = 0
-            call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
-        at += 1
+    while run < runs and most > 0:
+        after, due = _episode(explorer, handed, asked, heads[run], known, run, logs, at, due, beat)
+        if after < 0:
+            break
+        at, most = after, most - 1
+        if not next_script(asked):
+            run += 1
     beat[1] = 0
     write(explorer, logs, due)
     return at
 
 
-# What is known of a run: in each pair first of a world, then of a record.
+@inlined
+def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
+    """Play all runs, by the data that are known of them."""
+    at, due = int64(0), NOTHING_DUE
+    for run in order:
+        begins[run] = at
+        if asked.every:
+            read_script(known, heads[run], run, asked)
+        at, due = _episode(explorer, handed, asked, heads[run], known, run, logs, at, due, beat)
+        if at < 0:
+            return -1
+    beat[1] = 0
+    write(explorer, logs, due)
+    return at
 
 
-def _enter(known: Any, run: int) -> int:
-    """The place where the run begins."""
-    raise NotImplementedError
+@inlined
+def _episode(explorer, handed, asked, head, known, run, logs, at, due, beat):
+    """Play an episode; return where its log ends, -1 if there is no room, and what is due."""
+    percept, action, _, _ = handed
+    cost, shown, turn = 0, 0, 1
+    place = enter(known, run)
+    sense(known, run, place, percept)
+    _begin(explorer, action, asked, head, beat)
+    while True:
+        turn += 1
+        beat[1] = turn
+        if at + LONGEST_ENTRY > len(logs):
+            return int64(-1), due
+        kind = action[0]
+        if asked.wrong:
+            logs[at] = STRANGE
+            break
+        if kind == MOVE:
+            if cost == head[RUN_BUDGET]:
+                logs[at] = OVER_BUDGET
+                break
+            degree, motion = int64(degree_of(known, run, place)), int64(action[1])
+            if motion < 0 or motion >= degree:
+                motion %= degree
+            logs[at] = motion
+            at += 1
+            place = go(known, head, run, place, motion, cost)
+            if place == NONE:
+                logs[at] = STRANGE
+                break
+            sense(known, run, place, percept)
+            cost += 1
+        elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
+            shown += 1
+            at, due = publish(explorer, handed, logs, at, SHOWN, due)
+            if due[0] < 0:
+                break
+        else:
+            at, due = end(explorer, handed, kind, logs, at, due)
+            break
+        action[0] = action[1] = 0
+        call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
+    at += 1
+    if asked.every:
+        at = _write_picks(asked, logs, at)
+    return at, due
 
 
-def _degree_of(known: Any, run: int, place: int) -> int:
-    """The degree at the place."""
-    raise NotImplementedError
+@inlined
+def _write_picks(asked, logs, at):
+    """Write the choices of the episode behind its log; return the place behind them.
+
+    That is -1 if there is no room.
+    """
+    turns = asked.turns
+    if at + 2 + 2 * turns > len(logs):
+        return int64(-1)
+    logs[at], logs[at + 1] = turns & 255, turns >> 8
+    at += 2
+    for turn in range(turns):
+        logs[at], logs[at + 1] = asked.picks[turn], asked.widths[turn]
+        at += 2
+    return at
 
 
-def _sense(known: Any, run: int, place: int, percept: Any) -> None:
-    """Write the percept at the place."""
-    raise NotImplementedError
+@inlined
+def next_script(asked):
+    """Make the script that of the next schedule; return whether there is one.
 
-
-def _go(known: Any, head: Any, run: int, place: int, motion: Any, cost: int) -> int:
-    """The place behind the motion, after ``done`` others; NONE if the first play ended here."""
-    raise NotImplementedError
-
-
-@overload(_enter, inline="always")
-def _entering(known, run):
-    def world(known, run):
-        return int64(0)
-
-    def record(known, run):
-        return int64(known.starts[run])
-
-    return _either(known, world, record)
-
-
-@overload(_degree_of, inline="always")
-def _degree(known, run, place):
-    def world(known, run, place):
-        return known.rows[run, WIDE * place + DEGREE]
-
-    def record(known, run, place):
-        return known.percepts[place]
-
-    return _either(known, world, record)
-
-
-@overload(_sense, inline="always")
-def _sensing(known, run, place, percept):
-    # Degree and marks are stored at once: who copies both waits for nothing.
-    def world(known, run, place, percept):
-        row, at = known.rows[run], WIDE * place
-        put_word(address_of(percept), int64(row[at + DEGREE]) | int64(row[at + MARKS]) << 32)
-        percept[2] = int32(row[at + BEARING]) - 1
-
-    def record(known, run, place, percept):
-        sensed = known.percepts
-        put_word(address_of(percept), int64(sensed[place]) | int64(sensed[place + 1]) << 32)
-        percept[2] = int32(sensed[place + 2]) - 1
-
-    return _either(known, world, record)
-
-
-@overload(_go, inline="always")
-def _going(known, head, run, place, motion, cost):
-    def world(known, head, run, place, motion, cost):
-        row, spot = known.rows[run], place + motion
-        degree = int64(row[WIDE * place + DEGREE])
-        if spot >= int64(row[WIDE * place + FIRST]) + degree:
-            spot -= degree
-        return int64(row[WIDE * spot + PARTNER])
-
-    def record(known, head, run, place, motion, cost):
-        return int64(NONE) if cost == head[RUN_MOTIONS] else place + 3
-
-    return _either(known, world, record)
-
-
-def _either(known: types.NamedTuple, world: Any, record: Any) -> Any:
-    """The one of the two that the type selects."""
-    return world if known.instance_class is WorldRuns else record
+    The twin is :func:`allworlds.protocol.next_script`.
+    """
+    turn = asked.turns - 1
+    while turn >= 0 and asked.picks[turn] + 1 >= asked.widths[turn]:
+        turn -= 1
+    asked.due = turn + 1
+    if turn < 0:
+        return False
+    for i in range(turn):
+        asked.script[i] = asked.picks[i]
+    asked.script[turn] = asked.picks[turn] + 1
+    return True
 
 
 @inlined
 def _begin(explorer, action, asked, head, beat):
     """Let the explorer take the first step of an episode."""
     beat[0], beat[1] = head[RUN_NUMBER], 1
-    asked.wrong = 0
+    asked.wrong = asked.turns = 0
     if explorer[CHOOSE]:
         call_choose(explorer[CHOOSE], explorer[STATE], explorer[PICK], explorer[ASKED])
     action[0] = action[1] = 0

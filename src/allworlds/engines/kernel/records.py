@@ -12,6 +12,7 @@ from typing import Any
 from numpy import dtype, int32, int64, recarray, uint8, zeros
 
 from allworlds.engines.kernel.capabilities import LONG
+from allworlds.engines.kernel.log_codes import MOST_PICKS
 
 DARTS = 32
 """Room for the darts of a world, and for its vertices."""
@@ -287,8 +288,41 @@ JOB = dtype(
 """A unit of work on its way."""
 
 
-POLICY = dtype([("policy", int64), ("wrong", int64)], align=True)
-"""The policy for a native explorer's choices, and whether an illegal choice was asked."""
+ASKED = dtype(
+    [
+        ("policy", int64),
+        # Whether a choice was illegal, or has no room here.
+        ("wrong", int64),
+        # Whether every schedule is tried: a script answers the first choices, and 0 all others.
+        ("every", int64),
+        ("due", int64),
+        ("script", uint8, MOST_PICKS),
+        # The choices of the episode: their number, what was picked, and from how many.
+        ("turns", int64),
+        ("picks", uint8, MOST_PICKS),
+        ("widths", uint8, MOST_PICKS),
+    ],
+    align=True,
+)
+"""The choices of a native explorer: how they are answered, and how they were."""
+
+SCHEDULES = dtype(
+    [
+        # Where the judge is: between two runs, before one, or inside of it.
+        ("stage", int64),
+        # Of the run that it is inside of: the first choices of its next schedule, how many options
+        # each has, and the number of that schedule; the largest legal cost, and that of the
+        # cheapest schedule.
+        ("due", int64),
+        ("script", uint8, MOST_PICKS),
+        ("widths", uint8, MOST_PICKS),
+        ("number", int64),
+        ("bound", int64),
+        ("cheapest", int64),
+    ],
+    align=True,
+)
+"""The judge of every schedule, on its way through the logs."""
 
 READER = dtype(
     [

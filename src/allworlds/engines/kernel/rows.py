@@ -60,9 +60,10 @@ class Counts(Struct, frozen=True):
         vertices: n.
         worlds: rooted maps.
         runs: worlds x places.
-        traversals: summed over the runs.
+        episodes: runs x schedules.
+        traversals: summed over the episodes.
         traversals_rooted: summed over the first place of each rooted map only.
-        largest: the largest cost of a run.
+        largest: the largest cost of an episode.
         checkpoints: the number of published ones.
         left_out: worlds without a place for the lighthouse.
         loops, parallels: worlds with a loop, and with two edges that have the same two ends.
@@ -71,6 +72,7 @@ class Counts(Struct, frozen=True):
     vertices: int
     worlds: int
     runs: int
+    episodes: int
     traversals: int
     traversals_rooted: int
     largest: int

@@ -35,6 +35,7 @@ from allworlds.engines.kernel.worlds import doubled, settle
 (
     WORLDS,
     RUNS,
+    EPISODES,
     TRAVERSALS,
     TRAVERSALS_ROOTED,
     LARGEST,
@@ -42,8 +43,8 @@ from allworlds.engines.kernel.worlds import doubled, settle
     LEFT_OUT,
     LOOP_EDGE,
     PARALLEL_EDGE,
-) = range(9)
-COLUMNS = 9
+) = range(10)
+COLUMNS = 10
 
 # The columns of a listed run.
 LAW, COST, SHOWN, WALK = range(4)
@@ -110,7 +111,7 @@ def examine(
             law = judged_run(job, explorer, budgets[n], bound, beat)
             count_run(world, job.log.cost, job.log.checkpoints, law, counts, most_expensive)
             if law:
-                blame(world, law, least, row)
+                blame(world, world.place, law, least, row)
             if job.number < len(listed):
                 _list(world, job.log, law, job.number, listed)
             job.number += 1
@@ -168,16 +169,19 @@ def judged_run(job, explorer, budget, bound, beat):
 
 @inlined
 def count_run(world, cost, checkpoints, law, counts, most_expensive):
-    """Add a run to the tally, and note it if it is the most expensive one so far."""
+    """Add an episode to the tally; note it if it is the most expensive so far, and say so."""
     n = world.vertices
+    counts[n, EPISODES] += 1
     more_expensive = cost > counts[n, LARGEST]
-    if more_expensive or (cost == counts[n, LARGEST] and is_less(world, most_expensive, n)):
+    noted = more_expensive or (cost == counts[n, LARGEST] and is_less(world, most_expensive, n))
+    if noted:
         _note(world, law, most_expensive[n])
     counts[n, TRAVERSALS] += cost
     if world.place == 0:
         counts[n, TRAVERSALS_ROOTED] += cost
     counts[n, LARGEST] = max(counts[n, LARGEST], cost)
     counts[n, CHECKPOINTS] += checkpoints
+    return noted
 
 
 @inner
@@ -190,9 +194,10 @@ def _note(world, law, row):
 
 
 @inner
-def blame(world, law, least, row):
-    """Keep a run that breaks a law, if it is among the least."""
+def blame(world, place, law, least, row):
+    """Keep a run that breaks a law, if it is among the least; ``place`` is what it is sorted by."""
     _note(world, law, row)
+    row[1 + 2 * world.darts] = place
     if not is_greater(least, row):
         encode_unrooted(world, row, 3 + 2 * world.darts)
         keep_least_of_kind(least, row, 2 + 2 * world.darts)

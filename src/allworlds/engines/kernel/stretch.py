@@ -15,12 +15,14 @@ MOST_PLACES = 64
 """A number above that of a lighthouse's places in one map."""
 
 # The columns of what is said of a run besides: its budget, what is told, its number in its unit,
-# and against records how many motions were made.
+# and against records how many motions were made, and how many choices are answered by the script
+# behind its percepts.
 RUN_BUDGET = 0
 RUN_TOLD = 1
 RUN_NUMBER = 2
 RUN_MOTIONS = 3
-HEAD = 4
+RUN_SCRIPT = 4
+HEAD = 5
 
 # The columns of a laid-out world, for each dart: the first dart of its vertex, its partner, and
 # what is sensed on arriving by it.
@@ -74,9 +76,11 @@ class Stretch(Parts):
         edges: of each world.
 
     Attributes:
-        heads: of each run its budget, the number told, its number, and the number of its motions.
+        heads: of each run its budget, the number told, its number, and the numbers of its motions
+            and of its scripted choices.
         worlds: of each run its world, dart by dart; not for plays against records.
-        percepts, starts: the percepts, three bytes each, and where those of a run begin.
+        percepts, starts: the percepts, three bytes each, and where those of a run begin; behind
+            them its script, a byte for each choice.
         logs, begins: the logs, and where that of each run begins.
         wide: the number of bytes of a world.
     """

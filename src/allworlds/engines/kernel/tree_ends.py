@@ -184,4 +184,4 @@ def _count_single(h, job, reader, budgets, bounds, met, counts, most_expensive, 
         count_world(world, counts)
     count_run(world, job.log.cost, job.log.checkpoints, law, counts, most_expensive)
     if law:
-        blame(world, law, least, row)
+        blame(world, world.place, law, least, row)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntEnum
+from itertools import chain
 from typing import NamedTuple, TypeAlias
 
 from allworlds.engines.kernel import log_codes
@@ -64,12 +65,37 @@ def _entry(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> 
     return entry + bytes(span(darts) - 2 * darts)
 
 
+def picks_entry(picks: Sequence[int], widths: Sequence[int]) -> bytes | None:
+    """The entry of the choices of an episode; None if it does not fit."""
+    few = len(picks) == len(widths) <= log_codes.MOST_PICKS
+    if not few or max(widths, default=0) > log_codes.MOST_OPTIONS:
+        return None
+    pairs = zip(picks, widths, strict=True)
+    return len(picks).to_bytes(2, "little") + bytes(chain.from_iterable(pairs))
+
+
+def read_picks(log: bytes) -> tuple[int, ...]:
+    """The choices behind the log; none if it ends without them.
+
+    Raises:
+        ValueError: if it is no log.
+    """
+    _, end = _read(log)
+    return tuple(log[end + 2 :: 2])
+
+
 def read_log(log: bytes) -> Written:
     """The content of the log.
 
     Raises:
         ValueError: if it is no log.
     """
+    written, _ = _read(log)
+    return written
+
+
+def _read(log: bytes) -> tuple[Written, int]:
+    """The content of the log, and the place behind it."""
     motions: list[int] = []
     shown: list[tuple[int, Published]] = []
     at = 0
@@ -83,8 +109,8 @@ def read_log(log: bytes) -> Written:
             published = tuple(log[at : at + darts]), tuple(log[at + darts : at + 2 * darts]), here
             at += span(darts)
             if code == log_codes.ANSWERED and at <= len(log):
-                return Written(tuple(motions), tuple(shown), published)
+                return Written(tuple(motions), tuple(shown), published), at
             shown.append((len(motions), published))
         else:
-            return Written(tuple(motions), tuple(shown), LogEnd(code))
+            return Written(tuple(motions), tuple(shown), LogEnd(code)), at
     raise ValueError("the log has no end")

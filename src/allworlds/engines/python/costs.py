@@ -38,9 +38,16 @@ class CostTally(Tally):
 
     Attributes:
         costs: by the rooted map, and the number of the lighthouse's place in it.
+        best: of runs that are not told apart: by vertices, the largest cost of the cheapest
+            schedule of a run.
     """
 
     costs: dict[tuple[MapKey, int], RunCost] = field(default_factory=dict)
+    best: dict[int, int] = field(default_factory=dict)
+
+    def best_of(self, vertices: int, cost: int) -> None:
+        """Take in the cost of a cheapest schedule."""
+        self.best[vertices] = max(self.best.get(vertices, 0), cost)
 
     def cost(self, world: World, place: int, cost: RunCost) -> None:
         """Take in the cost of an episode."""
@@ -48,12 +55,22 @@ class CostTally(Tally):
         known = self.costs.get(key)
         self.costs[key] = cost if known is None else known.joined(cost)
 
+    @property
+    def best_by_vertices(self) -> dict[int, int]:
+        """By vertices, the largest cost of the cheapest schedule of any run here."""
+        best = dict(self.best)
+        for ((_, vertices, *_), _), cost in self.costs.items():
+            best[vertices] = max(best.get(vertices, 0), cost.cheapest)
+        return best
+
     def add(self, other: Tally) -> None:
         """Take in another part's tally; no run is in two of them."""
         # Zero-argument super() does not know a class with slots.
         Tally.add(self, other)
         if isinstance(other, CostTally):
             self.costs.update(other.costs)
+            for vertices, cost in other.best.items():
+                self.best_of(vertices, cost)
 
 
 class CostEngine(PythonEngine, frozen=True):

@@ -12,7 +12,7 @@ from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
 from allworlds.engines.python.tour import Tour
 from allworlds.judging import Log, LostRun
-from allworlds.protocol import next_script
+from allworlds.protocol import are_due, next_script
 from allworlds.world import World
 
 
@@ -97,10 +97,8 @@ class ScriptTracker(Struct):
         if isinstance(log.ending, LostRun) or not self.every:
             self.scripts[number] = None
             return script, True
-        length = max(len(script), len(log.choices))
-        due = (script + (0,) * length)[:length]
-        self.scripts[number] = next_script(log.choices, log.widths)
-        return script, log.choices == due and len(log.widths) == len(log.choices)
+        self.scripts[number] = next_script(script, log.choices, log.widths)
+        return script, are_due(script, log.choices, log.widths)
 
     def finish(self) -> None:
         """Raise RuntimeError unless every run has had its last log."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import Any
 
 from typing_extensions import override
@@ -11,7 +10,6 @@ from allworlds.document import replace
 from allworlds.engines import (
     WHOLE,
     AtRun,
-    CostEngine,
     CostTally,
     Identity,
     Listener,
@@ -25,7 +23,6 @@ from allworlds.engines import (
     cells_of_level,
     engine_for,
     from_kept,
-    players_for,
     subject_of,
     why_not_compiled,
 )
@@ -46,30 +43,16 @@ from allworlds.studies.worst.worst_report import WorstReport, WorstRow, replayed
 from allworlds.studies.worst.worst_request import WorstRequest
 from allworlds.world import World
 
-PLAYED = (
-    "compiled code tries every schedule of algorithm1 alone; this library takes choices, and is "
-    "played by the python engine, far slower"
-)
-"""The notice for libraries that are played so, where ``check`` judges them in compiled code."""
 
-
-@dataclass(slots=True)
-class _MostExpensive(Tally):
-    """A tally with the cheapest schedules, in place of every run's cost.
-
-    Attributes:
-        best: by vertices the largest, over the runs, of the cost of the cheapest schedule; where
-            there is one schedule, nothing.
-    """
-
-    best: dict[int, int] = field(default_factory=dict)
+class _MostExpensive(CostTally):
+    """A tally with the cheapest schedules, in place of every run's cost."""
 
     def add(self, other: Tally) -> None:
         """Add the costs of another part."""
         Tally.add(self, other)
         if isinstance(other, CostTally):
-            for ((_, vertices, *_), _), cost in other.costs.items():
-                self.best[vertices] = max(self.best.get(vertices, 0), cost.cheapest)
+            for vertices, cost in other.best_by_vertices.items():
+                self.best_of(vertices, cost)
 
 
 class RunsSweep(TallySweep[WorstReport]):
@@ -104,12 +87,9 @@ class RunsSweep(TallySweep[WorstReport]):
 
     @override
     def ready(self) -> ReadyEngine:
-        """The engine of a check for one schedule. For all schedules every run is told apart."""
+        """The engine of a check, which for all schedules also tells the cheapest ones."""
         job, subject, scope = self.seeded, self.job.subject, self.seeded.scope
-        if scope.schedules == "all":
-            if subject.compiled:
-                self.listener.notice(PLAYED)
-            return ReadyEngine(players_for(job), CostEngine(scope, 1))
+        job = replace(job, costs=scope.schedules == "all")
         if why := why_not_compiled(scope, subject):
             self.listener.notice(why)
         return engine_for("auto", scope, subject).ready(job)
