@@ -235,7 +235,7 @@ def test_a_stretch_is_played_judged_and_played_again():
     assert readable
     assert rows.broken == ()
     again = player.play(PlayStretch(second.file, 2, batch.runs, 2, "fifo", again=True))
-    assert judge.differing(batch, again.size) == []
+    assert judge.differing(again.size) == []
 
 
 def test_who_plays_again_is_not_told_which_run_it_is():
@@ -263,7 +263,7 @@ def test_what_is_published_may_differ_and_what_is_done_may_not(changes, differ):
     play = GeneratorPlayer(ready(explore), ready(explore), None, [0, 0], lambda: None).play
     judge.judge(batch, play(PlayStretch(first.file, 2, batch.runs, 1, "fifo", again=False)).size)
     again = play(PlayStretch(second.file, 2, batch.runs, 2, "fifo", again=True))
-    assert len(judge.differing(batch, again.size)) == (batch.runs if differ else 0)
+    assert len(judge.differing(again.size)) == (batch.runs if differ else 0)
 
 
 def test_logs_without_room_are_left_to_others(monkeypatch):

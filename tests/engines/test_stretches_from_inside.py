@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from allworlds.engines import Limits, Scope
+from allworlds.engines import Limits, PythonEngine, Scope
 from allworlds.engines.compiled.trees import PlayedByTrees
 from allworlds.engines.compiled.users_engine import UsersEngine
 from allworlds.engines.isolation.guardian import Prepare, _Guardian
@@ -102,7 +102,10 @@ def test_a_referee_takes_the_engine_of_native_explorers():
         referee = RefereeProcess(theirs, bytearray(16), None)
         pair = PlayerPair(None, SETUP, Random(1))
         engine = referee._bind(
-            UsersEngine(PythonEngine(scope, 1)), RefereeSetup(subject, Limits(), 1), pair, EarlierPlays()
+            UsersEngine(PythonEngine(scope, 1)),
+            RefereeSetup(subject, Limits(), 1),
+            pair,
+            EarlierPlays(),
         )
         assert isinstance(engine, PlayedByTrees)
         assert engine.stretches.players is pair

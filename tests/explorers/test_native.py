@@ -118,11 +118,10 @@ def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
     assert again.runs == 0
 
 
-def test_worst_says_that_the_python_engine_plays_a_library_that_takes_choices(cli):
+def test_the_worst_of_a_library_that_takes_choices_is_that_of_every_schedule(cli):
     code, out, err = cli("worst", "--native", example("c/algorithm1.c"), "--edges", 1)
-    assert code == 0
+    assert (code, err) == (0, "")
     assert "every schedule" in out
-    assert "the python engine" in err
 
 
 @pytest.fixture(scope="module")

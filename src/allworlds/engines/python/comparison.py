@@ -67,6 +67,9 @@ def difference_of(first: Log, second: Log) -> Violation | None:
         return nondeterministic("the second walk goes on where the first one ended")
     elif _meaning(first) != _meaning(second):
         difference = "the second answer differs"
+    elif first.widths and first.choices != second.choices:
+        # Every schedule is tried, and which there are follows from the choices.
+        difference = "the choices of the second play differ"
     else:
         return None
     for which, log in (("first", first), ("second", second)):

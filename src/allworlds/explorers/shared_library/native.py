@@ -259,7 +259,10 @@ class _Asked:
 
     @contextmanager
     def aside(self) -> Iterator[None]:
-        """A context in which choices are answered by 0, and do not count."""
+        """A context in which choices are answered by the last option, and do not count.
+
+        Mostly that is another way than that of the run, whose first choices are answered by 0.
+        """
         self._is_aside = True
         yield
         self._is_aside = False
@@ -267,7 +270,7 @@ class _Asked:
     def pick(self, _: int | None, of: int, options: int, cost: Any) -> int:
         """Answer ``allworlds_pick``; an illegal choice is answered by 0, and reported later."""
         if self._is_aside:
-            return 0
+            return max(options - 1, 0)
         try:
             kind = KINDS[of] if 0 <= of < len(KINDS) else str(of)
             costs = cost[: max(options, 0)] if cost else None
