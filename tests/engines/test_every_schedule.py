@@ -22,7 +22,7 @@ from allworlds.engines.isolation.jobs import DueSchedules, PlayStretch
 from allworlds.engines.isolation.library_player import LibraryPlayer
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.shared_logs import StretchMemory
-from allworlds.engines.kernel.log_codes import MOST_OPTIONS, MOST_PICKS
+from allworlds.engines.kernel.capabilities import MOST_OPTIONS, MOST_PICKS
 from allworlds.engines.kernel.rows import BrokenRun
 from allworlds.engines.kernel.schedule_judge import ScheduleJudge
 from allworlds.engines.kernel.stretch import LONGEST_STRETCH
@@ -55,7 +55,7 @@ def of_library(library):
 
 
 def of_function(explore):
-    """The same of a function in Python."""
+    """A subject that is a function in Python, and a maker of its players."""
 
     def ready(first, choices, _told):
         return explore(first, choices=choices)

@@ -186,7 +186,7 @@ class Schedules:
         """Yield the choices of one run after the other."""
         script: tuple[int, ...] | None = ()
         while script is not None:
-            choices = Counted(script)
+            choices = ScheduledChoices(script)
             yield choices
             script = next_script(script, choices.record, choices.widths)
 
@@ -210,7 +210,7 @@ def next_script(
     return None
 
 
-class Counted(Choices):
+class ScheduledChoices(Choices):
     """Choices of one of all schedules, which also record the number of options.
 
     Args:

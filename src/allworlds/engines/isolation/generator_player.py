@@ -38,11 +38,11 @@ from allworlds.judging import closed
 from allworlds.protocol import (
     Checkpoint,
     Choices,
-    Counted,
     ExplorerFault,
     Move,
     Percept,
     Player,
+    ScheduledChoices,
     next_script,
     policy_named,
 )
@@ -92,7 +92,7 @@ class GeneratorPlayer:
             begins[run] = len(logs)
             choices = Choices(policy_named(job.policy))
             if job.schedules is not None:
-                choices = Counted(self._script(stretch, run))
+                choices = ScheduledChoices(self._script(stretch, run))
             log = self._log(stretch, run, choices, again=job.again)
             if log is None:
                 return StretchResult(-1, 0)
@@ -104,7 +104,7 @@ class GeneratorPlayer:
         logs, row, left = bytearray(), due.row, due.most
         script: tuple[int, ...] | None = due.script
         while row < job.runs and left:
-            choices = Counted(script or ())
+            choices = ScheduledChoices(script or ())
             log = self._log(stretch, row, choices, again=False)
             if log is None:
                 return -1
@@ -132,7 +132,7 @@ class GeneratorPlayer:
         player = self._second if again else self._player
         log = log_of_run(world, player, choices, budget, self._beat)
         self._intact()
-        if log is None or not isinstance(choices, Counted):
+        if log is None or not isinstance(choices, ScheduledChoices):
             return log
         made = picks_entry(choices.record, choices.widths)
         return None if made is None else log + made

@@ -14,9 +14,9 @@ from __future__ import annotations
 from numpy import int64
 
 from allworlds.engines.kernel.calls import byte_of, call_with, entry_of, put_entry
+from allworlds.engines.kernel.capabilities import MOST_PICKS
 from allworlds.engines.kernel.compiling import entry, inlined
 from allworlds.engines.kernel.gluing import advance
-from allworlds.engines.kernel.log_codes import MOST_PICKS
 from allworlds.engines.kernel.records import NONE
 from allworlds.engines.kernel.runs import (
     LEFT_OUT,

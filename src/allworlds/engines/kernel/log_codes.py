@@ -11,10 +11,6 @@ from allworlds.engines.kernel.names import LANES
 LARGEST_MOTION = 199
 SHOWN, ANSWERED, OVER_BUDGET, SHOWN_TOO_OFTEN, ILLEGAL, STRANGE = range(200, 206)
 
-MOST_PICKS, MOST_OPTIONS = 512, 255
-"""The largest number of choices in an episode, and of options in a choice, where every schedule is
-tried; more are left to the general engine."""
-
 MOST_PUBLISHED = 64
 """The largest number of darts that can be read again; more are left to the general engine."""
 

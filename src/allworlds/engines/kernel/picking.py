@@ -7,8 +7,8 @@ from functools import cache
 from numba import int32, types
 
 from allworlds.engines.kernel.calls import entry_of
+from allworlds.engines.kernel.capabilities import MOST_OPTIONS, MOST_PICKS
 from allworlds.engines.kernel.compiling import RECORD, callback, inlined
-from allworlds.engines.kernel.log_codes import MOST_OPTIONS, MOST_PICKS
 from allworlds.engines.kernel.names import LIFO, NEAREST
 from allworlds.engines.kernel.records import ASKED
 

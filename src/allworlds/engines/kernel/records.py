@@ -11,8 +11,7 @@ from typing import Any
 
 from numpy import dtype, int32, int64, recarray, uint8, zeros
 
-from allworlds.engines.kernel.capabilities import LONG
-from allworlds.engines.kernel.log_codes import MOST_PICKS
+from allworlds.engines.kernel.capabilities import LONG, MOST_PICKS
 
 DARTS = 32
 """Room for the darts of a world, and for its vertices."""

@@ -12,6 +12,7 @@ from itertools import chain
 from typing import NamedTuple, TypeAlias
 
 from allworlds.engines.kernel import log_codes
+from allworlds.engines.kernel.capabilities import MOST_OPTIONS, MOST_PICKS
 from allworlds.engines.kernel.log_codes import span
 
 Published: TypeAlias = tuple[tuple[int, ...], tuple[int, ...], int]
@@ -67,8 +68,8 @@ def _entry(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> 
 
 def picks_entry(picks: Sequence[int], widths: Sequence[int]) -> bytes | None:
     """The entry of the choices of an episode; None if it does not fit."""
-    few = len(picks) == len(widths) <= log_codes.MOST_PICKS
-    if not few or max(widths, default=0) > log_codes.MOST_OPTIONS:
+    few = len(picks) == len(widths) <= MOST_PICKS
+    if not few or max(widths, default=0) > MOST_OPTIONS:
         return None
     pairs = zip(picks, widths, strict=True)
     return len(picks).to_bytes(2, "little") + bytes(chain.from_iterable(pairs))
