@@ -18,7 +18,7 @@ from allworlds.engines import (
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.stretches import OF_EVERY_SCHEDULE, PlayedByStretches
 from allworlds.engines.isolation.generator_player import GeneratorPlayer
-from allworlds.engines.isolation.jobs import DueSchedules, PlayStretch
+from allworlds.engines.isolation.jobs import SCRIPTS_BEHIND, DueSchedules, PlayStretch
 from allworlds.engines.isolation.library_player import LibraryPlayer
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.shared_logs import StretchMemory
@@ -81,10 +81,11 @@ class PairHere(InProcessPlayers):
         self.portions = 0
 
     def play_stretch(self, which, job):
+        if which == "second":
+            assert job.schedules == SCRIPTS_BEHIND  # who plays again is not told where it is
+            return self._players[which].play(job)
         due = replace(job.schedules, most=min(job.schedules.most, self._most))
         said = self._players[which].play(replace(job, schedules=due))
-        if which == "second":
-            return said
         self.portions += 1
         return self._said(said, self._players[which]._memories.stretch(job))
 
@@ -232,9 +233,9 @@ class Stretch:
 
     def play_again(self, player=None, order=2):
         """The bytes of the logs of the second play, and where each begins."""
-        due, logs = DueSchedules(0, (), 0), self.judge.logs
+        logs = self.judge.logs
         job = PlayStretch(
-            self.second.file, self._edges, logs, order, "fifo", again=True, schedules=due
+            self.second.file, self._edges, logs, order, "fifo", again=True, schedules=SCRIPTS_BEHIND
         )
         size = (player or self.player).play(job).size
         return self.second.stretch.logs[:size].tobytes(), self.second.stretch.begins[:logs].tolist()
@@ -380,10 +381,13 @@ def test_logs_that_cannot_be_read_are_not_believed():
     def half(said, _):
         return StretchResult(said.size // 2, 0)
 
-    def none(_said, _):
+    def few(_said, _):
         return StretchResult(3, 0)
 
-    for said in (half, none):
+    def none(_said, _):
+        return StretchResult(0, 0)
+
+    for said in (half, few, none):
         assert told(tally_of(PairHere(given, said=said), scope, LARGER)) == told(whole)
 
 

@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 from allworlds.document import replace
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
-from allworlds.engines.isolation.jobs import DueSchedules
+from allworlds.engines.isolation.jobs import SCRIPTS_BEHIND, DueSchedules
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.kernel.batches import LaidOutRuns, ReplayableRun, UnitJudge
@@ -206,13 +206,14 @@ class PlayedByStretches:
         again = [play.kept for play in earlier]
         rows, readable = judge.judge(batch, size, again)
         logs = judge.logs
-        if not readable or (size and not logs):
+        if not readable or (row < batch.runs and not logs):
             return None
         if unit.edges <= self._compared:
             self._compare(unit, batch, judge, rows)
         differing: list[int] = []
         if logs:
-            played = second.play(self.players, "second", logs + len(earlier), policy, due)
+            scripts = SCRIPTS_BEHIND if judge.every else None
+            played = second.play(self.players, "second", logs + len(earlier), policy, scripts)
             if played is None:
                 return None
             differing = judge.differing(played, again)

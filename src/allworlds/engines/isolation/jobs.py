@@ -113,8 +113,6 @@ class PlayStretch(Struct, frozen=True):
 class DueSchedules(Struct, frozen=True):
     """The schedules that are played of the runs of a stretch, one run after the other.
 
-    Against records there is one for each run.
-
     Attributes:
         row: of the run that is played first.
         script: of the choices in its first schedule; all others are 0.
@@ -124,6 +122,10 @@ class DueSchedules(Struct, frozen=True):
     row: int
     script: tuple[int, ...]
     most: int
+
+
+SCRIPTS_BEHIND = DueSchedules(0, (), 0)
+"""The schedules against records: one for each, whose script stands behind the percepts."""
 
 
 class PlayTree(Struct, frozen=True):
