@@ -171,6 +171,13 @@ def test_the_worst_and_the_best_are_those_of_the_other_engine(monkeypatch):
     assert worst(library, edges=3).to_json() == theirs
 
 
+def test_the_cheapest_schedule_may_cost_nothing():
+    given = of_library(attack("if (pick(asked, 0, 2, 0)) kind = ALLWORLDS_ANSWER", CHOOSES="1"))
+    tally = tally_of(PairHere(given), scope_of(1), 1)
+    assert tally.rows[1, 2].max_cost == 1
+    assert tally.best[2] == 0
+
+
 def test_one_schedule_of_many_that_is_wrong_is_found_with_its_choices():
     given = of_library(
         attack("count = pick(asked, 1, 3, 0) < 2 || pick(asked, 2, 2, 0) ? 2 : 1", CHOOSES="1")

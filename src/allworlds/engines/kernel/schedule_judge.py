@@ -58,7 +58,7 @@ class ScheduleJudge(UnitJudge):
         reader, asked = self._reader, self._asked
         heads = zeros((LONGEST_STRETCH, HEAD), int32)
         first = self._counted_until()
-        self._best[:] = 0
+        self._best[:] = -1
         *arguments, _, beat = asked.arguments
         told = heads, self._laws, self._dearest, self._best
         every_schedule.examine_schedules(self._job, reader, self._now, *arguments, beat, *told)
@@ -83,7 +83,7 @@ class ScheduleJudge(UnitJudge):
     @property
     def best(self) -> dict[int, int]:
         """By vertices the largest cost of the cheapest schedule, of runs that are done."""
-        return {n: cost for n, cost in enumerate(self._best.tolist()) if cost}
+        return {n: cost for n, cost in enumerate(self._best.tolist()) if cost >= 0}
 
 
 def load_every_schedule() -> None:
