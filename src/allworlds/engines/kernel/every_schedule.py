@@ -133,6 +133,7 @@ def _next_run(job, now, prefix, viable, counts):
 def _leave(job, now):
     """Leave a run, for the next place in its world if there is one."""
     job.number += 1
+    now.done += 1
     call_with(job.lighthouse, job.world)
     now.stage = BETWEEN_RUNS if job.world.place == NONE else BEFORE_A_RUN
 

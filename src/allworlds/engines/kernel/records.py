@@ -307,8 +307,10 @@ ASKED = dtype(
 
 SCHEDULES = dtype(
     [
-        # Where the judge is: between two runs, before one, or inside of it.
+        # Where the judge is: between two runs, before one, or inside of it; and the number of runs
+        # of the stretch that are done.
         ("stage", int64),
+        ("done", int64),
         # Of the run that it is inside of: the first choices of its next schedule, how many options
         # each has, and the number of that schedule; the largest legal cost, and that of the
         # cheapest schedule.

@@ -6,7 +6,7 @@ import mmap
 from collections.abc import Sequence
 from typing import Any
 
-from numpy import asarray, flatnonzero, int32, int64, searchsorted, zeros
+from numpy import asarray, flatnonzero, int32, int64, zeros
 from typing_extensions import override
 
 from allworlds.engines.kernel import every_schedule
@@ -16,7 +16,7 @@ from allworlds.engines.kernel.law_numbers import LAWS
 from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.records import SCHEDULES, new
 from allworlds.engines.kernel.rows import Level
-from allworlds.engines.kernel.stretch import HEAD, LONGEST_STRETCH, RUN_NUMBER, Stretch
+from allworlds.engines.kernel.stretch import HEAD, LONGEST_STRETCH, Stretch
 
 
 class ScheduleJudge(UnitJudge):
@@ -36,16 +36,20 @@ class ScheduleJudge(UnitJudge):
         self._dearest, self._best = zeros((2, level.edges + 2), int64)
 
     @override
+    def lay_out(self, most: int) -> LaidOutRuns:
+        self._now.done = 0
+        return super().lay_out(most)
+
+    @override
     def is_done(self, batch: LaidOutRuns) -> bool:
         return super().is_done(batch) and self._now.stage == every_schedule.BETWEEN_RUNS
 
     @property
     @override
     def next(self) -> tuple[int, tuple[int, ...]]:
-        row = searchsorted(self._heads[:, RUN_NUMBER], self._job.number)
         inside = self._now.stage == every_schedule.INSIDE_A_RUN
         script = asarray(self._now.script)[: self._now.due].tolist() if inside else ()
-        return int(row), tuple(script)
+        return int(self._now.done), tuple(script)
 
     @override
     def skip(self, batch: LaidOutRuns) -> None:
