@@ -142,11 +142,11 @@ def test_every_class_and_lighthouse_is_judged_as_in_the_other_engine(map_class, 
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("most", [1, 2, 7])
-def test_a_run_may_be_played_in_portions(most):
-    given, scope = of_library(example(ALGORITHM1)), scope_of(LARGER)
-    whole, players = tally_of(PairHere(given), scope, LARGER), PairHere(given, most)
-    assert told(tally_of(players, scope, LARGER)) == told(whole)
+@pytest.mark.parametrize(("edges", "most"), [(1, 1), (2, 1), (2, 3), (LARGER, 1), (LARGER, 7)])
+def test_a_run_may_be_played_in_portions(edges, most):
+    given, scope = of_library(example(ALGORITHM1)), scope_of(edges)
+    whole, players = tally_of(PairHere(given), scope, edges), PairHere(given, most)
+    assert told(tally_of(players, scope, edges)) == told(whole)
     assert players.portions >= sum(row.episodes for row in whole.rows.values()) // most
 
 
@@ -289,8 +289,8 @@ def test_logs_end_where_there_is_no_more_room_and_go_on_from_there(of, monkeypat
     logs = split(stretch)
     fresh = Stretch((None, lambda: stretch.player))
     room = sum(map(len, logs[:5])) + 20
-    memory = fresh.player._memories.stretch(PlayStretch(fresh.first.file, 2, 0, 0, "", again=False))
-    monkeypatch.setattr(memory, "logs", memory.logs[:room])
+    for module in ("isolation.generator_player", "kernel.batches"):
+        monkeypatch.setattr(f"allworlds.engines.{module}.SCHEDULE_BYTES", room)
     some = fresh.play()
     assert some
     assert b"".join(logs).startswith(some)
@@ -342,6 +342,23 @@ def test_logs_that_are_not_those_of_every_schedule_are_not_believed(change):
         stretch = Stretch(given)
         believed += stretch.judged(b"".join(changed))
     assert believed == 0
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize(("more", "step"), [("pick(asked, 0, 1, 0)", 0), ("", 301)])
+def test_long_logs_are_played_and_judged_in_portions(more, step, monkeypatch):
+    # Many choices, or many motions: a portion ends where logs or percepts have no more room.
+    code = f"pick(asked, 0, 200, 0); for (int i = 0; i < 400; i++) {{ {more or '(void)i'}; }}"
+    named = {"STEPS": str(step)} if step else {}
+    given = of_library(attack(code, CHOOSES="1", **named))
+    scope = scope_of(1, own_bound="none", step_budget=500)
+    general = []
+    monkeypatch.setattr(PlayedByStretches, "_by_the_general_engine", lambda *a: general.append(a))
+    monkeypatch.setattr(PlayedByStretches, "_compared", 0)
+    tally = tally_of(PairHere(given), scope, 1)
+    assert tally.rows[1, 2].episodes == 200
+    assert not tally.findings
+    assert not general
 
 
 def test_choices_that_were_not_made_show_in_the_second_play(stretch):
@@ -411,7 +428,6 @@ def test_a_law_that_the_other_engine_does_not_find_broken_is_a_disagreement(monk
         return replace(rows, broken=(world,)), good
 
     monkeypatch.setattr(ScheduleJudge, "judge", blames)
-    monkeypatch.setattr(ScheduleJudge, "rows_that_break", lambda *_: [0])
     said = "count differently" if edges == 1 else "the kernel says that map is broken"
     with pytest.raises(EnginesDisagree, match=said):
         tally_of(PairHere(of_library(example(ALGORITHM1))), scope, edges)

@@ -66,6 +66,9 @@ ANEW = 8
 
 DIFFERENT = "the second walk or answer differs"
 
+OTHERWISE = "the second walk, answer or choices differ"
+"""The same where every schedule is tried."""
+
 THIRD = "when it was played once more, the walk or the answer was another"
 
 
@@ -206,7 +209,7 @@ class PlayedByStretches:
         again = [play.kept for play in earlier]
         rows, readable = judge.judge(batch, size, again)
         logs = judge.logs
-        if not readable or (row < batch.runs and not logs):
+        if not readable or not (logs or judge.is_done(batch)):
             return None
         if unit.edges <= self._compared:
             self._compare(unit, batch, judge, rows)
@@ -264,8 +267,8 @@ class PlayedByStretches:
             self._find_differing(unit, differing.here, tally)
             yield
         else:
-            for each in broken:
-                choices = self._choices_of(unit, batch, judge, each)
+            for number, each in enumerate(broken):
+                choices = judge.choices_of_broken(number)
                 if not self.find(unit, each, tally, choices):
                     self._confirm(unit, batch, judge, each, choices)
                     self.find(unit, each, tally, choices, otherwise=nondeterministic(THIRD))
@@ -273,19 +276,6 @@ class PlayedByStretches:
         for play in differing.earlier:
             self._find_differing(play.unit, [_Chosen(play.number, play.kept.choices)], tally)
             yield
-
-    def _choices_of(
-        self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, broken: BrokenRun
-    ) -> tuple[int, ...]:
-        """The choices of the first schedule in which the run breaks the law; none if it has one."""
-        if not isinstance(judge, ScheduleJudge):
-            return ()
-        runs = self._runs(unit, batch)
-        for row in judge.rows_that_break(broken.law):
-            run = runs[judge.number(row)]
-            if _is_at(broken, run.map, run.place):
-                return judge.kept(row).choices
-        raise EnginesDisagree(f"the kernel says that {broken.law} is broken, and not by which log")
 
     def _runs(self, unit: LevelRuns, batch: LaidOutRuns) -> dict[int, NumberedRun]:
         """The runs of a stretch, by their numbers."""
@@ -417,7 +407,8 @@ class PlayedByStretches:
             ):
                 tally.find(self._general.finding(one, outcome))
             elif not explained:
-                settled = replace(outcome, violation=nondeterministic(DIFFERENT))
+                seen = DIFFERENT if self.engine.scope.schedules == "one" else OTHERWISE
+                settled = replace(outcome, violation=nondeterministic(seen))
                 tally.find(self._general.finding(one, settled))
 
 

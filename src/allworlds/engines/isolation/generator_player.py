@@ -28,6 +28,7 @@ from allworlds.engines.kernel.stretch import (
     RUN_NUMBER,
     RUN_SCRIPT,
     RUN_TOLD,
+    SCHEDULE_BYTES,
     Stretch,
 )
 from allworlds.engines.kernel.writing import LogEnd, picks_entry
@@ -90,8 +91,9 @@ class GeneratorPlayer:
         Random(job.order).shuffle(order)  # noqa: S311  # it need not be secret for longer than a run
         for run in order:
             begins[run] = len(logs)
-            choices = Choices(policy_named(job.policy))
-            if job.schedules is not None:
+            if job.schedules is None:
+                choices = Choices(policy_named(job.policy))
+            else:
                 choices = ScheduledChoices(self._script(stretch, run))
             log = self._log(stretch, run, choices, again=job.again)
             if log is None:
@@ -108,7 +110,7 @@ class GeneratorPlayer:
             log = self._log(stretch, row, choices, again=False)
             if log is None:
                 return -1
-            if len(logs) + len(log) > len(stretch.logs):
+            if len(logs) + len(log) > SCHEDULE_BYTES:
                 break
             logs += log
             left -= 1

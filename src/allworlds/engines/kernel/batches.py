@@ -31,6 +31,7 @@ from allworlds.engines.kernel.stretch import (
     ROWS,
     RUN_MOTIONS,
     RUN_NUMBER,
+    SCHEDULE_BYTES,
     Stretch,
 )
 from allworlds.engines.kernel.tables import tables
@@ -185,6 +186,10 @@ class UnitJudge:
         different: list[int] = found[:differ].tolist()
         return different
 
+    def choices_of_broken(self, number: int) -> tuple[int, ...]:  # noqa: ARG002  # there is one
+        """The choices of the broken run of that number in the rows, if every schedule is tried."""
+        return ()
+
     def number(self, row: int) -> int:
         """The number of the run of a log in its unit."""
         return int(self._first.heads[row, RUN_NUMBER])
@@ -334,7 +339,8 @@ class NativePlayer:
         self._asked.due = len(script)
         self._asked.script[: len(script)] = script
         worlds, rows = (stretch.heads, stretch.worlds), (row, count, most)
-        return int(native.play_schedules(*common, *worlds, *rows, stretch.logs, self._beat))
+        logs = stretch.logs[:SCHEDULE_BYTES]
+        return int(native.play_schedules(*common, *worlds, *rows, logs, self._beat))
 
 
 def _view(memory: Any) -> Any:

@@ -40,8 +40,8 @@ from allworlds.engines.kernel.worlds import settle
 # The stages of the judge.
 BETWEEN_RUNS, BEFORE_A_RUN, INSIDE_A_RUN = range(3)
 
-NUMBER_BITS = 40
-"""The bits of the number of a schedule, which stand behind the place of a run that breaks a law."""
+ROW_BITS = 20
+"""The bits of the number of a log, which stand behind the place of a run that breaks a law."""
 
 
 @entry
@@ -60,39 +60,41 @@ def examine_schedules(
     row,
     beat,
     heads,
-    laws,
     dearest,
     best,
 ):
     """Examine the next logs, at most as many as there are ``heads``.
 
-    Work ends early where the choices of a log are not those that are due.  A run is counted with
-    its first log.
+    Work ends early where the choices of a log are not those that are due, or where the percepts
+    might have no room.  A run is counted with its first log, and a world with its first run.
 
     ``reader`` has the logs, without where each begins; ``now`` is where the judge is; ``prefix`` to
-    ``beat`` are as for :func:`allworlds.engines.kernel.runs.examine`.  Of each log ``heads``
-    becomes what is said of its run, with the lengths of its walk and its script, and ``laws`` the
-    law that it breaks, or 0.  By vertices ``dearest`` becomes the number of the log that costs
-    most, and ``best`` the largest cost of the cheapest schedule of a run that is done.
+    ``beat`` are as for :func:`allworlds.engines.kernel.runs.examine`, but that behind the place in
+    ``least`` stands the number of the log.  Of each log ``heads`` becomes what is said of its run,
+    with the lengths of its walk and its script.  By vertices ``dearest`` becomes the number of the
+    log that costs most, and ``best`` the largest cost of the cheapest schedule of a run that is
+    done.
     """
     world, at = job.world, int64(0)
     while reader.run < len(heads):
         if now.stage == BETWEEN_RUNS and not _next_run(job, now, prefix, viable, counts):
             return
-        if at >= reader.size:
-            return
         n = world.vertices
+        full = reader.noted + 3 * (budgets[n] + 1) + MOST_PICKS + 4 > reader.room
+        if at >= reader.size or (full and reader.run):
+            return
+        bound = bound_of(world, bounds, met)
+        if bound == UNDEFINED:
+            job.undefined = 1
+            return
         if now.stage == BEFORE_A_RUN:
+            if world.place == 0:
+                count_world(world, counts)
             counts[n, RUNS] += 1
-            bound = bound_of(world, bounds, met)
-            if bound == UNDEFINED:
-                job.undefined = 1
-                return
-            now.stage, now.due, now.number = INSIDE_A_RUN, 0, 0
-            now.bound, now.cheapest = bound, budgets[n]
+            now.stage, now.due, now.cheapest = INSIDE_A_RUN, 0, budgets[n]
         episode = reader.run
         put_entry(reader.begins, episode, at)
-        law = judged_run(job, reader, budgets[n], now.bound, beat)
+        law = judged_run(job, reader, budgets[n], bound, beat)
         cost = job.log.cost
         _note_head(world, job, heads[episode], budgets[n], now.due)
         _note_script(reader, now)
@@ -101,12 +103,10 @@ def examine_schedules(
             reader.strange += 1
             return
         put_entry(reader.ends, episode, at)
-        laws[episode] = law
         if count_run(world, cost, job.log.checkpoints, law, counts, most_expensive):
             dearest[n] = episode
         if law:
-            blame(world, world.place << NUMBER_BITS | now.number, law, least, row)
-        now.number += 1
+            blame(world, world.place << ROW_BITS | episode, law, least, row)
         now.cheapest = min(now.cheapest, cost)
         if now.due == 0:
             best[n] = max(best[n], now.cheapest)
@@ -119,11 +119,11 @@ def _next_run(job, now, prefix, viable, counts):
     world = job.world
     while job.number < job.until and advance(job.gluing, prefix, viable):
         settle(world, job.gluing)
-        count_world(world, counts)
         call_with(job.lighthouse, world)
         if world.place != NONE:
             now.stage = BEFORE_A_RUN
             return True
+        count_world(world, counts)
         counts[world.vertices, LEFT_OUT] += 1
         job.number += 1
     return False

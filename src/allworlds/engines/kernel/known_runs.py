@@ -51,12 +51,12 @@ def sense(known: Any, run: int, place: int, percept: Any) -> None:
 
 
 def go(known: Any, head: Any, run: int, place: int, motion: Any, cost: int) -> int:
-    """The place behind the motion, after ``done`` others; NONE if the first play ended here."""
+    """The place behind the motion, after ``cost`` others; NONE if the first play ended here."""
     raise NotImplementedError
 
 
 def read_script(known: Any, head: Any, run: int, asked: Any) -> None:
-    """Make the script of a record that which answers the first choices."""
+    """Let the script of a record answer the first choices; of a world there is none."""
     raise NotImplementedError
 
 

@@ -311,14 +311,11 @@ SCHEDULES = dtype(
         # of the stretch that are done.
         ("stage", int64),
         ("done", int64),
-        # Of the run that it is inside of: the first choices of its next schedule, how many options
-        # each has, and the number of that schedule; the largest legal cost, and that of the
-        # cheapest schedule.
+        # Of the run that it is inside of: the first choices of its next schedule, and how many
+        # options each has; and the cost of its cheapest schedule so far.
         ("due", int64),
         ("script", uint8, MOST_PICKS),
         ("widths", uint8, MOST_PICKS),
-        ("number", int64),
-        ("bound", int64),
         ("cheapest", int64),
     ],
     align=True,

@@ -6,13 +6,12 @@ import mmap
 from collections.abc import Sequence
 from typing import Any
 
-from numpy import asarray, flatnonzero, int32, int64, zeros
+from numpy import asarray, int32, int64, zeros
 from typing_extensions import override
 
 from allworlds.engines.kernel import every_schedule
 from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge, any_level, no_player
 from allworlds.engines.kernel.compiling import uncollected
-from allworlds.engines.kernel.law_numbers import LAWS
 from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.records import SCHEDULES, new
 from allworlds.engines.kernel.rows import Level
@@ -32,7 +31,7 @@ class ScheduleJudge(UnitJudge):
     ) -> None:
         super().__init__(level, prefix, keep, stretch, records)
         self._now = new(SCHEDULES)
-        self._laws = zeros(LONGEST_STRETCH, int64)
+        self._broken = zeros(keep, int64)
         self._dearest, self._best = zeros((2, level.edges + 2), int64)
 
     @override
@@ -64,9 +63,11 @@ class ScheduleJudge(UnitJudge):
         first = self._counted_until()
         self._best[:] = -1
         *arguments, _, beat = asked.arguments
-        told = heads, self._laws, self._dearest, self._best
+        told = heads, self._dearest, self._best
         every_schedule.examine_schedules(self._job, reader, self._now, *arguments, beat, *told)
-        asked.least[:, 1 + 4 * self._level.edges] >>= every_schedule.NUMBER_BITS
+        places = asked.least[:, 1 + 4 * self._level.edges]
+        self._broken[:] = places & (1 << every_schedule.ROW_BITS) - 1
+        places >>= every_schedule.ROW_BITS
         self.counted = range(first, self._counted_until())
         # Choices that are not due are strange: then the last log does not count.
         return heads[: reader.run], True
@@ -75,10 +76,9 @@ class ScheduleJudge(UnitJudge):
         """The number of the first run that has not been counted."""
         return int(self._job.number + (self._now.stage == every_schedule.INSIDE_A_RUN))
 
-    def rows_that_break(self, law: str) -> list[int]:
-        """The numbers of the logs that break that law."""
-        broken: list[int] = flatnonzero(self._laws[: self.logs] == LAWS.index(law)).tolist()
-        return broken
+    @override
+    def choices_of_broken(self, number: int) -> tuple[int, ...]:
+        return self.kept(int(self._broken[number])).choices
 
     def choices_of_dearest(self, vertices: int) -> tuple[int, ...]:
         """The choices of the episode that costs most among those of that size in this portion."""

@@ -30,7 +30,8 @@ FIRST, PARTNER, DEGREE, MARKS, BEARING = range(5)
 WIDE = 5
 
 LONGEST_STRETCH = 2048
-"""The largest number of runs in a stretch, but for those of its last world."""
+"""The largest number of runs in a stretch, but for those of its last world; where every schedule is
+tried, also of logs in a portion."""
 
 ROWS = LONGEST_STRETCH + 2 * MOST_PLACES
 """Room for the runs of a stretch, of its last world, and for earlier ones."""
@@ -40,6 +41,10 @@ MOST_EARLIER = 16
 
 LOG_BYTES = 1 << 20
 """Room for the logs of a stretch, and as much for its percepts: 512 bytes a run."""
+
+SCHEDULE_BYTES = LOG_BYTES // 2
+"""Room for the logs of every schedule in a first play: with earlier runs they must have room in the
+second."""
 
 LONGEST_EARLIER = LOG_BYTES // (4 * MOST_EARLIER)
 """The largest number of bytes in the log of a run that is played again later: all of them together

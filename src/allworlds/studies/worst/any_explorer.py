@@ -92,7 +92,7 @@ class RunsSweep(TallySweep[WorstReport]):
         job = replace(job, costs=scope.schedules == "all")
         if why := why_not_compiled(scope, subject):
             self.listener.notice(why)
-        return engine_for("auto", scope, subject).ready(job)
+        return engine_for("auto", scope, subject, job.limits.memory).ready(job)
 
     @override
     def forget(self) -> None:
