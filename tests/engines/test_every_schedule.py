@@ -120,14 +120,14 @@ def told(tally):
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("of", [of_library, of_function])
-def test_every_schedule_counts_as_in_the_other_engine(of):
+@pytest.mark.parametrize(("of", "edges"), [(of_library, LARGER), (of_function, 2)])
+def test_every_schedule_counts_as_in_the_other_engine(of, edges):
     given = of(example(ALGORITHM1)) if of is of_library else of(algorithm1)
-    scope = scope_of(LARGER)
-    ours, theirs = tally_of(PairHere(given), scope, LARGER), one_by_one(given[0], scope, LARGER)
+    scope = scope_of(edges)
+    ours, theirs = tally_of(PairHere(given), scope, edges), one_by_one(given[0], scope, edges)
     assert told(ours) == told(theirs)
     assert ours.findings == theirs.findings == []
-    assert all(row.episodes > row.runs for (_, n), row in ours.rows.items() if n <= LARGER)
+    assert all(row.episodes > row.runs for (_, n), row in ours.rows.items() if n <= edges)
 
 
 @pytest.mark.no_cover
@@ -142,7 +142,7 @@ def test_every_class_and_lighthouse_is_judged_as_in_the_other_engine(map_class, 
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize(("edges", "most"), [(1, 1), (2, 1), (2, 3), (LARGER, 1), (LARGER, 7)])
+@pytest.mark.parametrize(("edges", "most"), [(1, 1), (2, 1), (2, 3), (LARGER, 60)])
 def test_a_run_may_be_played_in_portions(edges, most):
     given, scope = of_library(example(ALGORITHM1)), scope_of(edges)
     whole, players = tally_of(PairHere(given), scope, edges), PairHere(given, most)
@@ -150,25 +150,26 @@ def test_a_run_may_be_played_in_portions(edges, most):
     assert players.portions >= sum(row.episodes for row in whole.rows.values()) // most
 
 
-@pytest.mark.parametrize("source", ["c/algorithm1.c", "wrong"])
-def test_what_is_found_is_what_the_other_engine_finds(source, wrong):
-    explore = wrong("one_schedule") if source == "wrong" else f"native:{example(source)}"
+@pytest.mark.no_cover
+def test_what_is_found_is_what_the_other_engine_finds(wrong):
     both = [
-        check(explore, edges=3, schedules="all", max_findings=5, engine=engine).to_json()
+        check(
+            wrong("one_schedule"), edges=3, schedules="all", max_findings=5, engine=engine
+        ).to_json()
         for engine in ("kernel", "python")
     ]
     for document in both:
         del document["engine"]
     assert both[0] == both[1]
-    assert bool(both[0]["findings"]) == (source == "wrong")
+    assert both[0]["findings"]
 
 
 @pytest.mark.no_cover
 def test_the_worst_and_the_best_are_those_of_the_other_engine(monkeypatch):
     library = f"native:{example(ALGORITHM1)}"
-    theirs = worst(library, edges=3).to_json()
+    theirs = worst(library, edges=2).to_json()
     monkeypatch.setattr("allworlds.engines.compiled.sizes.SCHEDULES_FROM", 1)
-    assert worst(library, edges=3).to_json() == theirs
+    assert worst(library, edges=2).to_json() == theirs
 
 
 def test_the_cheapest_schedule_may_cost_nothing():
@@ -398,9 +399,11 @@ def test_state_that_is_kept_from_schedule_to_schedule_is_found(code):
     assert finding.law == "nondeterministic"
 
 
-def test_logs_that_cannot_be_read_are_not_believed():
-    given, scope = of_library(example(ALGORITHM1)), scope_of(LARGER)
-    whole = one_by_one(given[0], scope, LARGER)
+@pytest.mark.no_cover
+def test_logs_that_cannot_be_read_are_not_believed(monkeypatch):
+    given, scope = of_library(example(ALGORITHM1)), scope_of(2)
+    whole = one_by_one(given[0], scope, 2)
+    monkeypatch.setattr(PlayedByStretches, "_compared", 0)
 
     def half(said, _):
         return StretchResult(said.size // 2, 0)
@@ -412,7 +415,7 @@ def test_logs_that_cannot_be_read_are_not_believed():
         return StretchResult(0, 0)
 
     for said in (half, few, none):
-        assert told(tally_of(PairHere(given, said=said), scope, LARGER)) == told(whole)
+        assert told(tally_of(PairHere(given, said=said), scope, 2)) == told(whole)
 
 
 @pytest.mark.parametrize("edges", [1, LARGER])
