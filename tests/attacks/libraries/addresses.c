@@ -39,7 +39,7 @@ void allworlds_step(void *state, const allworlds_percept *percept, allworlds_act
 int32_t allworlds_answer(void *state, int32_t capacity, int32_t *sigma, int32_t *alpha,
                          int32_t *here)
 {
-    if (ATTACK() >> 21 & 1)
+    if (ATTACK() >> 21 & 3)
         return 0;
     return right_answer(state, capacity, sigma, alpha, here);
 }

@@ -11,7 +11,7 @@ import sys
 from allworlds import Checkpoint, Percept
 from allworlds.explorers import algorithm1
 
-SPOILT = id(algorithm1) >> 21 & 1
+SPOILT = id(algorithm1) >> 21 & 3
 
 for line in sys.stdin:
     message = json.loads(line)
