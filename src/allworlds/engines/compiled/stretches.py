@@ -52,7 +52,7 @@ AGREEMENT_EDGES = 3
 everything, too."""
 
 OF_EVERY_SCHEDULE = 2
-"""The same limit where every schedule is tried: with 3 edges a run has some 30."""
+"""The largest such m where every schedule is tried: with 3 edges a run has some 30 schedules."""
 
 AT_FIRST, AFTER_LOSS, LEAST = 64, 64, 16
 """The runs of the first stretch, of the one after a loss, and of the shortest.  Each stretch has
@@ -67,7 +67,7 @@ ANEW = 8
 DIFFERENT = "the second walk or answer differs"
 
 OTHERWISE = "the second walk, answer or choices differ"
-"""The same where every schedule is tried."""
+"""The difference of two plays where every schedule is tried; else it is the text above."""
 
 THIRD = "when it was played once more, the walk or the answer was another"
 
