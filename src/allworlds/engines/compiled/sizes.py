@@ -8,7 +8,7 @@ COMPILED_FROM = 5
 """The least m of a check that is worth the compiling; smaller ones end before it would."""
 
 SCHEDULES_FROM = 4
-"""The least m of a check of every schedule that is compiled: a run has up to some hundreds there."""
+"""The least m of a check of every schedule that is compiled: its runs have up to some hundreds."""
 
 WALKED_FROM = 6
 """The least m whose maps are walked once for every bearing, where that can be done.  Up to
