@@ -182,7 +182,9 @@ def test_the_faces_of_a_simple_map_give_it_back():
         (["abc"], "never walked back"),
         (["abc", "abc"], "from 'a' to 'b' is walked twice; parallel edges .* from_cycles"),
         (["aa"], "'a' has a loop.*from_cycles"),
-        (["abc", "cba", "ade", "eda"], "connected"),
+        (["abc", "acb", "ade", "aed"], "at vertex 'a' 2 pieces of surface meet"),
+        (["abc", "acb", "dce", "dec", "cfg", "cgf"], "at vertex 'c' 3 pieces of surface meet"),
+        (["abc", "acb", "def", "dfe"], "vertex 'd' cannot be reached from vertex 'a'; .*connected"),
     ],
 )
 def test_faces_that_close_no_surface_are_refused(faces, said):

@@ -9,7 +9,7 @@ one of the two.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import Any
 
 from allworlds.inputs import InputError, show
@@ -104,7 +104,6 @@ def _assembled(vertices: Mapping[Any, Sequence[Any]]) -> CombinatorialMap:
             darts_of.setdefault(name, []).append(dart)
             vertex_at.append(v)
     alpha = [0] * len(sigma)
-    part = {v: v for v in vertices}
     for name, darts in darts_of.items():
         if len(darts) != 2:
             raise InvalidMap(
@@ -112,14 +111,21 @@ def _assembled(vertices: Mapping[Any, Sequence[Any]]) -> CombinatorialMap:
             )
         d, e = darts
         alpha[d], alpha[e] = e, d
-        _join(part, vertex_at[d], vertex_at[e])
+    ensure_connected([*vertices], ([vertex_at[d] for d in ds] for ds in darts_of.values()))
+    return CombinatorialMap(tuple(sigma), tuple(alpha))
+
+
+def ensure_connected(vertices: Sequence[Any], edges: Iterable[Sequence[Any]]) -> None:
+    """Raise InvalidMap, naming a vertex, unless the edges connect all vertices."""
+    part = {v: v for v in vertices}
+    for v, w in edges:
+        _join(part, v, w)
     for v in vertices:
-        if _part(part, v) != _part(part, vertex_at[0]):
+        if _part(part, v) != _part(part, vertices[0]):
             raise InvalidMap(
-                f"vertex {show(v)} cannot be reached from vertex {show(vertex_at[0])}; "
+                f"vertex {show(v)} cannot be reached from vertex {show(vertices[0])}; "
                 "a map is connected"
             )
-    return CombinatorialMap(tuple(sigma), tuple(alpha))
 
 
 def _part(part: dict[Any, Any], v: Any) -> Any:

@@ -7,8 +7,8 @@ from collections.abc import Hashable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from allworlds.inputs import show
-from allworlds.maps.build import from_rotation
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.maps.build import ensure_connected, from_rotation
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -87,7 +87,8 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
             :func:`~allworlds.maps.build.from_cycles` takes parallel edges and loops, too.
 
     Raises:
-        InvalidMap: naming an edge that is not walked so, or a vertex at which two pieces meet.
+        InvalidMap: naming an edge that is not walked so, a vertex at which two pieces meet, or
+            one that no walk along edges reaches.
 
     Cost: O(m).
     """
@@ -114,14 +115,13 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     # phi = sigma . alpha, so that sigma = phi . alpha.
     alpha = [number[b, a] for a, b in phi]
     sigma = [number[phi[b, a]] for a, b in phi]
-    map_ = CombinatorialMap(sigma, alpha)
-    at = list(dict.fromkeys(a for a, _ in phi))
-    if map_.vertex_count > len(at):
-        ways = list(phi)
-        pieces = Counter(ways[darts[0]][0] for darts in map_.vertices)
-        (vertex, count), *_ = pieces.most_common(1)
-        raise InvalidMap(f"at vertex {show(vertex)} {count} pieces of surface meet; 1 is legal")
-    return map_
+    ways = list(phi)
+    pieces = Counter(ways[around[0]][0] for around in cycles(sigma))
+    for vertex, count in pieces.most_common(1):
+        if count > 1:
+            raise InvalidMap(f"at vertex {show(vertex)} {count} pieces of surface meet; 1 is legal")
+    ensure_connected([*pieces], ways)
+    return CombinatorialMap(sigma, alpha)
 
 
 def from_planar_embedding(embedding: nx.PlanarEmbedding) -> CombinatorialMap:
