@@ -1,3 +1,5 @@
+import re
+
 import networkx as nx
 import pytest
 
@@ -8,12 +10,15 @@ from allworlds.maps import (
     from_faces,
     from_networkx,
     from_planar_embedding,
+    from_rotation,
     isomorphism,
     lattice,
     named_map,
+    networks,
     rooted_maps_by_permutations,
     to_networkx,
 )
+from allworlds.maps.surgery import deleted
 from allworlds.world import Directional, InvalidWorld, World
 
 
@@ -148,6 +153,205 @@ def test_attributes_that_are_no_darts_are_refused():
     graph.add_edge(0, 1, darts=(0, 2))
     with pytest.raises(InvalidMap, match=r"the darts '?\[0, 2\]'? are not 0..1"):
         from_networkx(graph)
+
+
+@pytest.mark.parametrize(
+    ("edges", "said"),
+    [
+        ([(0, 0), (0, 1)], "node 0 has an edge to itself; maps.from_cycles takes loops"),
+        ([(0, 1), (1, 2), (2, 0), ("c", "c"), (2, "c")], "node 'c' has an edge to itself"),
+        ([(0, 0)], "node 0 has an edge to itself"),
+    ],
+)
+def test_a_loop_of_a_plain_graph_is_refused(edges, said):
+    with pytest.raises(InvalidMap, match=said):
+        from_networkx(nx.Graph(edges))
+
+
+def k4(change):
+    graph = to_networkx(named_map("k4"))
+    return change(graph) or graph
+
+
+def with_an_edge_moved(graph):
+    graph.remove_edge(0, 1, 0)
+    graph.add_edge(2, 3, key=0, darts=(0, 3))
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (
+            lambda g: g.add_edges_from([(0, 1)]) and None,
+            "the edge from 0 to 1 has no attribute 'darts'",
+        ),
+        (
+            lambda g: g.add_edges_from([(1, 1)]) and None,
+            "the edge from 1 to 1 has no attribute 'darts'",
+        ),
+        (with_an_edge_moved, "the edge from 2 to 3 has the darts [0, 3]"),
+        (lambda g: nx.contracted_nodes(g, 0, 1), "the edge from 0 to 2 has the darts [5, 7]"),
+        (lambda g: g.remove_edge(0, 1), "no edge has dart 0 of node 0, nor dart 3 of node 1"),
+        (lambda g: g.remove_node(3), "no edge has dart 2 of node 0, nor dart 4 of node 1"),
+        (lambda g: g.add_node(4), "node 4 has no attribute 'darts'"),
+        (lambda g: nx.Graph(g.edges(data=True)), "node 0 has no attribute 'darts'"),
+        (lambda g: g.add_node(4, darts=()), "node 4 has darts = ()"),
+        (lambda g: g.add_node(3, darts="7, 10, 9"), "node 3 has darts = '7, 10, 9'"),
+        (lambda g: g.add_node(3, darts=7), "node 3 has darts = 7"),
+        (lambda g: g.add_node(4, darts=(1,)), "dart 1 is at the nodes 0 and 4"),
+        (lambda g: g.edges[0, 1, 0].update(darts=(0, 3, 1)), "from 0 to 1 has the darts [0, 3, 1]"),
+        (lambda g: g.edges[0, 1, 0].update(darts=(0, 99)), "from 0 to 1 has the darts [0, 99]"),
+        (lambda g: g.edges[0, 1, 0].update(darts=(1, 3)), "the edge from 0 to 2 has the darts"),
+    ],
+)
+def test_a_graph_that_was_changed_beside_its_darts_is_refused(change, said):
+    with pytest.raises(InvalidMap, match=re.escape(said)):
+        from_networkx(k4(change))
+
+
+def test_parallel_edges_that_networkx_has_merged_are_refused():
+    merged = nx.Graph(to_networkx(named_map("theta")))
+    with pytest.raises(InvalidMap, match="no edge has dart 0 of node 0"):
+        from_networkx(merged)
+
+
+@pytest.mark.parametrize("name", ["k4", "theta-torus", "two-loops-torus", "bouquet-3", "dipole-4"])
+def test_both_directions_of_an_edge_are_one_edge(name):
+    map_ = named_map(name)
+    assert from_networkx(to_networkx(map_).to_directed()) == map_
+
+
+def test_darts_of_a_simple_map_may_stand_in_a_simple_graph():
+    assert from_networkx(nx.Graph(to_networkx(named_map("k4")))) == named_map("k4")
+
+
+# The always-on comparison, with a wrong importer for each kind of graph.
+
+
+def without_the_last_edge(map_):
+    return deleted(map_, map_.edges[-1][0])
+
+
+GIVEN = {
+    "plain": nx.cycle_graph(5),
+    "embedding": nx.check_planarity(nx.wheel_graph(5))[1],
+    "darts": to_networkx(from_cycles(["a", "abb"])),
+    "directed": to_networkx(from_cycles(["a", "abb"])).to_directed(),
+}
+
+
+@pytest.mark.parametrize("kind", GIVEN)
+def test_an_importer_that_drops_an_edge_is_found_out(kind, monkeypatch):
+    assert from_networkx(GIVEN[kind])
+    drop = {
+        "from_rotation": lambda rotation: without_the_last_edge(from_rotation(rotation)),
+        "CombinatorialMap": lambda *pair: without_the_last_edge(CombinatorialMap(*pair)),
+    }
+    for name, wrong in drop.items():
+        monkeypatch.setattr(networks, name, wrong)
+    with pytest.raises(InvalidMap, match=r"edges from . to . is 1 in the graph, 0 in the map"):
+        from_networkx(GIVEN[kind])
+
+
+@pytest.mark.parametrize(
+    ("cycles", "nodes", "said"),
+    [
+        ("ab ab", (0, 1), None),
+        ("aab b", (0, 1), "from 0 to 1 is 2 in the graph, 1 in the map"),
+        ("abcc ab", (0, 1), "from 0 to 0 is 0 in the graph, 1 in the map"),
+        ("abc abc", (0, 1), "from 0 to 1 is 2 in the graph, 3 in the map"),
+        ("ab a b", (0, 1, 1), "the graph has 2 nodes, but the map 3"),
+    ],
+)
+def test_the_edges_of_the_map_are_compared_with_those_of_the_graph(cycles, nodes, said):
+    map_, graph = from_cycles(cycles.split()), nx.MultiGraph([(0, 1), (0, 1)])
+    if said is None:
+        assert networks._compared(map_, nodes, graph) is map_
+    else:
+        with pytest.raises(InvalidMap, match=said):
+            networks._compared(map_, nodes, graph)
+
+
+@pytest.mark.parametrize(
+    "graph",
+    [
+        nx.triangular_lattice_graph(2, 2),
+        nx.random_geometric_graph(9, 2, seed=1),  # K9, which is not planar
+        nx.MultiGraph(nx.triangular_lattice_graph(2, 2)),
+    ],
+)
+def test_positions_are_no_order(graph):
+    with pytest.raises(InvalidMap, match=r"attribute 'pos'.*maps\.from_rotation") as refused:
+        from_networkx(graph)
+    assert repr(next(iter(graph))) in str(refused.value)
+
+
+def test_positions_beside_an_order_are_not_read():
+    graph, embedding = to_networkx(named_map("k4-torus")), nx.check_planarity(nx.path_graph(3))[1]
+    for given in (graph, embedding):
+        nx.set_node_attributes(given, (0.0, 0.0), "pos")
+    assert from_networkx(graph) == named_map("k4-torus")
+    assert from_networkx(embedding).edge_count == 2
+
+
+def star():
+    embedding = nx.PlanarEmbedding()
+    embedding.set_data({0: [1, 2, 3, 4], 1: [0], 2: [0], 3: [0], 4: [0]})
+    return embedding
+
+
+def two_cycles():
+    embedding = star()
+    for a, b in ((1, 2), (2, 1), (3, 4), (4, 3)):
+        embedding[0][a]["cw"] = b
+        embedding[0][b]["ccw"] = a
+    return embedding
+
+
+def never_back():
+    embedding = star()
+    embedding[0][4]["cw"] = 2  # 1, 2, 3, 4, 2, ...
+    return embedding
+
+
+def stale():
+    embedding = nx.PlanarEmbedding()
+    embedding.set_data({0: [1, 2, 3], 1: [2, 0], 2: [0, 1], 3: [0]})
+    nx.DiGraph.remove_edge(embedding, 0, 2)
+    nx.DiGraph.remove_edge(embedding, 2, 0)
+    return embedding
+
+
+def two_orders():
+    embedding = star()
+    for a, b in ((1, 3), (3, 2), (2, 4), (4, 1)):
+        embedding[0][b]["ccw"] = a
+    return embedding
+
+
+@pytest.mark.parametrize(
+    ("embedding", "vertex"),
+    [
+        (two_cycles(), 0),
+        (never_back(), 0),
+        (stale(), 0),
+        (two_orders(), 0),
+        (nx.PlanarEmbedding({1: {2: {}}, 2: {1: {}}}), 1),
+        (nx.PlanarEmbedding({1: {3: {}}, 2: {1: {"cw": 1, "ccw": 1}}, 3: {1: {}}}), 1),
+    ],
+)
+def test_pointers_that_are_no_order_are_refused_by_their_vertex(embedding, vertex):
+    with pytest.raises(
+        InvalidMap, match=f"at vertex {vertex} 'cw' and 'ccw' do not lead once round"
+    ):
+        from_networkx(embedding)
+
+
+def test_an_edge_that_an_embedding_has_in_one_direction_is_refused():
+    embedding = nx.PlanarEmbedding()
+    embedding.set_data({0: [1, 2], 1: [0, 2], 2: [1]})
+    with pytest.raises(InvalidMap, match="vertex 0 lists 2, but 2 does not list 0"):
+        from_networkx(embedding)
 
 
 # The tetrahedron; the torus of seven vertices (A. F. Moebius, 1861): i, i+1, i+3 and i, i+3, i+2.
