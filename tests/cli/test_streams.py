@@ -1,6 +1,7 @@
 """Standard streams that are closed or full."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -96,8 +97,18 @@ def test_all_streams_may_be_closed():
     assert shell("count --edges x <&- >&- 2>&-") == (2, "", "")
 
 
-def test_a_reader_that_has_gone_is_no_error():
-    assert shell("count --edges 2 | true; echo $?")[1] == "0\n"
+@pytest.mark.parametrize("columns", ["100", "50"])
+@pytest.mark.parametrize(
+    "words", ["count --edges 2", "--version", "--help", "", "check --help", "paper", "paper -h"]
+)
+def test_a_reader_that_has_gone_is_no_error(cli, monkeypatch, words, columns):
+    monkeypatch.setenv("COLUMNS", columns)
+    reader, writer = os.pipe()
+    os.close(reader)
+    with os.fdopen(writer, "w") as gone:
+        monkeypatch.setattr(sys, "stdout", gone)
+        code, _, err = cli(*words.split())
+    assert (code, err) == (0, "")
 
 
 def test_the_words_of_an_explorer_give_no_orders_to_a_terminal(cli, refused, tmp_path):

@@ -22,7 +22,7 @@ from allworlds import engines
 from allworlds.cli.groups import grouped
 from allworlds.cli.helping import made_helpful
 from allworlds.cli.made_by import beginning
-from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable
+from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable, say
 from allworlds.cli.plain_command import plain_command
 from allworlds.inputs import InputError, show
 from allworlds.outcome import Exit
@@ -101,7 +101,7 @@ def _unasked() -> None:
 
 def _help(context: typer.Context) -> None:
     if context.invoked_subcommand is None:
-        typer.echo(context.get_help())
+        say(context.get_help)
 
 
 def _common(
@@ -112,9 +112,9 @@ def _common(
     if version:
         from allworlds.version import __version__
 
-        typer.echo(__version__)
+        say(lambda: __version__)
     elif context.invoked_subcommand is None:
-        typer.echo(context.get_help())
+        say(context.get_help)
 
 
 def main() -> NoReturn:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import shutil
 from typing import Any
 
+from allworlds.cli.output import say
+
 NARROW = 80
 """Columns below which the help is plain text: in the columns of its tables names would be cut."""
 
@@ -26,10 +28,17 @@ def made_helpful(command: Any) -> Any:
         option = own(context)
         if option is not None:
             option.metavar = ""
+            option.callback = _help
         return option
 
     command.get_help_option = help_option
     return command
+
+
+def _help(context: Any, _option: object, wanted: bool) -> None:
+    if wanted and not context.resilient_parsing:
+        say(context.get_help)
+        context.exit()
 
 
 def _show_as_written(argument: Any) -> None:

@@ -8,7 +8,7 @@ import os
 import re
 import shutil
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Self
 
@@ -94,6 +94,15 @@ def emit(result: Report, verb: str, output: OutputGroup, workers: int | None = N
     if result.exit_code == Exit.INTERRUPTED:
         complain("interrupted; the report tells what was finished")
     return result.exit_code
+
+
+def say(text: Callable[[], str]) -> None:
+    """Print a text on which no verdict depends, whether or not it is read to its end."""
+    try:
+        print(text(), flush=True)
+    except (BrokenPipeError, SystemExit):
+        # rich prints help itself, and makes a broken pipe the end of the process.
+        abandon_stdout()
 
 
 def abandon_stdout() -> None:
