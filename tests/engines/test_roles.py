@@ -17,7 +17,7 @@ import pytest
 import processes
 import small
 from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, subject_of
-from allworlds.engines.isolation import process, process_tree
+from allworlds.engines.isolation import process, process_tree, world_player
 from allworlds.engines.isolation.failures import GuardianLost, HarnessError
 from allworlds.engines.isolation.jobs import PlayerSetup, PlayRecords, PlayRuns, Trace
 from allworlds.engines.isolation.messages import (
@@ -34,8 +34,9 @@ from allworlds.engines.isolation.process import Guardian, guardian
 from allworlds.engines.isolation.process_tree import is_stopped
 from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
-from allworlds.engines.python.play import Record
-from allworlds.explorers import load
+from allworlds.engines.isolation.world_player import WorldPlayer
+from allworlds.engines.python.play import ExplorerRunner, Record
+from allworlds.explorers import built_in, load
 from allworlds.inputs import InputError
 from allworlds.judging import Fault, Rules, UncheckedAnswer
 from allworlds.maps import Extent, MapClass
@@ -115,6 +116,23 @@ def test_a_player_describes_itself_and_plays_runs_records_and_a_trace(live):
     assert traced[0] == TraceEvent(None)
     assert traced[1] == TraceEvent((0, Percept(1)))
     assert traced[-1].logs[0].ending == logs[0].ending
+
+
+@pytest.mark.parametrize("schedules", ["one", "all"])
+@pytest.mark.parametrize(("limit", "value"), [("CHUNK", 1), ("CHUNK_SECONDS", -1.0)])
+def test_the_last_log_of_a_run_comes_with_the_word_that_the_run_is_finished(
+    monkeypatch, limit, value, schedules
+):
+    # A run whose log has come, and that is not finished, would be played again; if its player is
+    # lost in it then, it would be told twice.
+    monkeypatch.setattr(world_player, limit, value)
+    engine = PythonEngine(Scope(Extent(MapClass.MAPS, 1), Rules(), schedules=schedules), 4)
+    told = []
+    player = WorldPlayer(ExplorerRunner(built_in("algorithm1").player()), told.append)
+    player.play_runs(PlayRuns(engine, UNIT, (0, 1), 7, None))
+    assert len(told) > 1
+    last = {number: at for at, each in enumerate(told) for number, _ in each.logs}
+    assert {number: at for at, each in enumerate(told) for number in each.finished} == last
 
 
 def test_a_player_traces_every_schedule_and_its_choices(live):

@@ -52,12 +52,13 @@ class WorldPlayer:
         ):
             if log is None:
                 finished.append(number)
-            else:
-                logs.append((number, log))
-            if len(logs) >= CHUNK or time.monotonic() > due:
+            # Never between the last log of a run and its end: it would be played again.
+            if logs and (len(logs) >= CHUNK or time.monotonic() > due):
                 self._send(RunLogs(logs, finished))
                 logs, finished = [], []
                 due = time.monotonic() + CHUNK_SECONDS
+            if log is not None:
+                logs.append((number, log))
         if logs or finished:
             self._send(RunLogs(logs, finished))
 
