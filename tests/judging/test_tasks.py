@@ -50,6 +50,21 @@ def vague(world, transcript, answer):
 
 
 vague.over = lambda world, transcript: transcript.cost
+
+calls = []
+
+
+def other_text(world, transcript, answer):
+    calls.append(answer)
+    return f"call {len(calls)}"
+
+
+def every_other(world, transcript, answer):
+    calls.append(answer)
+    return "odd" if len(calls) % 2 else None
+
+
+every_other.over = lambda world, transcript: calls.append(None) or len(calls) % 2 == 1
 """
 
 
@@ -148,6 +163,27 @@ def test_an_estimate_gets_to_a_judge_as_it_is(tmp_path, monkeypatch):
     for name in ("there", "count:x", "home:edges", "map:x"):
         with pytest.raises(InputError, match=rf"'{name}' is not one of map, .*, face, path/to"):
             task_named(name)
+
+
+@pytest.mark.parametrize(
+    ("judge", "says"),
+    [("other_text", "'call 1' and 'call 2'"), ("every_other", "'odd' and None")],
+)
+def test_a_judge_that_is_not_the_same_twice_refutes_nobody(tmp_path, monkeypatch, judge, says):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "judges.py").write_text(JUDGES)
+    refused = rf"^task 'judges.py:{judge}' is no function of the run: asked twice, it says {says} "
+    with pytest.raises(InputError, match=refused + "of a run in "):
+        wrong(f"judges.py:{judge}", EDGE, [0], Said(None))
+
+
+def test_an_over_that_is_not_the_same_twice_ends_no_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "judges.py").write_text(JUDGES)
+    world = task_named("judges.py:every_other").environment(World(EDGE, Nothing()))
+    refused = r"^over of task 'judges.py:every_other' is no .* it says True and False of a run in "
+    with pytest.raises(InputError, match=refused):
+        _ = world.over
 
 
 def test_a_judge_is_given_as_a_function_that_another_process_can_import(tmp_path, monkeypatch):

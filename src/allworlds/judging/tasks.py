@@ -168,11 +168,15 @@ class Task(Struct, frozen=True):
         """Whether a run ends here, as the judge says.
 
         Raises:
-            InputError: if the user's judge raises, or says neither True nor False.
+            InputError: if the user's judge raises, says neither True nor False, or is not the same
+                twice.
         """
-        found = self._asked("over of ", self._judge.over)(walk.world, walk)
+        asked = self._asked("over of ", self._judge.over)
+        found = asked(walk.world, walk)
         if type(found) is not bool:
             raise InputError(f"over of task {show(self.name)} returns {show(found)}, no boolean")
+        if self.code is not None:
+            self._ensure_same("over of ", walk.world, found, asked(walk.world, walk))
         return found
 
     def over_at_the_end(self, world: World, transcript: Transcript) -> bool:
@@ -183,13 +187,30 @@ class Task(Struct, frozen=True):
         """The fault of a finished run; None if there is none.
 
         Raises:
-            InputError: if the user's judge raises, or returns anything else than a text or None.
+            InputError: if the user's judge raises, returns anything else than a text or None, or
+                finds a run wrong and is not the same twice.
         """
-        walk, answer = WalkLog.of(world, transcript), _answer_of(ending)
-        wrong = self._asked("", self._judge)(world, walk, answer)
-        if wrong is not None and not isinstance(wrong, str):
+
+        def asked() -> Any:
+            walk, answer = WalkLog.of(world, transcript), _answer_of(ending)
+            return self._asked("", self._judge)(world, walk, answer)
+
+        wrong = asked()
+        if wrong is None:
+            return None
+        if not isinstance(wrong, str):
             raise InputError(f"task {show(self.name)} returns {show(wrong)}, no text and not None")
+        if self.code is not None:
+            self._ensure_same("", world, wrong, asked())
         return wrong
+
+    def _ensure_same(self, part: str, world: World, found: object, again: object) -> None:
+        """Raise InputError unless the judge, asked twice about one run, says the same."""
+        if again != found:
+            raise InputError(
+                f"{part}task {show(self.name)} is no function of the run: asked twice, it says "
+                f"{show(found)} and {show(again)} of a run in {world.map}"
+            )
 
     def _asked(self, part: str, function: Callable[..., Any]) -> Callable[..., Any]:
         """The function itself, or one of the user's whose errors name it."""
