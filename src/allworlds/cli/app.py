@@ -24,7 +24,7 @@ from allworlds.cli.helping import made_helpful
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable, say
 from allworlds.cli.plain_command import plain_command
-from allworlds.inputs import InputError, show
+from allworlds.inputs import InputError, keep_exit_code, show
 from allworlds.outcome import Exit
 from allworlds.verbs import GROUPS, RENAMED, VERBS, Verb
 
@@ -134,6 +134,7 @@ def main() -> NoReturn:
         # A thread that could not be given up, such as a compiler's, is not waited for.
         sys.stdout.flush()
         os._exit(code)
+    keep_exit_code()  # models may be called at the exit, too
     sys.exit(code)
 
 

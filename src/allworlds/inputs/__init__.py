@@ -2,6 +2,8 @@
 
 ``checks``
     checks of values, and the error that is the user's to mend;
+``exit_code``
+    what keeps a model from setting the exit code of the process;
 ``requests``
     requests: what a verb is asked for, as a value.
 """
@@ -38,6 +40,10 @@ if TYPE_CHECKING:
         read_text as read_text,
         seconds_of as seconds_of,
         show as show,
+    )
+    from allworlds.inputs.exit_code import (
+        keep_exit_code as keep_exit_code,
+        release_exit_code as release_exit_code,
     )
     from allworlds.inputs.requests import (
         AS_IN_PYTHON as AS_IN_PYTHON,

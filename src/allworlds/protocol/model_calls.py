@@ -14,7 +14,12 @@ from contextvars import ContextVar
 from types import FrameType
 from typing import TypeVar
 
-from allworlds.inputs import InputError, let_users_interrupt
+from allworlds.inputs import (
+    InputError,
+    keep_exit_code,
+    let_users_interrupt,
+    release_exit_code,
+)
 from allworlds.protocol.importing import TooLate, said
 
 T = TypeVar("T")
@@ -114,6 +119,7 @@ def _in_time(seconds: float, act: Callable[[], T]) -> T:
     timed = threading.current_thread() is threading.main_thread()
     others, handler = 0.0, None
     _Limit.running = True
+    keep_exit_code()
     try:
         if timed:
             handler = set_handler(signal.SIGALRM, _give_up)
@@ -124,6 +130,7 @@ def _in_time(seconds: float, act: Callable[[], T]) -> T:
             # Somebody else's timer stands still during the call.
             signal.setitimer(signal.ITIMER_REAL, others)
             set_handler(signal.SIGALRM, handler or SIG_DFL)
+        release_exit_code()
         _Limit.running = False
 
 

@@ -1,0 +1,30 @@
+"""The exit code of a process, which is no matter of a model's: it would pass for a verdict."""
+
+from __future__ import annotations
+
+import os
+from typing import NoReturn
+
+_exit = os._exit
+
+
+class _Kept:
+    """The process in which ``os._exit`` is refused; 0 if it is refused nowhere."""
+
+    process = 0
+
+
+def keep_exit_code() -> None:
+    """Refuse ``os._exit`` in this process, and not in those that are forked."""
+    _Kept.process, os._exit = os.getpid(), _refuse
+
+
+def release_exit_code() -> None:
+    """Allow ``os._exit`` again."""
+    _Kept.process, os._exit = 0, _exit
+
+
+def _refuse(status: int) -> NoReturn:
+    if _Kept.process == os.getpid():
+        raise SystemExit(f"os._exit({status}) would end the process")
+    _exit(status)
