@@ -4,10 +4,10 @@ import pytest
 
 import allworlds
 from allworlds.inputs import InputError
-from allworlds.maps import Labelled, classes_of_union
 from allworlds.reports import text
 from allworlds.world import worlds
-from models import PARITY
+from models import HEARD, PARITY
+from small import slow
 
 census, twins = allworlds.ambiguity.census, allworlds.twins
 
@@ -15,6 +15,7 @@ census, twins = allworlds.ambiguity.census, allworlds.twins
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     (tmp_path / "parity.py").write_text(PARITY)
+    (tmp_path / "heard.py").write_text(HEARD)
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -37,30 +38,56 @@ def test_where_every_world_can_be_known_none_is_ambiguous(kind):
     assert all(row.marked_worlds for row in report.rows)
 
 
-def parted(kind, edges):
-    """The parts of all worlds, each with one world of those that are the same but for the start.
-
-    Every two worlds are compared, with all their starts.
-    """
-    parts = []
+def marked(kind, edges):
+    """The worlds, in groups of those that are the same but for the start."""
+    groups = {}
     for world in worlds(edges=edges, lighthouse=kind, places="all"):
-        for part in parts:
-            first, second = classes_of_union(
-                *(Labelled(w.map, w.percepts, w.start) for w in (world, part[0]))
-            )
-            if set(first) & set(second) and world.told == part[0].told:
-                if all(twins(world, other).relation == "different" for other in part):
-                    part.append(world)
+        alike = groups.setdefault(f"{world.told}, {sorted(map(str, world.percepts))}", [])
+        for group in alike:
+            if twins(world, group[0]).relation != "different":
+                group.append(world)
                 break
+        else:
+            alike.append([world])
+    return [group for alike in groups.values() for group in alike]
+
+
+def ambiguous(one, other):
+    """Whether no motion tells the first world of a group from one of the other, by bisimulation."""
+    seen = one[0].told, one[0].first
+    return any(not twins(one[0], b).distinguishable for b in other if (b.told, b.first) == seen)
+
+
+def parted(kind, edges):
+    """The parts of all marked worlds; every two of these are compared, from every start."""
+    parts = []
+    for world in marked(kind, edges):
+        found = [[ambiguous(world, other) for other in part] for part in parts]
+        assert all(len(set(answers)) == 1 for answers in found)
+        mine = [part for part, answers in zip(parts, found, strict=True) if answers[0]]
+        if mine:
+            (part,) = mine
+            part.append(world)
         else:
             parts.append([world])
     return parts
 
 
-@pytest.mark.parametrize("kind", ["none", "compass", "natural", "position", "position+told:n,m"])
-def test_parts_are_those_that_comparing_every_two_worlds_gives(kind):
-    parts = [[w.map for w in part] for part in parted(kind, 2)]
-    report = census(edges=2, lighthouse=kind)
+@pytest.mark.parametrize(
+    ("kind", "edges"),
+    [
+        *((kind, 2) for kind in ("none", "compass", "position", "position+told:n,m")),
+        ("natural", 3),
+        slow("natural", 4),
+        ("heard.py:Words", 2),
+        slow("heard.py:Words", 4),
+        ("heard.py:Neighbour", 2),
+        slow("heard.py:Neighbour", 4),
+    ],
+)
+def test_parts_are_those_that_comparing_every_two_worlds_gives(folder, kind, edges):
+    parts = [[world.map for world, *_ in part] for part in parted(kind, edges)]
+    report = census(edges=edges, lighthouse=kind)
     sizes = {(m.edge_count, m.vertex_count) for part in parts for m in part}
     assert [(cell.edges, cell.vertices) for cell in report.by_vertices] == sorted(sizes)
     for cell in report.by_vertices:
@@ -71,6 +98,16 @@ def test_parts_are_those_that_comparing_every_two_worlds_gives(kind):
         assert cell.ambiguous_worlds == sum(map(sum, shared))
         assert cell.classes == len(shared)
         assert cell.largest_class == max(map(len, shared), default=0)
+
+
+@pytest.mark.parametrize(
+    ("kind", "edges"), [("natural", 4), ("heard.py:Words", 2), ("heard.py:Six", 4)]
+)
+def test_the_pair_is_told_the_same_from_a_start_where_the_lighthouse_can_stand(folder, kind, edges):
+    report = census(edges=edges, lighthouse=kind)
+    one, other = report.pair
+    assert one.told == other.told
+    assert twins(one, other).twins
 
 
 def test_worlds_of_different_sizes_are_twins_where_nothing_is_marked():

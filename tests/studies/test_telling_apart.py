@@ -9,7 +9,17 @@ from allworlds.protocol import Move
 from allworlds.reports import text
 from allworlds.studies.ambiguity import class_of, twins
 from allworlds.studies.ambiguity.telling_apart import Separation, replayed, separation
-from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World, flaw
+from allworlds.world import (
+    LIGHTHOUSES,
+    Compass,
+    Directional,
+    Nothing,
+    Position,
+    World,
+    at_place,
+    flaw,
+)
+from models import HEARD
 from small import stepped
 
 twins_module = sys.modules["allworlds.studies.ambiguity.telling_apart"]
@@ -177,6 +187,16 @@ def test_worlds_of_which_different_things_are_told_are_told_apart_by_no_motion_a
     assert found.to_json()["percepts"] == [[one.first.to_json()], [other.first.to_json()]]
     assert "by 0 motions: before the start {'n': 3} is told" in text("ambiguity twins", found, 100)
     assert "told" not in twins(one, one).to_json()
+
+
+def test_lighthouses_that_differ_in_what_is_told_alone_are_two_places(tmp_path, monkeypatch):
+    (tmp_path / "heard.py").write_text(HEARD)
+    monkeypatch.chdir(tmp_path)
+    one = World(named_map("k4"), "heard.py:Words")
+    other = at_place(one, 1)
+    assert one.percepts == other.percepts
+    assert twins(one, other).relation == "different"
+    assert twins(one, one).relation == "same"
 
 
 def test_worlds_of_different_lighthouses_are_not_compared():

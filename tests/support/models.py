@@ -48,3 +48,60 @@ class Copy(Lighthouse):
     def sensed(self, map_, here):
         return Percept(map_.degree_at[here], int(map_.vertex_of[here] == map_.vertex_of[self.dart]))
 '''
+
+HEARD = '''
+from dataclasses import dataclass
+
+from allworlds import Lighthouse, Percept
+
+
+@dataclass(frozen=True)
+class Words(Lighthouse):
+    """The start's vertex is marked; places differ in the word that is told alone."""
+
+    dart: int
+    word: int
+    gives_bearings = False
+
+    @classmethod
+    def places(cls, map_, start):
+        for word in range(2):
+            yield cls(start, word)
+
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], int(map_.vertex_of[here] == map_.vertex_of[self.dart]))
+
+    def told(self, map_):
+        return self.word
+
+
+@dataclass(frozen=True)
+class Neighbour(Lighthouse):
+    """Nothing is marked; the degree of a neighbour of the start is told."""
+
+    dart: int
+
+    @classmethod
+    def places(cls, map_, start):
+        for bearing in range(map_.degree_at[start]):
+            yield cls(map_.turn(start, bearing))
+
+    def told(self, map_):
+        return {"degree": map_.degree_at[map_.alpha[self.dart]]}
+
+
+@dataclass(frozen=True)
+class Six(Lighthouse):
+    """A marked vertex of degree 6, with two of degree 1; the mark stands at the start's dart."""
+
+    dart: int
+    gives_bearings = False
+
+    @classmethod
+    def places(cls, map_, start):
+        if sorted(map_.degrees) == [1, 1, 6] and map_.degree_at[start] == 6:
+            yield cls(start)
+
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], int(map_.vertex_of[here] == map_.vertex_of[self.dart]))
+'''

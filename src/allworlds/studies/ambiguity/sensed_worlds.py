@@ -90,8 +90,7 @@ class SensedParts(Struct):
         """Take in one world: a start of the map, with the lighthouse at a place."""
         quotient = project(Labelled(world.map, world.percepts, world.start)).quotient
         roots = (quotient.rerooted(q) for q in range(len(quotient.sigma)))
-        told = world.told if not isinstance(world.told, Mapping) else sorted(world.told.items())
-        key = json.dumps([min(map(_quotient_code, roots)), told])
+        key = json.dumps([min(map(_quotient_code, roots)), _told(world)])
         self.parts.setdefault(key, {}).setdefault(_world_code(world), world.to_json())
 
     def meet_marked(self, map_: CombinatorialMap) -> None:
@@ -193,14 +192,20 @@ def _quotient_code(quotient: Quotient) -> list[Any]:
     return [list(quotient.sigma), list(quotient.alpha), list(quotient.degree), labels]
 
 
+def _told(world: World) -> Any:
+    """What is told in the world before the start, numbers with names in their order."""
+    return sorted(world.told.items()) if isinstance(world.told, Mapping) else world.told
+
+
 def _world_code(world: World) -> str:
-    """The map and what is sensed in it, whatever the start: a canonical text."""
+    """The map, what is sensed in it and what is told, whatever the start: a canonical text."""
     map_ = world.map
     return min(
         json.dumps(
             [
                 rooted_code(map_.sigma, map_.alpha, dart),
                 [_label(world.percepts[d]) for d in numbering(map_.sigma, map_.alpha, dart)],
+                _told(world),
             ]
         )
         for dart in map_.darts
@@ -208,12 +213,18 @@ def _world_code(world: World) -> str:
 
 
 def _apart(one: World, other: World) -> ComparedWorlds:
-    """The two compared, the second from the first start from which it looks the same."""
+    """The two compared, the second from the first start from which it looks the same.
+
+    Where the lighthouse cannot stand in the same place from that start, it stands in another one
+    in which the same is sensed and told.
+    """
+    code, kind = _world_code(other), other.lighthouse.as_kind
     for start in other.map.darts:
-        try:
-            found = twins(one, World(other.map, other.lighthouse, start))
-        except InvalidWorld:  # the lighthouse cannot stand there when one starts here
-            continue
-        if found.bisimulation:
-            return found
+        for place in (other.lighthouse, *kind.places(other.map, start)):
+            try:
+                world = World(other.map, place, start)
+            except InvalidWorld:  # the lighthouse cannot stand there when one starts here
+                continue
+            if _world_code(world) == code and (found := twins(one, world)).bisimulation:
+                return found
     raise AssertionError(f"{one} and {other} have one quotient, and are told apart")

@@ -172,7 +172,7 @@ def replayed(a: World, b: World, told: Separation) -> str | None:
 
 
 def _relation(a: World, b: World) -> Relation:
-    if len(a.map.sigma) != len(b.map.sigma):
+    if len(a.map.sigma) != len(b.map.sigma) or a.told != b.told:
         return "different"
     order = numbering(a.map.sigma, a.map.alpha, a.start)
     if _carries_all(a, b, order, b.start):
