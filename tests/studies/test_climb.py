@@ -198,6 +198,22 @@ def test_costs_that_are_no_power_are_said_to_be_none(cost, shape):
     assert f"no: {shape}, " in text_of("compare", told, 120)
 
 
+@pytest.mark.parametrize(
+    ("sizes", "worlds", "said"), [(4, 5, "too few sizes"), (5, 4, "too few worlds"), (5, 5, "..")]
+)
+def test_an_exponent_without_an_interval_is_shown_and_says_why(sizes, worlds, said):
+    costs = {m: [m**2 + i for i in range(worlds)] for m in [10, 20, 40, 80, 160][:sizes]}
+    told = grown({"who": costs})
+    (fitted,) = told.exponents
+    assert fitted.exponent == pytest.approx(2, abs=0.02)
+    document = told.to_json()["exponents"][0]
+    assert (document["interval"] is None) == (said != "..")
+    assert [row["interval"] is None for row in told.to_json()["rows"]] == [worlds < 5] * sizes
+    lines = text_of("compare", told, 120).partition("Fitted exponents")[2].splitlines()
+    assert f"{fitted.exponent:.2f}" in lines[2]
+    assert said in lines[2]
+
+
 def test_two_sizes_fit_any_power_and_a_cost_of_zero_none():
     (fitted,) = grown({"who": {10: [5], 20: [7]}}).exponents
     assert fitted.shape == "untested"

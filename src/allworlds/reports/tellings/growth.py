@@ -17,7 +17,16 @@ from allworlds.reports.telling import (
 from allworlds.reports.tellings.finding import finding_section
 from allworlds.reports.tellings.scope import SAID, explorers_told, options_told
 from allworlds.reports.world_rows import rows_of_worlds
-from allworlds.studies.compare import LEVEL, CostRatio, Exponent, GrowRow, Growth, Shape
+from allworlds.studies.compare import (
+    LEAST_SIZES,
+    LEAST_WORLDS,
+    LEVEL,
+    CostRatio,
+    Exponent,
+    GrowRow,
+    Growth,
+    Shape,
+)
 from allworlds.words import number, plural
 
 
@@ -111,13 +120,19 @@ def _exponents(report: Growth) -> ToldTable:
     rows: list[list[Cell]] = [
         [
             *(one.family, one.explorer),
-            *(Shown(one.exponent, f"{one.exponent:.2f}"), _interval(one, ".2f")),
+            Shown(one.exponent, f"{one.exponent:.2f}"),
+            _interval(one, ".2f") or f"too few {_lacking(one)}",
             *(Shown(one.residual, f"{one.residual:.2f}"), _shape(one)),
         ]
         for one in report.exponents
     ]
     header = ["family", "explorer", "exponent", "interval", "residual", "power law"]
     return ToldTable(header, rows, "Fitted exponents", keys=2)
+
+
+def _lacking(one: Exponent) -> str:
+    """What an exponent without an interval has too few of."""
+    return "sizes" if len(one.fit.distances) < LEAST_SIZES else "worlds"
 
 
 def _shape(one: Exponent) -> str:
@@ -163,13 +178,20 @@ def _facts(report: Growth) -> list[tuple[str, str]]:
             ("worlds", f"different rooted maps of {plural(drawn, 'seed')}; isomorphic ones once"),
             ("runs", "of all places of the lighthouse in them; worst: of these runs"),
             ("mean", "over the worlds, in each over its runs; ratios: geometric mean"),
-            ("interval", f"{LEVEL:.0%}, by a bootstrap over the worlds; -: too few worlds"),
+            (
+                "interval",
+                f"{LEVEL:.0%}, by a bootstrap over the worlds; -: fewer than {LEAST_WORLDS}",
+            ),
         ]
     if any(row.exact for row in report.rows):
         words.append(("exact", "every world that seeds draw was run, in every place"))
     if report.exponents:
         words += [
-            ("exponent", "of the power of the edges that fits all worlds best, in logarithms"),
+            (
+                "exponent",
+                "of the power of the edges that fits all worlds best, in logarithms; its interval "
+                f"takes {LEAST_SIZES} sizes, and {LEAST_WORLDS} worlds of each that is not exact",
+            ),
             ("residual", "standard deviation of the logarithm of the cost about that power"),
         ]
     if report.rows:

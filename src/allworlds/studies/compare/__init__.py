@@ -52,6 +52,10 @@ if TYPE_CHECKING:
         Shape as Shape,
     )
     from allworlds.studies.compare.in_world import InWorld as InWorld
-    from allworlds.studies.compare.intervals import LEVEL as LEVEL
+    from allworlds.studies.compare.intervals import (
+        LEAST_SIZES as LEAST_SIZES,
+        LEAST_WORLDS as LEAST_WORLDS,
+        LEVEL as LEVEL,
+    )
 else:
     open_door(__name__)

@@ -28,6 +28,7 @@ from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.studies.compare.growing_families import member_named
 from allworlds.studies.compare.in_world import InWorld
 from allworlds.studies.compare.intervals import (
+    LEAST_SIZES,
     LEAST_WORLDS,
     LEVEL,
     NEAR,
@@ -150,7 +151,8 @@ class Exponent(Document):
     interval: Annotated[
         Pair[float] | None,
         about(
-            f"by a bootstrap over the worlds of each size, at {LEVEL:.0%}; null: exact, or too few"
+            f"by a bootstrap over the worlds of each size, at {LEVEL:.0%}; null: exact, or fewer "
+            f"than {LEAST_SIZES} sizes, or than {LEAST_WORLDS} worlds of one that is not exact"
         ),
     ] = computed(lambda one: _rounded(one.fit.interval, 3))
     residual: Annotated[

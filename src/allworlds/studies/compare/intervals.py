@@ -1,7 +1,9 @@
 """Intervals of means, ratios and exponents by the bootstrap over worlds.
 
 The worlds of one size are a sample, unless they are all there are: then their mean is exact, and
-has no interval.  A *bootstrap* draws as many worlds again from these, with
+has no interval.  What is found in too few worlds or sizes has none either: the worlds of a size
+are the different ones in which an explorer was run, and a single one shows no spread.  A
+*bootstrap* draws as many worlds again from these, with
 repetition, :data:`DRAWS` times, and takes the middle of the values found.  Small samples make a
 plain bootstrap too narrow, so that the tails that are cut off are made smaller, by the factor that
 turns the plain interval of a normal population into Student's.  Of normal samples of 5 worlds 93%
@@ -29,7 +31,10 @@ LEVEL = 0.95
 """The share of intervals that should hold the true value."""
 
 LEAST_WORLDS = 5
-"""The smallest sample that has an interval."""
+"""The smallest sample that has an interval: different worlds of one size."""
+
+LEAST_SIZES = 5
+"""The least number of sizes from which an exponent has an interval."""
 
 NEAR = 0.1
 """The largest distance of a size from a power law that is not called one, as a share."""
@@ -42,8 +47,9 @@ class PowerLaw(Struct, frozen=True):
 
     Attributes:
         exponent: its slope.
-        interval: of the exponent, with a sample of each size that is not exact; None for too few
-            worlds, or if all are exact.
+        interval: of the exponent, with a sample of each size that is not exact; None for fewer than
+            :data:`LEAST_SIZES` sizes, a sample of fewer than :data:`LEAST_WORLDS` worlds, or if all
+            are exact.
         residual: the standard deviation of log cost about the line, over all worlds.
         distances: by the number of edges, how far the geometric mean of the costs is from the
             line, as a share: 0.1 is a tenth above it.
@@ -131,11 +137,11 @@ def _near(logs: Sequence[float], distance: float, exact: bool) -> bool:
 def _slope_interval(
     logs: Mapping[int, Sequence[float]], weights: Mapping[int, float], exact: Collection[int]
 ) -> Interval | None:
-    """The interval of the slope: each size is a sample of its own, a single world, or exact."""
-    logs = {m: [_mean(ys)] if m in exact else ys for m, ys in logs.items()}
-    samples = [len(ys) for ys in logs.values() if len(ys) > 1]
-    if sum(samples) - len(samples) < LEAST_WORLDS - 1:
+    """The interval of the slope: each size is a sample of its own, or exact."""
+    samples = [len(ys) for m, ys in logs.items() if m not in exact]
+    if len(logs) < LEAST_SIZES or min(samples, default=0) < LEAST_WORLDS:
         return None
+    logs = {m: [_mean(ys)] if m in exact else ys for m, ys in logs.items()}
     # Draws of two sizes must not be the same ones.
     drawn = (weights[m] * _means(ys, seed) for seed, (m, ys) in enumerate(logs.items()))
     return _middle(sum(drawn), _tail(samples))
