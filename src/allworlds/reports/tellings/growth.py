@@ -131,7 +131,7 @@ def _exponents(report: Growth) -> ToldTable:
 
 
 def _lacking(one: Exponent) -> str:
-    """What an exponent without an interval has too few of."""
+    """The word for that of which an exponent without an interval has too few."""
     return "sizes" if len(one.fit.distances) < LEAST_SIZES else "worlds"
 
 
@@ -178,20 +178,15 @@ def _facts(report: Growth) -> list[tuple[str, str]]:
             ("worlds", f"different rooted maps of {plural(drawn, 'seed')}; isomorphic ones once"),
             ("runs", "of all places of the lighthouse in them; worst: of these runs"),
             ("mean", "over the worlds, in each over its runs; ratios: geometric mean"),
-            (
-                "interval",
-                f"{LEVEL:.0%}, by a bootstrap over the worlds; -: fewer than {LEAST_WORLDS}",
-            ),
+            ("interval", f"{LEVEL:.0%}, by a bootstrap over the worlds; -: too few worlds"),
         ]
     if any(row.exact for row in report.rows):
         words.append(("exact", "every world that seeds draw was run, in every place"))
     if report.exponents:
+        best = "of the power of the edges that fits all worlds best, in logarithms"
+        needs = f"{LEAST_SIZES} sizes, and {LEAST_WORLDS} worlds of each that is not exact"
         words += [
-            (
-                "exponent",
-                "of the power of the edges that fits all worlds best, in logarithms; its interval "
-                f"takes {LEAST_SIZES} sizes, and {LEAST_WORLDS} worlds of each that is not exact",
-            ),
+            ("exponent", f"{best}; its interval takes {needs}"),
             ("residual", "standard deviation of the logarithm of the cost about that power"),
         ]
     if report.rows:

@@ -193,7 +193,7 @@ def _quotient_code(quotient: Quotient) -> list[Any]:
 
 
 def _told(world: World) -> Any:
-    """What is told in the world before the start, numbers with names in their order."""
+    """The value told in the world before the start; numbers with names stand in order."""
     return sorted(world.told.items()) if isinstance(world.told, Mapping) else world.told
 
 
