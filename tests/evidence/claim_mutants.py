@@ -696,9 +696,6 @@ MUTANTS = (
            folder=damaged("smallest-pairs/planar-simple-m2.lrat.xz", half), slow=True),
     Mutant("cert-natural-lighthouse", "two numbers of a bisimulation have changed places",
            folder=damaged("natural-lighthouse/pair.json", exchanged), slow=True),
-    Mutant("cert-second-opinions", "an assertion is missing",
-           folder=damaged("second-opinions/bound-polynomial.smt2", without_an_assertion),
-           slow=True),
     *(
         without(claim.id, what)
         for claim in manifest()

@@ -91,7 +91,6 @@ CHECKS: Checks = {
             "cert-no-twins-directional",
             "cert-smallest-pairs",
             "cert-natural-lighthouse",
-            "cert-second-opinions",
         ),
         certificate,
     ),
