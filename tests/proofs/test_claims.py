@@ -87,8 +87,7 @@ def test_the_manifest_names_every_certificate(proofs):
     named = set(json.loads((proofs / "manifest.json").read_text()))
     kinds = (".xz", ".json", ".smt2")
     there = {str(p.relative_to(proofs)) for p in proofs.glob("*/*") if p.suffix in kinds}
-    # digests of theorems are no certificate: coqc and statements.py look at them
-    assert named == there - {"coq/statements.json"}
+    assert named == there
 
 
 def test_every_claim_has_its_statement(proofs):
