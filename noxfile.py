@@ -90,12 +90,11 @@ def bench(session: nox.Session) -> None:
 
 @nox.session
 def proofs(session: nox.Session) -> None:
-    """Check every certificate, every second opinion and the Coq development, with times."""
+    """Check every certificate and the Coq development, with times."""
     session.install(".[proofs]")
     certificate = f"{session.create_tmp()}/algorithm1.v"
     steps = (
         ("python", "proofs/check.py"),
-        ("python", "proofs/second-opinions/check.py"),
         ("make", "-j2", "-C", "proofs/coq"),
         ("make", "-C", "proofs/coq", "explorer", "mutants"),
         ("make", "-C", "proofs/coq", "enumeration", f"PYTHON={session.bin}/python"),

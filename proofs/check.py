@@ -26,7 +26,6 @@ CLAIMS = [
     "no-twins-directional",
     "smallest-pairs",
     "natural-lighthouse",
-    "second-opinions",
 ]
 CERTIFICATES = (".xz", ".json", ".smt2")
 """How the names of the files end that the manifest has the digests of."""

@@ -4,9 +4,8 @@
 
    Each part requires what its file requires: a name may mean something else in the other.
 
-   The tests compare the names with the table of README.md, and the texts with those of the theorems.
-   statements.json has a digest of each statement together with the definitions that it rests on, as
-   statements.py finds them: a definition is changed on purpose, or not at all.
+   check_assumptions.py sees that each theorem has its Check. What a definition means is not said here:
+   mutants/ has wrong ones, which break a proof or a statement.
    --------------------------------------------------------------------------------------------- *)
 Set Implicit Arguments.
 Unset Strict Implicit.

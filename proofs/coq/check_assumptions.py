@@ -2,6 +2,7 @@
 
 Usage: check_assumptions.py FILE.v ...   (in the folder of the compiled files)
 
+Statements.v must state each of these theorems: Coq has checked that it is what the theorem says.
 Every file of the folder is read besides for words that assume something or switch a check off.
 """
 
@@ -71,6 +72,12 @@ def not_a_theorem(text: str) -> list[str]:
     return [s.splitlines()[0] for s in sentences(text) if not HEADLINE.match(s)]
 
 
+def stated(text: str) -> list[str]:
+    """The names of the theorems whose statements a file has, as ``Check (@name : statement)``."""
+    found = (re.match(r"Check \(@([\w']+) :", sentence) for sentence in sentences(text))
+    return [match[1] for match in found if match]
+
+
 def assumptions(source: pathlib.Path) -> list[tuple[str, str]]:
     """Each theorem of a file with what Coq prints of its assumptions.
 
@@ -103,6 +110,8 @@ def main() -> int:
     for name, answer in found:
         print(f"{name}: {answer}")
     bad = [name for name, answer in found if answer != CLOSED]
+    statements = stated(pathlib.Path("Statements.v").read_text())
+    bad += [f"{name}: not stated in Statements.v" for name, _ in found if name not in statements]
     for path in sorted(pathlib.Path().glob("*.v")):
         bad += [f"{path}: {word}" for word in suspect(path.read_text())]
     for path in sources:

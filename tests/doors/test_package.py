@@ -18,7 +18,6 @@ ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 NOT_FOR_EXPLORERS = (
-    "cvc5",
     "distributed",
     "hypothesis",
     "llvmlite",

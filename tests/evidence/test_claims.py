@@ -191,21 +191,17 @@ def test_a_certificate_counts_as_its_checker_says(proofs):
 
 def test_without_a_folder_or_coq_or_time_nothing_is_said(proofs, monkeypatch):
     assert "--proofs" in machine.certificate(Means(), claim="cycles").reason
-    assert "--proofs" in machine.theorem(Means(), names=["x"], says=["0" * 16]).reason
+    assert "--proofs" in machine.theorem(Means(), names=["x"]).reason
     quick = Means(proofs=proofs(0).proofs)
-    assert "--budget full" in machine.theorem(quick, names=["x"], says=["0" * 16]).reason
+    assert "--budget full" in machine.theorem(quick, names=["x"]).reason
     monkeypatch.setenv("PATH", "")
-    assert machine.theorem(proofs(0), names=["x"], says=["0" * 16]).reason == "Coq is not installed"
+    assert machine.theorem(proofs(0), names=["x"]).reason == "Coq is not installed"
 
 
 MAKEFILE = """
 assumptions:
 	@test -f Main.v && test ! -f Main.vo && {command}
-says:
-	@printf 'a {a}\\nb {b}\\n'
 """
-
-SAYS = {"a": "a" * 16, "b": "b" * 16}
 
 
 @pytest.fixture
@@ -213,7 +209,7 @@ def coq(tmp_path, monkeypatch):
     def made(command):
         folder = tmp_path / "coq"
         folder.mkdir()
-        (folder / "Makefile").write_text(MAKEFILE.format(command=command, **SAYS))
+        (folder / "Makefile").write_text(MAKEFILE.format(command=command))
         (folder / "Main.v").touch()
         (folder / "Main.vo").touch()
         monkeypatch.setattr(machine.shutil, "which", lambda name: name)
@@ -226,19 +222,13 @@ def coq(tmp_path, monkeypatch):
 
 def test_a_theorem_counts_if_it_is_built_anew_and_rests_on_nothing(coq):
     means = coq("printf 'a: Closed under the global context\\nb: Axioms:\\n'")
-    assert machine.theorem(means, names=["a"], says=[SAYS["a"]]).verdict == "holds"
-    found = machine.theorem(means, names=["a", "b", "c"], says=[*SAYS.values(), "c" * 16])
+    assert machine.theorem(means, names=["a"]).verdict == "holds"
+    found = machine.theorem(means, names=["a", "b", "c"])
     assert (found.verdict, found.told) == ("refuted", "not proved without axioms: b, c")
 
 
-def test_a_theorem_that_says_something_else_is_none_of_the_claims(coq):
-    means = coq("printf 'a: Closed under the global context\\n'")
-    found = machine.theorem(means, names=["a"], says=[SAYS["b"]])
-    assert (found.verdict, found.told) == ("refuted", "say something else: a")
-
-
 def test_a_build_that_fails_refutes(coq):
-    found = machine.theorem(coq("echo wrong && false"), names=["a"], says=[SAYS["a"]])
+    found = machine.theorem(coq("echo wrong && false"), names=["a"])
     assert found.verdict == "refuted"
     assert "wrong" in found.told
 

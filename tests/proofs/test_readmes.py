@@ -1,6 +1,5 @@
 """READMEs of the proofs name only files, theorems, statements and claims that exist."""
 
-import json
 import re
 from pathlib import Path
 
@@ -9,12 +8,6 @@ import pytest
 PROOFS = Path(__file__).parents[2] / "proofs"
 READMES = [path for path in sorted(PROOFS.glob("**/README.md")) if path.parent.name != "coq"]
 ROOT = PROOFS.parent
-
-
-def tables(text):
-    """The cells of each row that begins with a name in backticks."""
-    rows = [line.strip("|").split("|") for line in text.splitlines() if line.startswith("| `")]
-    return [[cell.strip() for cell in row] for row in rows]
 
 
 def code(text):
@@ -35,25 +28,10 @@ def test_each_claim_has_a_readme_and_a_row():
     assert {name for name, _ in rows} == {folder for _, folder in rows} == claims
 
 
-def test_second_opinions_are_all_listed_and_the_theorems_that_they_name_are_there():
-    folder = PROOFS / "second-opinions"
-    there = {p.stem for p in folder.glob("*.smt2") if not p.name.endswith(".model.smt2")}
-    rows = tables((folder / "README.md").read_text(encoding="utf-8"))
-    assert sorted(name for row in rows for name in code(row[0])) == sorted(there)
-    known = theorems()
-    mutants = {m["name"] for m in json.loads((PROOFS / "coq/mutants/mutants.json").read_text())}
-    for row in rows:
-        named = code(row[2])
-        assert named, row
-        for name in named:
-            assert name in (mutants if "mutant" in row[2] else known), row
-
-
-def test_theorems_that_the_other_readmes_name_are_there():
+def test_theorems_that_the_readmes_name_are_there():
     named = set()
     for path in READMES:
-        if path.parent.name != "second-opinions":
-            named |= {n for n in code(path.read_text()) if re.fullmatch(r"[a-z]+(_[a-z]+){3,}", n)}
+        named |= {n for n in code(path.read_text()) if re.fullmatch(r"[a-z]+(_[a-z]+){3,}", n)}
     assert "no_information_is_not_enough" in named
     assert named <= theorems()
 
@@ -71,7 +49,6 @@ def test_links_and_files_that_a_readme_names_are_there(path):
     for name in code(text):
         if re.fullmatch(r"[\w/-]+\.(py|json|v)", name):
             found = [path.parent / name, PROOFS / name, PROOFS / "coq" / name]
-            found.append(PROOFS / "second-opinions" / name)
             assert any(file.exists() for file in found), name
     for program in re.findall(r"python (proofs/[\w/-]+\.py)", text):
         assert (ROOT / program).exists(), program
