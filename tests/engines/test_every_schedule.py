@@ -61,7 +61,7 @@ def of_function(explore):
         return explore(first, choices=choices)
 
     subject = Subject("x", frozenset({"choices"}), explore)
-    return subject, lambda: GeneratorPlayer(ready, ready, None, [0, 0], lambda: None)
+    return subject, lambda: GeneratorPlayer(ready, [0, 0], lambda: None)
 
 
 class PairHere(InProcessPlayers):
@@ -269,7 +269,7 @@ def split(stretch):
 
 def test_a_library_writes_the_same_logs_with_compiled_code_and_without(stretch):
     player = load(f"native:{example(ALGORITHM1)}").player()
-    without = GeneratorPlayer(player, player, None, [0, 0], lambda: None)
+    without = GeneratorPlayer(player, [0, 0], lambda: None)
     compiled, stretch.player = stretch.player, without
     slowly = stretch.play()
     stretch.player = compiled

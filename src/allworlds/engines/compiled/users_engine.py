@@ -26,7 +26,7 @@ KERNEL = "allworlds.engines.compiled.users_kernel"
 
 
 class UsersEngine(Struct, frozen=True):
-    """The engine in which a user's explorer plays in stretches or trees, and the kernel judges.
+    """The engine in which a user's explorer plays in stretches, and the kernel judges.
 
     Attributes:
         general: the Python engine, by which it is checked, and which knows the scope.

@@ -12,8 +12,7 @@ from collections.abc import Callable, Generator, MutableSequence
 from random import Random
 from typing import Any
 
-from allworlds.engines.isolation.chunk_player import ChunkPlayer
-from allworlds.engines.isolation.jobs import DueSchedules, PlaySegments, PlayStretch, PlayTree
+from allworlds.engines.isolation.jobs import DueSchedules, PlayStretch
 from allworlds.engines.isolation.log_entries import (
     entry_of_answer,
     entry_of_checkpoint,
@@ -33,7 +32,6 @@ from allworlds.engines.kernel.stretch import (
 )
 from allworlds.engines.kernel.writing import LogEnd, picks_entry
 from allworlds.engines.python.play import Recorded
-from allworlds.explorers import CopyingExplorer
 from allworlds.inputs import let_users_interrupt
 from allworlds.judging import closed
 from allworlds.protocol import (
@@ -55,34 +53,22 @@ class GeneratorPlayer:
 
     Args:
         player: the explorer.
-        second: the explorer as it is played once more.
-        runs: the explorer as it is played in trees, if it can be copied.
         beat: ``beat[0]`` is set to the number of each run; see
             :func:`allworlds.judging.episode.play`.
         intact: called after each play, to check the parts that the explorer may have broken.
     """
 
     def __init__(
-        self,
-        player: Player,
-        second: Player,
-        runs: CopyingExplorer | None,
-        beat: MutableSequence[int],
-        intact: Callable[[], None],
+        self, player: Player, beat: MutableSequence[int], intact: Callable[[], None]
     ) -> None:
-        self._player, self._second, self._beat, self._intact = player, second, beat, intact
-        self._runs = runs
+        self._player, self._beat, self._intact = player, beat, intact
         self._memories = OpenedMemories()
 
-    def play(self, job: PlayStretch | PlayTree | PlaySegments) -> StretchResult:
-        """Play all runs of a stretch, or of a tree, and put their logs into the memory.
+    def play(self, job: PlayStretch) -> StretchResult:
+        """Play all runs of a stretch, and put their logs into the memory.
 
         No log is put there if there is no room, or if the machine may be the cause of a fault.
         """
-        if not isinstance(job, PlayStretch):
-            if self._runs is None:
-                return StretchResult(-1, 0)
-            return ChunkPlayer(self._runs, self._beat, self._memories).play(job)
         stretch = self._memories.stretch(job)
         if job.schedules is not None and not job.again:
             return StretchResult(self._every_schedule(stretch, job, job.schedules), 0)
@@ -131,8 +117,7 @@ class GeneratorPlayer:
         else:
             table = stretch.worlds[stretch.wide * run : stretch.wide * (run + 1)]
             world = ByteWorld(table.tobytes(), told)
-        player = self._second if again else self._player
-        log = log_of_run(world, player, choices, budget, self._beat)
+        log = log_of_run(world, self._player, choices, budget, self._beat)
         self._intact()
         if log is None or not isinstance(choices, ScheduledChoices):
             return log

@@ -283,12 +283,7 @@ class NativePlayer:
             int64,
         )
 
-    @property
-    def beat(self) -> Any:
-        """The heartbeat."""
-        return self._beat
-
-    def handed(self, policy: str, *, every: bool = False) -> tuple[Any, ...]:
+    def _handed(self, policy: str, *, every: bool = False) -> tuple[Any, ...]:
         """The explorer, percept, action, here, room and choices, as compiled code takes them."""
         self._asked.policy, self._asked.every = POLICIES[policy], every
         percept, action, here, sigma, *_ = self._arrays
@@ -316,7 +311,7 @@ class NativePlayer:
         """
         rows = arange(count)
         native.shuffle(rows, order)
-        common = (*self.handed(policy, every=every), stretch.heads)
+        common = (*self._handed(policy, every=every), stretch.heads)
         if again:
             said = (stretch.percepts, stretch.starts, rows, stretch.logs, stretch.begins)
             return int(native.play_records(*common, *said, self._beat))
@@ -335,7 +330,7 @@ class NativePlayer:
             script: of its first schedule.
             most: the largest number of episodes.
         """
-        common = self.handed(DEFAULT_POLICY, every=True)
+        common = self._handed(DEFAULT_POLICY, every=True)
         self._asked.due = len(script)
         self._asked.script[: len(script)] = script
         worlds, rows = (stretch.heads, stretch.worlds), (row, count, most)

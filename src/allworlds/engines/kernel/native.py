@@ -171,7 +171,7 @@ def play_schedules(
         if not next_script(asked):
             run += 1
     beat[1] = 0
-    write(explorer, logs, due)
+    _write(explorer, logs, due)
     return at
 
 
@@ -187,7 +187,7 @@ def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
         if at < 0:
             return -1
     beat[1] = 0
-    write(explorer, logs, due)
+    _write(explorer, logs, due)
     return at
 
 
@@ -225,11 +225,11 @@ def _episode(explorer, handed, asked, head, known, run, logs, at, due, beat):
             cost += 1
         elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
             shown += 1
-            at, due = publish(explorer, handed, logs, at, SHOWN, due)
+            at, due = _publish(explorer, handed, logs, at, SHOWN, due)
             if due[0] < 0:
                 break
         else:
-            at, due = end(explorer, handed, kind, logs, at, due)
+            at, due = _end(explorer, handed, kind, logs, at, due)
             break
         action[0] = action[1] = 0
         call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
@@ -288,10 +288,10 @@ def _begin(explorer, action, asked, head, beat):
 
 
 @inlined
-def end(explorer, handed, kind, logs, at, due):
+def _end(explorer, handed, kind, logs, at, due):
     """Write the end of the log, with an answer or without; return its place, and what is due."""
     if kind == ANSWER_READY:
-        at, due = publish(explorer, handed, logs, at, ANSWERED, due)
+        at, due = _publish(explorer, handed, logs, at, ANSWERED, due)
         if due[0] >= 0:
             at -= 1
     elif kind == CHECKPOINT:
@@ -310,7 +310,7 @@ NOTHING_DUE = (int64(-1), int64(0), int64(0))
 
 
 @inlined
-def publish(explorer, handed, logs, at, what, due):
+def _publish(explorer, handed, logs, at, what, due):
     """Write a published map; return the place behind it, and the address of the map that is due.
 
     If the map does not fit, STRANGE is written, and no map is due.
@@ -328,7 +328,7 @@ def publish(explorer, handed, logs, at, what, due):
             explorer[HERE],
         )
     )
-    write(explorer, logs, due)
+    _write(explorer, logs, due)
     if darts < 1 or darts > MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
         logs[at] = STRANGE
         return at, NOTHING_DUE
@@ -337,7 +337,7 @@ def publish(explorer, handed, logs, at, what, due):
 
 
 @inner
-def write(explorer, logs, due):
+def _write(explorer, logs, due):
     """Write the pending map's darts; mark the log STRANGE if one of them is no byte."""
     at, room, darts = due
     if at < 0:

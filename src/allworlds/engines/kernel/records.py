@@ -22,10 +22,6 @@ DEPTHS = 16
 FOLDED = LONG // 16
 """Room for the nodes of an unfolded log: more than the traversals of the largest budget."""
 
-CHANGES = 4 * FOLDED
-"""Room for the changes of a log that is being folded: at most two a step, and two for each node
-that becomes a part of another one."""
-
 NONE = -1
 """The entry for no dart, no bearing, no number told."""
 
@@ -230,11 +226,6 @@ FOLD = dtype(
         # By darts, ``DARTS`` for each node: the node that one of that set leads to.
         ("link", int64, FOLDED * DARTS),
         ("todo", int64, 2 * LONG),
-        # The changes of nodes so far, with what stood there before.
-        ("changes", int64),
-        ("changed", int64, CHANGES),
-        ("linked_before", int64, CHANGES),
-        ("parent_before", int64, CHANGES),
     ]
 )
 """A log that is being folded."""
@@ -242,11 +233,10 @@ FOLD = dtype(
 JUDGED = dtype(
     [
         # Of the checkpoints so far: the laws that they break, as a set; whether there was one,
-        # and t at the last; how many were embedded without an earlier S.
+        # and t at the last.
         ("broken", int64),
         ("shown", int64),
         ("t", int64),
-        ("anew", int64),
         # The S that was shown last, if it is known how it is embedded: its darts (0: it is not),
         # how many of them lead somewhere, sigma and alpha, and the darts of the world, as a set.
         # The embedding stands in ``to``.

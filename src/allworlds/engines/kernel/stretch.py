@@ -51,29 +51,7 @@ LONGEST_EARLIER = LOG_BYTES // (4 * MOST_EARLIER)
 leave room for a stretch."""
 
 
-class Parts:
-    """Parts of a memory, one behind the other: views of numbers, without rows.
-
-    Args:
-        memory: shared.
-    """
-
-    def __init__(self, memory: mmap.mmap) -> None:
-        self._memory, self._at = memory, 0
-
-    def part(self, kind: Literal["i", "B"], *shape: int) -> Any:
-        """The next part.
-
-        Args:
-            kind: ``i`` for numbers of 32 bits, ``B`` for bytes.
-            shape: its rows, and the length of each.
-        """
-        begin, size = self._at, array(kind).itemsize * prod(shape)
-        self._at += size
-        return memoryview(self._memory)[begin : self._at].cast(kind)
-
-
-class Stretch(Parts):
+class Stretch:
     """Memory for the runs of a stretch, shared by both sides.
 
     Args:
@@ -91,7 +69,7 @@ class Stretch(Parts):
     """
 
     def __init__(self, memory: mmap.mmap, edges: int) -> None:
-        super().__init__(memory)
+        self._memory, self._at = memory, 0
         self.wide = WIDE * 2 * edges
         self.heads = self.part("i", ROWS, HEAD)
         self.begins = self.part("i", ROWS)
@@ -99,6 +77,17 @@ class Stretch(Parts):
         self.worlds = self.part("B", ROWS, self.wide)
         self.percepts = self.part("B", LOG_BYTES)
         self.logs = self.part("B", LOG_BYTES)
+
+    def part(self, kind: Literal["i", "B"], *shape: int) -> Any:
+        """The next part of the memory, a view of numbers without rows.
+
+        Args:
+            kind: ``i`` for numbers of 32 bits, ``B`` for bytes.
+            shape: its rows, and the length of each.
+        """
+        begin, size = self._at, array(kind).itemsize * prod(shape)
+        self._at += size
+        return memoryview(self._memory)[begin : self._at].cast(kind)
 
     @staticmethod
     def size(edges: int) -> int:
