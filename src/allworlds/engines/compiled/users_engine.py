@@ -50,10 +50,9 @@ class UsersEngine(Struct, frozen=True):
 
     def compiled(self, job: Job) -> None:
         """Compile or load the kernel in the guardian, before it forks."""
-        one = self.scope.schedules == "one"
-        if not guardian().prepare(KERNEL, "is_kept" if one else "are_schedules_kept"):
+        if not guardian().prepare(KERNEL, "is_kept"):
             job.notice(COMPILING)
-        guardian().prepare(KERNEL, "load" if one else "load_with_schedules")
+        guardian().prepare(KERNEL, "load")
 
     def for_built_in(
         self,

@@ -9,10 +9,8 @@ from allworlds.engines.isolation.generator_player import load as load_generators
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.kernel.batches import load_native
 from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.every_schedule import examine_schedules
 from allworlds.engines.kernel.native import play_worlds
 from allworlds.engines.kernel.runs import examine
-from allworlds.engines.kernel.schedule_judge import load_every_schedule
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import PartwiseEngine
@@ -27,17 +25,6 @@ def load() -> None:
     """Load the kernel, and with it this module and all that players need."""
     load_native()
     load_generators()
-
-
-def are_schedules_kept() -> int:
-    """Return 1 if the kernel, and what every schedule needs, has been compiled before, else 0."""
-    return is_kept() and int(is_compiled(examine_schedules))
-
-
-def load_with_schedules() -> None:
-    """Do :func:`load`, and load what every schedule needs."""
-    load()
-    load_every_schedule()
 
 
 def judged_by_kernel(

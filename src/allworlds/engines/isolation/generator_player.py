@@ -12,7 +12,7 @@ from collections.abc import Callable, Generator, MutableSequence
 from random import Random
 from typing import Any
 
-from allworlds.engines.isolation.jobs import DueSchedules, PlayStretch
+from allworlds.engines.isolation.jobs import PlayStretch
 from allworlds.engines.isolation.log_entries import (
     entry_of_answer,
     entry_of_checkpoint,
@@ -25,12 +25,10 @@ from allworlds.engines.kernel.stretch import (
     RUN_BUDGET,
     RUN_MOTIONS,
     RUN_NUMBER,
-    RUN_SCRIPT,
     RUN_TOLD,
-    SCHEDULE_BYTES,
     Stretch,
 )
-from allworlds.engines.kernel.writing import LogEnd, picks_entry
+from allworlds.engines.kernel.writing import LogEnd
 from allworlds.engines.python.play import Recorded
 from allworlds.inputs import let_users_interrupt
 from allworlds.judging import closed
@@ -41,8 +39,6 @@ from allworlds.protocol import (
     Move,
     Percept,
     Player,
-    ScheduledChoices,
-    next_script,
     policy_named,
 )
 from allworlds.world import IllegalAction
@@ -70,67 +66,34 @@ class GeneratorPlayer:
         No log is put there if there is no room, or if the machine may be the cause of a fault.
         """
         stretch = self._memories.stretch(job)
-        if job.schedules is not None and not job.again:
-            return StretchResult(self._every_schedule(stretch, job, job.schedules), 0)
         logs, begins = bytearray(), [0] * job.runs
         order = [*range(job.runs)]
         Random(job.order).shuffle(order)  # noqa: S311  # it need not be secret for longer than a run
         for run in order:
             begins[run] = len(logs)
-            if job.schedules is None:
-                choices = Choices(policy_named(job.policy))
-            else:
-                choices = ScheduledChoices(self._script(stretch, run))
-            log = self._log(stretch, run, choices, again=job.again)
+            log = self._log(stretch, run, job)
             if log is None:
                 return StretchResult(-1, 0)
             logs += log
         return StretchResult(stretch.put(logs, begins), 0)
 
-    def _every_schedule(self, stretch: Stretch, job: PlayStretch, due: DueSchedules) -> int:
-        """Play every schedule of runs, as far as there is room; return the bytes of the logs."""
-        logs, row, left = bytearray(), due.row, due.most
-        script: tuple[int, ...] | None = due.script
-        while row < job.runs and left:
-            choices = ScheduledChoices(script or ())
-            log = self._log(stretch, row, choices, again=False)
-            if log is None:
-                return -1
-            if len(logs) + len(log) > SCHEDULE_BYTES:
-                break
-            logs += log
-            left -= 1
-            script = next_script(script or (), choices.record, choices.widths)
-            row += script is None
-        return stretch.put(logs, ()) or -1
-
-    def _log(self, stretch: Stretch, run: int, choices: Choices, *, again: bool) -> bytes | None:
+    def _log(self, stretch: Stretch, run: int, job: PlayStretch) -> bytes | None:
         """The log of one run; None if the machine may have made it go wrong."""
         row = stretch.heads[HEAD * run : HEAD * (run + 1)].tolist()
         budget, told = row[RUN_BUDGET], row[RUN_TOLD]
         self._beat[0] = row[RUN_NUMBER]
         world: ByteWorld | Recorded
-        if again:
+        if job.again:
             start = stretch.starts[run]
             end = start + 3 * (row[RUN_MOTIONS] + 1)
             world = recorded(stretch.percepts[start:end].tobytes(), told)
         else:
             table = stretch.worlds[stretch.wide * run : stretch.wide * (run + 1)]
             world = ByteWorld(table.tobytes(), told)
+        choices = Choices(policy_named(job.policy))
         log = log_of_run(world, self._player, choices, budget, self._beat)
         self._intact()
-        if log is None or not isinstance(choices, ScheduledChoices):
-            return log
-        made = picks_entry(choices.record, choices.widths)
-        return None if made is None else log + made
-
-    @staticmethod
-    def _script(stretch: Stretch, run: int) -> bytes:
-        """The script behind the percepts of a record."""
-        row = stretch.heads[HEAD * run : HEAD * (run + 1)].tolist()
-        start = stretch.starts[run] + 3 * (row[RUN_MOTIONS] + 1)
-        script: bytes = stretch.percepts[start : start + row[RUN_SCRIPT]].tobytes()
-        return script
+        return log
 
 
 def load() -> None:

@@ -92,7 +92,6 @@ class PlayStretch(Struct, frozen=True):
         policy: answers the explorer's choices.
         again: whether the runs are played against the recorded percepts there, not in worlds.
         compiled: whether compiled code plays; then the explorer is a shared library, loaded there.
-        schedules: if every schedule is tried: the ones that are due.
     """
 
     memory: str
@@ -102,25 +101,6 @@ class PlayStretch(Struct, frozen=True):
     policy: str
     again: bool
     compiled: bool = True
-    schedules: DueSchedules | None = None
-
-
-class DueSchedules(Struct, frozen=True):
-    """The schedules that are played of the runs of a stretch, one run after the other.
-
-    Attributes:
-        row: of the run that is played first.
-        script: of the choices in its first schedule; all others are 0.
-        most: the largest number of schedules; there are fewer where the logs have no more room.
-    """
-
-    row: int
-    script: tuple[int, ...]
-    most: int
-
-
-SCRIPTS_BEHIND = DueSchedules(0, (), 0)
-"""The schedules against records: one for each, whose script stands behind the percepts."""
 
 
 class Trace(Struct, frozen=True):

@@ -32,16 +32,8 @@ class LibraryPlayer:
 
     def play(self, job: PlayStretch) -> StretchResult:
         """Play all runs of a stretch."""
-        size = self._stretch(job)
+        stretch = self._memories.stretch(job)
+        size = self.native.play(stretch, job.runs, job.order, job.policy, again=job.again)
         left = threads_left(self._threads)
         self._threads += left
         return StretchResult(size, left)
-
-    def _stretch(self, job: PlayStretch) -> int:
-        """The number of bytes of the logs of a stretch; -1 if there is no room for one of them."""
-        stretch, due = self._memories.stretch(job), job.schedules
-        if due is None or job.again:
-            whole = (stretch, job.runs, job.order, job.policy)
-            return self.native.play(*whole, again=job.again, every=due is not None)
-        size = self.native.play_schedules(stretch, job.runs, due.row, due.script, due.most)
-        return size or -1

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from allworlds.engines.isolation.jobs import DueSchedules, PlayStretch
+from allworlds.engines.isolation.jobs import PlayStretch
 from allworlds.engines.kernel.stretch import Stretch
 
 if TYPE_CHECKING:
@@ -39,14 +39,7 @@ class StretchMemory:
         """The path by which another process opens it."""
         return f"/proc/{os.getpid()}/fd/{self._file}"
 
-    def play(
-        self,
-        players: PlayerPair,
-        which: str,
-        runs: int,
-        policy: str,
-        schedules: DueSchedules | None = None,
-    ) -> int | None:
+    def play(self, players: PlayerPair, which: str, runs: int, policy: str) -> int | None:
         """Let a player play; return the size of its logs, or None if they cannot be trusted.
 
         Args:
@@ -54,12 +47,9 @@ class StretchMemory:
             which: ``first`` or ``second``.
             runs: the number of runs.
             policy: answers the explorer's choices.
-            schedules: those that are due, if every schedule is tried.
         """
-        order, again = players.random.getrandbits(63), which == "second"
-        job = PlayStretch(
-            self.file, self._edges, runs, order, policy, again=again, schedules=schedules
-        )
+        order = players.random.getrandbits(63)
+        job = PlayStretch(self.file, self._edges, runs, order, policy, again=which == "second")
         result = players.play_stretch(which, job)
         return None if result is None or result.size < 0 or result.threads else result.size
 

@@ -14,8 +14,6 @@ lock only to start and to end, so that threads share the work.
 ``native``, ``known_runs``, ``picking``, ``logs``, ``log_codes``, ``writing``, ``stretch``,
 ``batches``
     users' explorers, played in processes of their own, many runs at a time;
-``every_schedule``, ``schedule_judge``
-    the judge of these under every schedule, and its door;
 ``memory_arrays``
     the memory of stretches, as compiled code sees it;
 ``demand_driven``, ``ways``, ``demand_tally``

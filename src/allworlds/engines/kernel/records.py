@@ -11,7 +11,7 @@ from typing import Any
 
 from numpy import dtype, int32, int64, recarray, uint8, zeros
 
-from allworlds.engines.kernel.capabilities import LONG, MOST_PICKS
+from allworlds.engines.kernel.capabilities import LONG
 
 DARTS = 32
 """Room for the darts of a world, and for its vertices."""
@@ -277,40 +277,8 @@ JOB = dtype(
 """A unit of work on its way."""
 
 
-ASKED = dtype(
-    [
-        ("policy", int64),
-        # Whether a choice was illegal, or has no room here.
-        ("wrong", int64),
-        # Whether every schedule is tried: a script answers the first choices, and 0 all others.
-        ("every", int64),
-        ("due", int64),
-        ("script", uint8, MOST_PICKS),
-        # The choices of the episode: their number, what was picked, and from how many.
-        ("turns", int64),
-        ("picks", uint8, MOST_PICKS),
-        ("widths", uint8, MOST_PICKS),
-    ],
-    align=True,
-)
-"""The choices of a native explorer: how they are answered, and how they were."""
-
-SCHEDULES = dtype(
-    [
-        # Where the judge is: between two runs, before one, or inside of it; and the number of runs
-        # of the stretch that are done.
-        ("stage", int64),
-        ("done", int64),
-        # Of the run that it is inside of: the first choices of its next schedule, and how many
-        # options each has; and the cost of its cheapest schedule so far.
-        ("due", int64),
-        ("script", uint8, MOST_PICKS),
-        ("widths", uint8, MOST_PICKS),
-        ("cheapest", int64),
-    ],
-    align=True,
-)
-"""The judge of every schedule, on its way through the logs."""
+ASKED = dtype([("policy", int64), ("wrong", int64)], align=True)
+"""How the choices of a native explorer are answered, and whether one was illegal."""
 
 READER = dtype(
     [
