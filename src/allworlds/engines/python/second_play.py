@@ -177,7 +177,7 @@ class PlayedTwice:
     def tally(self, unit: UnitOfRuns, window: Sequence[NumberedRun]) -> Tally:
         """The tally of these runs of a unit; without the rest, if too much is silent to go on."""
         tally = self.engine.tally()
-        placed = {}
+        placed, best = {}, dict[int, int]()
         for run in window:
             world = self.engine.count_run(run, tally)
             if world is not None:
@@ -189,11 +189,14 @@ class PlayedTwice:
         for one, outcome in self.outcomes(unit, placed, matters, tally.remark):
             if isinstance(outcome, Outcome):
                 self.engine.count_outcome(self._referee, one.world, one.place, outcome, tally)
+                best[one.number] = min(outcome.cost, best.get(one.number, outcome.cost))
             elif matters(one):
                 tally.find(self.finding(one, outcome))
             if isinstance(outcome, LostRun) and outcome.law == "timeout" and not outcome.machine:
                 self.given_up = f"the explorer keeps a state: {outcome.seen}"
                 break
+        for number, cost in best.items():
+            self.engine.count_best(placed[number].world, cost, tally)
         for one, outcome in self._belated:
             if matters(one):
                 tally.find(self.finding(one, outcome))
