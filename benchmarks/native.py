@@ -8,17 +8,12 @@ plays the explorer twice and does nothing else, which no judge can do without.  
 plays the built-in explorer once; so the whole is also told without the second play.  PROGRAM is a
 yardstick: it is called with ``0 M`` and prints the number of worlds (``leaves``).  All times are
 processor times, in microseconds a run, or for the yardstick a world.
-
-A library with ``allworlds_clone`` is also walked as a tree, in the same units.  The number of its
-actions (motions, checkpoints, answers) is told for both ways, since the explorer's own cost grows
-with it.
 """
 
 from __future__ import annotations
 
 import argparse
 import ctypes
-import mmap
 import re
 import resource
 import subprocess
@@ -26,7 +21,6 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import allworlds.explorers.shared_library
@@ -36,19 +30,13 @@ from allworlds.engines.isolation.jobs import PlayStretch
 from allworlds.engines.isolation.library_player import LibraryPlayer
 from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.kernel.batches import UnitJudge, load_native
-from allworlds.engines.kernel.chunks import CopyingPlayer, UnitTree, load_trees
-from allworlds.engines.kernel.log_codes import ANSWERED, SHOWN, span
-from allworlds.engines.kernel.memory_arrays import TreeArrays
 from allworlds.engines.kernel.stretch import LONGEST_STRETCH, RUN_TOLD, Stretch
-from allworlds.engines.kernel.tree_memory import MOST_RUNS, TreeMemory
-from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
 from allworlds.explorers import NativeExplorer, load
 from allworlds.explorers.shared_library.library import ROOM, Library
 from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
 
 PARTS = ("laid out", "first play", "judged", "second play", "compared")
-TREE = ("tree: first play", "tree: judged", "tree: second play", "tree: compared")
 SECOND = PARTS.index("second play")
 SAMPLED = 40
 """In so many units, evenly spaced, the Python engine plays the first runs."""
@@ -86,7 +74,7 @@ class Bare:
 
 
 class Measured:
-    """The time that each part takes, and the actions of the explorer, over all units.
+    """The time that each part takes, over all units.
 
     Args:
         library: the path of the explorer.
@@ -103,14 +91,10 @@ class Measured:
         self.memory = [StretchMemory(edges) for _ in range(2)]
         explorers = [NativeExplorer(Library(library)) for _ in range(2)]
         self.players = [LibraryPlayer(explorer, bytearray(16)) for explorer in explorers]
-        self.copies = explorers[0].library.clone is not None
-        both = zip(explorers, self.players, strict=True)
-        self.walkers = [Walker(*each) for each in both] if self.copies else []
         self.bare = Bare(library, folder)
         load_native()
-        load_trees()
-        self.spent = dict.fromkeys((*PARTS, *TREE, "bare"), 0.0)
-        self.runs = self.actions = self.actions_of_tree = 0
+        self.spent = dict.fromkeys((*PARTS, "bare"), 0.0)
+        self.runs = 0
 
     def timed(self, part: str, work: Callable[[], Any]) -> Any:
         """The result of the work, whose time is added to that part."""
@@ -139,23 +123,6 @@ class Measured:
             walked = timed("bare", lambda n=laid.runs: self.bare.play(memory[0].stretch, n))
             assert walked == sum(row.traversals for row in rows.counts)
             self.runs += laid.runs
-            self.actions += laid.runs + walked + sum(row.checkpoints for row in rows.counts)
-
-    def as_tree(self, prefix: tuple[int, ...]) -> None:
-        """Walk all runs of a unit as a tree, twice."""
-        level, timed = self.level, self.timed
-        kind = (level.edges, level.limit, level.simple, level.planar, level.lighthouse, "fifo")
-        request = TreeRequest(*kind, level.budgets, prefix)
-        first, second = self.walkers
-        tree = UnitTree(level, request, 1, first.memory, second.memory, Random(1))
-        while tree.next is not None:
-            size, last = timed(TREE[0], lambda: first.play(request, tree.next))
-            if timed(TREE[1], lambda s=size, e=last: tree.judge(s, last=e)) is None:
-                raise SystemExit("this explorer's trees cannot be judged: this measures nothing")
-            again = timed(TREE[2], lambda: second.play_again(tree.roots))
-            if again or timed(TREE[3], tree.difference) is not None or tree.rows.broken:
-                raise SystemExit("a law is broken: this measures nothing")
-            self.actions_of_tree += entries(first.memory.logs[:size].tobytes())
 
     def cost(self, *parts: str) -> float:
         """Microseconds a run of these parts."""
@@ -175,8 +142,6 @@ def main() -> None:
     units = list(measured.scope.units(given.edges))[: given.units]
     for unit in units:
         measured.one_by_one(unit.prefix)
-        if measured.copies:
-            measured.as_tree(unit.prefix)
     whole, once = measured.cost(*PARTS), measured.cost(*PARTS[:SECOND])
     bare = 2 * measured.cost("bare")
     for part in PARTS:
@@ -184,13 +149,6 @@ def main() -> None:
     runs = measured.runs
     print(f"{'all':18} {whole:6.2f} microseconds a run, {runs:,} runs; played once {once:.2f}")
     print(f"{'bare':18} {bare:6.2f} two plays in C and nothing else")
-    if measured.copies:
-        for part in TREE:
-            print(f"{part:18} {measured.cost(part):6.2f}")
-        tree = measured.cost(*TREE)
-        print(f"{'tree: all':18} {tree:6.2f} one by one takes {whole / tree:.2f} times as long;")
-        acts = measured.actions / runs, measured.actions_of_tree / runs
-        print(f"{'':25} {acts[0]:.1f} actions a run one by one, {acts[1]:.1f} as a tree")
     python = python_engine(measured.scope, units)
     print(f"{'Python':18} {python:6.0f} the Python engine: {python / whole:.0f} times as much,")
     print(f"{'':25} {python / once:.0f} times one play, {python / bare:.0f} times the bare ones")
@@ -198,38 +156,6 @@ def main() -> None:
         world = yardstick(given.explore, given.edges)
         ratios = f"{world / whole:.3f} runs for each of its worlds, {world / once:.3f} played once"
         print(f"{'yardstick':18} {world:6.3f} {ratios}")
-
-
-class Walker:
-    """An explorer that walks trees.
-
-    Args:
-        explorer: the library.
-        player: the same explorer, which plays stretches.
-    """
-
-    def __init__(self, explorer: NativeExplorer, player: LibraryPlayer) -> None:
-        addresses = explorer.library.addresses()
-        self._copying = CopyingPlayer(player.native, (addresses["clone"], addresses["new"]))
-        self.memory = TreeArrays(mmap.mmap(-1, TreeMemory.size()))
-
-    def play(self, request: TreeRequest, chunk: Chunk) -> tuple[int, bool]:
-        """Play a chunk; return the bytes of its log, and whether the tree ends with it."""
-        return self._copying.play(self.memory, request, chunk, MOST_RUNS)
-
-    def play_again(self, roots: list[int]) -> int:
-        """Play the segments of a chunk; return 0."""
-        return self._copying.play_again(self.memory, "fifo", roots)
-
-
-def entries(log: bytes) -> int:
-    """The number of entries of a log: motions, and whatever else stands in it."""
-    at = count = 0
-    while at < len(log):
-        published = log[at] in (SHOWN, ANSWERED)
-        at += 3 + span(log[at + 1]) if published else 1
-        count += 1
-    return count
 
 
 def python_engine(scope: Scope, units: list[Any]) -> float:

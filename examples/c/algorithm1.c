@@ -315,31 +315,6 @@ void allworlds_delete(void *state)
     free(r);
 }
 
-/* A copy of so many entries, in memory of its own. */
-static void *same(void *own, const void *from, int32_t count, size_t size)
-{
-    return memcpy(own, from, (size_t)count * size);
-}
-
-void allworlds_clone(const void *from, void *to)
-{
-    const struct robot *r = from;
-    struct robot *copy = to, own;
-    make_room(copy, r->dart_count > r->done ? r->dart_count : r->done);
-    own = *copy;
-    *copy = *r;
-    copy->darts = same(own.darts, r->darts, r->dart_count, sizeof *r->darts);
-    copy->sigma = same(own.sigma, r->sigma, r->dart_count, sizeof *r->sigma);
-    copy->twins = same(own.twins, r->twins, r->dart_count, sizeof *r->twins);
-    copy->vertices = same(own.vertices, r->vertices, r->vertex_count, sizeof *r->vertices);
-    copy->open = same(own.open, r->open, r->open_count, sizeof *r->open);
-    copy->hypotheses =
-        same(own.hypotheses, r->hypotheses, r->hypothesis_count, sizeof *r->hypotheses);
-    copy->motions = same(own.motions, r->motions, r->done, sizeof *r->motions);
-    copy->numbers = own.numbers; /* holds nothing between two calls */
-    copy->room = own.room;
-}
-
 void allworlds_choose(void *state, allworlds_pick pick, void *context)
 {
     struct robot *r = state;

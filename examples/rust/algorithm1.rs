@@ -10,7 +10,6 @@ use std::collections::VecDeque;
 use std::ffi::c_void;
 
 /// A dart of S; `twin` is itself where nobody knows yet where it leads.
-#[derive(Clone)]
 struct Dart {
     twin: usize,
     vertex: usize,
@@ -18,7 +17,7 @@ struct Dart {
 }
 
 /// The paper's S and U; the darts of a vertex are consecutive and clockwise.
-#[derive(Clone, Default)]
+#[derive(Default)]
 struct PartialMap {
     darts: Vec<Dart>,
     first: Vec<usize>,
@@ -87,14 +86,12 @@ impl PartialMap {
 }
 
 /// A hypothesis on trial: e', the way to v0 that is left, and the motions made so far.
-#[derive(Clone)]
 struct Trial {
     partner: usize,
     way: Vec<usize>,
     motions: Vec<i32>,
 }
 
-#[derive(Clone)]
 enum Phase {
     Passing,
     Following { way: Vec<usize>, goal: usize },
@@ -104,14 +101,12 @@ enum Phase {
 }
 
 /// The dart that is explored, what was seen behind it, and the hypotheses that are left.
-#[derive(Clone)]
 struct Pass {
     goal: usize,
     seen: Percept,
     hypotheses: Vec<usize>,
 }
 
-#[derive(Clone)]
 struct Robot {
     s: PartialMap,
     here: usize,
@@ -281,7 +276,7 @@ pub struct Action {
 
 type Pick = extern "C" fn(*mut c_void, i32, i32, *const i32) -> i32;
 
-const VERSION: i32 = 1;
+const VERSION: i32 = 2;
 const MOVE: i32 = 1;
 const CHECKPOINT: i32 = 4;
 const ANSWER: i32 = 5;
@@ -311,11 +306,6 @@ pub extern "C" fn allworlds_new() -> *mut c_void {
 #[no_mangle]
 pub unsafe extern "C" fn allworlds_delete(state: *mut c_void) {
     drop(Box::from_raw(state.cast::<Robot>()));
-}
-
-#[no_mangle]
-pub unsafe extern "C" fn allworlds_clone(from: *const c_void, to: *mut c_void) {
-    (*to.cast::<Robot>()).clone_from(&*from.cast::<Robot>());
 }
 
 #[no_mangle]

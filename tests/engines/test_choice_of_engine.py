@@ -47,7 +47,7 @@ def closure():
     ("options", "reason"),
     [
         ({"policy": "random:1"}, "random:1"),
-        ({"schedules": "all", "edges": 2}, "built-in explorers in one schedule"),
+        ({"schedules": "all", "edges": 2}, "plays one schedule a run"),
         ({"step_budget": 100_000}, "100000"),
         ({"edges": 13}, "13"),
         ({"explore": closure()}, "foreign"),

@@ -229,7 +229,7 @@ def first_of(edges):
 def test_a_stretch_is_played_judged_and_played_again():
     first, second, judge = first_of(2)
     batch = judge.lay_out(100)
-    player = GeneratorPlayer(ready(algorithm1), ready(algorithm1), None, [0, 0], lambda: None)
+    player = GeneratorPlayer(ready(algorithm1), [0, 0], lambda: None)
     said = player.play(PlayStretch(first.file, 2, batch.runs, 1, "fifo", again=False))
     rows, readable = judge.judge(batch, said.size)
     assert readable
@@ -241,7 +241,7 @@ def test_a_stretch_is_played_judged_and_played_again():
 def test_who_plays_again_is_not_told_which_run_it_is():
     first, second, judge = first_of(2)
     batch = judge.lay_out(100)
-    player = GeneratorPlayer(ready(algorithm1), ready(algorithm1), None, [0, 0], lambda: None)
+    player = GeneratorPlayer(ready(algorithm1), [0, 0], lambda: None)
     job = PlayStretch(first.file, 2, batch.runs, 1, "fifo", again=False)
     judge.judge(batch, player.play(job).size)
     assert len({int(head[RUN_NUMBER]) for head in first.stretch.heads[: batch.runs]}) > 1
@@ -260,7 +260,7 @@ def test_what_is_published_may_differ_and_what_is_done_may_not(changes, differ):
         return Estimate(small.EDGE, next(turn) if changes == "here" else 0)
 
     batch = judge.lay_out(4)
-    play = GeneratorPlayer(ready(explore), ready(explore), None, [0, 0], lambda: None).play
+    play = GeneratorPlayer(ready(explore), [0, 0], lambda: None).play
     judge.judge(batch, play(PlayStretch(first.file, 2, batch.runs, 1, "fifo", again=False)).size)
     again = play(PlayStretch(second.file, 2, batch.runs, 2, "fifo", again=True))
     assert len(judge.differing(again.size)) == (batch.runs if differ else 0)
@@ -269,12 +269,12 @@ def test_what_is_published_may_differ_and_what_is_done_may_not(changes, differ):
 def test_logs_without_room_are_left_to_others(monkeypatch):
     first, _, judge = first_of(2)
     batch = judge.lay_out(100)
-    player = GeneratorPlayer(ready(algorithm1), ready(algorithm1), None, [0, 0], lambda: None)
+    player = GeneratorPlayer(ready(algorithm1), [0, 0], lambda: None)
     job = PlayStretch(first.file, 2, batch.runs, 1, "fifo", again=False)
     monkeypatch.setattr(player._memories.stretch(job), "logs", first.stretch.logs[:10])
     assert player.play(job) == StretchResult(-1, 0)
     failing = ready(throwing(MemoryError()))
-    lost = GeneratorPlayer(failing, failing, None, [0, 0], lambda: None)
+    lost = GeneratorPlayer(failing, [0, 0], lambda: None)
     assert lost.play(job) == StretchResult(-1, 0)
 
 
@@ -294,7 +294,7 @@ class PairHere(InProcessPlayers):
         super().__init__(Subject("x", frozenset(), explore))
         self.random = Random(1)
         self.scribes = {
-            which: GeneratorPlayer(ready(explore), ready(explore), None, [0, 0], lambda: None)
+            which: GeneratorPlayer(ready(explore), [0, 0], lambda: None)
             for which in ("first", "second")
         }
 

@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from allworlds.engines import Limits, PythonEngine, Scope
-from allworlds.engines.compiled.trees import PlayedByTrees
+from allworlds.engines.compiled.stretches import PlayedByStretches
 from allworlds.engines.compiled.users_engine import UsersEngine
 from allworlds.engines.isolation.guardian import Prepare, _Guardian
 from allworlds.engines.isolation.jobs import PlayerSetup, PlayStretch
@@ -90,7 +90,7 @@ def test_a_player_plays_a_stretch_that_it_is_shown():
         player, shared = PlayerProcess(theirs, bytearray(16)), StretchMemory(1)
         job = PlayStretch(shared.file, 1, 0, 1, "fifo", again=False)
         for _ in range(2):
-            assert player._play_stretch(subject, job) == StretchResult(0, 0, copies=True)
+            assert player._play_stretch(subject, job) == StretchResult(0, 0)
         shared.close()
 
 
@@ -107,8 +107,8 @@ def test_a_referee_takes_the_engine_of_native_explorers():
             pair,
             EarlierPlays(),
         )
-        assert isinstance(engine, PlayedByTrees)
-        assert engine.stretches.players is pair
+        assert isinstance(engine, PlayedByStretches)
+        assert engine.players is pair
 
 
 def test_a_process_knows_how_large_it_is():

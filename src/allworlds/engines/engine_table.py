@@ -8,7 +8,7 @@ from typing import Annotated, Any, Protocol, TypeAlias
 from msgspec import Struct
 
 from allworlds.document import one_of, replace
-from allworlds.engines.compiled.sizes import COMPILER, compiled_from
+from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER
 from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
 from allworlds.engines.python.costs import CostEngine
@@ -99,7 +99,7 @@ class Compiled:
         if job.subject.from_user:
             from allworlds.engines.compiled.users_engine import UsersEngine
 
-            apart = UsersEngine(_python_engine(job))
+            apart = UsersEngine(PythonEngine(job.scope, job.keep))
             if job.cluster is None:
                 apart.compiled(job)
             return ReadyEngine(players_for(job), apart)
@@ -158,9 +158,9 @@ def why_not_compiled(scope: Scope, subject: Subject) -> str:
 
     That is so of native explorers, and of all where there is no compiler.
     """
-    most, least = scope.extent.levels[-1], compiled_from(scope.schedules)
-    expected = subject.compiled or (most > least and bool(lack_of(*COMPILER)))
-    if not expected or most < least:
+    most = scope.extent.levels[-1]
+    expected = subject.compiled or (most > COMPILED_FROM and bool(lack_of(*COMPILER)))
+    if not expected or most < COMPILED_FROM:
         return ""
     obstacle = ENGINES["kernel"].obstacle(scope, subject)
     return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
@@ -180,7 +180,7 @@ def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = N
     """
     if name == "auto":
         compiled = ENGINES["kernel"]
-        small = scope.extent.levels[-1] < compiled_from(scope.schedules)
+        small = scope.extent.levels[-1] < COMPILED_FROM
         # Hundreds of MB of address space are the compiled engine's own.
         small |= memory is not None and subject.from_user and not subject.compiled
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled

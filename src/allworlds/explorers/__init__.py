@@ -22,8 +22,6 @@
     a program in any language behind a pipe, and the lines between;
 ``translated``
     an explorer with one wrong convention, and a translator that puts it right;
-``stepping``
-    explorers as objects, which can be copied;
 ``command_words``
     the words of its command: an interpreter and its script;
 ``shared_library``
@@ -109,7 +107,6 @@ if TYPE_CHECKING:
         short_names as short_names,
         whole_name as whole_name,
     )
-    from allworlds.explorers.stepping import CopyingExplorer as CopyingExplorer
     from allworlds.explorers.subject import (
         HASH_SEED as HASH_SEED,
         Subject as Subject,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping
 from typing import Any
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
@@ -110,20 +109,12 @@ def load(
         return Subject(name, native.keywords, native.explore, native=native)
     plain, arguments = arguments_of(name)
     if point := entry_point(plain):
-        return _subject(name, imported(plain, point.load), arguments)
+        return subject_of(name, called(name, imported(plain, point.load), arguments))
     source = source or source_of(name)
     place, _, attribute = plain.rpartition(":")
     module = module_of_text(place, source) if source else _module(place)
-    return _subject(name, _attribute(module, attribute, place), arguments, source)
-
-
-def _subject(
-    name: str, found: Any, arguments: Mapping[str, Any], source: SourceText | None = None
-) -> Subject:
-    if inspect.isclass(found) and hasattr(found, "step"):
-        # It is called once for each run.
-        return subject_of(name, found, source, **arguments)
-    return subject_of(name, called(name, found, arguments), source)
+    found = called(name, _attribute(module, attribute, place), arguments)
+    return subject_of(name, found, source)
 
 
 def _module(name: str) -> Any:

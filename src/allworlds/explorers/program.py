@@ -14,7 +14,7 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from random import Random
 from typing import Literal
 
@@ -24,10 +24,7 @@ from allworlds.explorers.program_lines import (
     Message,
     answering,
     beginning,
-    forking,
-    going_to,
     message_of,
-    says_it_forks,
     shown,
 )
 from allworlds.inputs import InputError, show
@@ -44,9 +41,6 @@ class Program:
     Args:
         command: split as a shell splits words; no shell is involved.
         answer_timeout: seconds of silence after which it is killed.
-
-    Attributes:
-        forks: whether the program has said that it can keep its state.
 
     Raises:
         InputError: if the command is empty, or its program is not found or cannot be run.
@@ -71,10 +65,6 @@ class Program:
         self._process: subprocess.Popen[bytes] | None = None
         self._numbers = Random(secrets.randbits(64))  # noqa: S311  # they are to tell nothing
         self._heard = False
-        self._lines = 0
-        self._unanswered = False
-        self._from: int | None = None
-        self.forks = False
         self._err = bytearray()
         self._out = bytearray()
         self._said = select.poll()
@@ -95,10 +85,13 @@ class Program:
         """
         finished = False
         try:
-            message = self.begin(first, told)
+            self._begin(first, told)
+            message = self._next_message()
             while not isinstance(message, EpisodeEnd):
                 percept = yield message
-                message = self.go_on(percept)
+                if not isinstance(message, Checkpoint):
+                    self._send(answering(percept))
+                message = self._next_message()
             finished = True
             return message.answer
         finally:
@@ -107,82 +100,12 @@ class Program:
                 # Whatever it would say next belongs to an episode that is over.
                 self._kill()
 
-    def explore_by_copies(
-        self, first: Percept, *, told: Told = None
-    ) -> Generator[Action | Checkpoint, Percept, object]:
-        """Play one episode, in which each step is made twice: from a state that has been kept, too.
-
-        A program that keeps no states plays it as ever.
-
-        Raises:
-            ExplorerFault: as :meth:`explore`.
-        """
-        finished = False
-        try:
-            message = self.begin(first, told)
-            while not isinstance(message, EpisodeEnd):
-                percept = yield message
-                if self.forks and not isinstance(message, Checkpoint):
-                    self.fork(0)
-                    while isinstance(self.go_on(percept), Checkpoint):
-                        pass
-                    self.goto(0)
-                message = self.go_on(percept)
-            finished = True
-            return message.answer
-        finally:
-            self._pass_stderr_on()
-            if not finished:
-                self._kill()
-
-    def begin(self, first: Percept, told: Told) -> Message:
-        """Begin an episode; return the first message.
-
-        Raises:
-            ExplorerFault: as :meth:`explore`.
-        """
-        self._begin(first, told)
-        return self._next_message()
-
-    def go_on(self, percept: Percept | None) -> Message:
-        """Answer an action, and return the next message; a checkpoint is not answered.
-
-        Raises:
-            ExplorerFault: as :meth:`explore`.
-        """
-        if self._from is not None:
-            assert percept is not None
-            self._empty()
-            self._send(going_to(self._from, percept))
-            self._from = None
-        elif not self._unanswered:
-            assert percept is not None
-            self._send(answering(percept))
-        return self._next_message()
-
-    def fork(self, number: int) -> None:
-        """Ask the program to keep its state by that number."""
-        self._send(forking(number))
-
-    def goto(self, number: int) -> None:
-        """Let the program go on from that state with the next percept."""
-        if self._process is None:
-            raise ExplorerFault(
-                "crash", "the program that kept states has been ended", machine=True
-            )
-        self._from, self._unanswered = number, False
-
     def _next_message(self) -> Message:
         """The program's next message."""
-        line = self._line()
-        if self._lines == 1 and says_it_forks(line):
-            self.forks = True
-            line = self._line()
         try:
-            message = message_of(line)
+            message = message_of(self._line())
         except ExplorerFault as fault:
             raise self._fault(fault.law, fault.seen, fault.detail) from None
-        self._unanswered = isinstance(message, Checkpoint)
         if isinstance(message, EpisodeEnd) and self._out:
             raise self._fault("illegal-action", f"a line after its answer: {shown(self._out)}")
         return message
@@ -203,7 +126,7 @@ class Program:
         if self._process is None:
             self._start()
         self._empty()
-        self._heard, self._from = False, None
+        self._heard = False
         self._send(beginning(self._numbers.getrandbits(53), first, told))
 
     def _empty(self) -> None:
@@ -235,12 +158,6 @@ class Program:
         self._said.register(self._process.stderr, select.POLLIN)
         self._out.clear()
         self._err.clear()
-        self._lines = 0
-
-    def end(self) -> None:
-        """End the program; the next episode starts it anew."""
-        self._pass_stderr_on()
-        self._kill()
 
     def _kill(self) -> None:
         process, self._process = self._process, None
@@ -288,7 +205,6 @@ class Program:
         line = bytes(self._out[:end])
         del self._out[: end + 1]
         self._heard = True
-        self._lines += 1
         return line
 
     def _silence(self) -> str:
@@ -365,34 +281,3 @@ class Program:
         said = self._err.decode(errors="replace")
         told = [detail, f"stderr:\n{said}" if said else ""]
         return ExplorerFault(law, seen, "\n\n".join(filter(None, told)), machine=machine)
-
-
-class ProgramRuns:
-    """The runs of a program that keeps its states, in a process that plays trees."""
-
-    def __init__(self, program: Program) -> None:
-        self._program = program
-
-    def begin(self, first: Percept, told: Told) -> object:
-        """Begin a run; return the first action, or the answer."""
-        return self._message(lambda: self._program.begin(first, told))
-
-    def step(self, percept: Percept) -> object:
-        """Go on; return the next action, or the answer."""
-        return self._message(lambda: self._program.go_on(percept))
-
-    def store(self, place: int) -> None:
-        """Let the program keep its state by that number."""
-        self._program.fork(place)
-
-    def restore(self, place: int, *, last: bool) -> None:  # noqa: ARG002  # another one takes its place
-        """Go on from the state that is kept by that number."""
-        self._program.goto(place)
-
-    def _message(self, asked: Callable[[], Message]) -> object:
-        try:
-            message = asked()
-        except BaseException:
-            self._program.end()
-            raise
-        return message.answer if isinstance(message, EpisodeEnd) else message

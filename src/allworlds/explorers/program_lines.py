@@ -6,9 +6,6 @@ To it: ``{"episode": 1, "percept": P}`` (with ``"told"`` if there is something t
 ``{"estimate": {"sigma", "alpha", "here"}}`` or
 ``{"ambiguous": {"sigma", "alpha", "degree", "marks", "here"}}``, or ``{"answer": VALUE}`` where
 the task is not ``map``.  Unknown keys are ignored by both sides.
-
-A program whose first line is ``{"forks": true}`` (unanswered) can keep its state:  to it
-``{"fork": N}`` (unanswered) and later, in place of an ``episode``, ``{"goto": N, "percept": P}``.
 """
 
 from __future__ import annotations
@@ -63,26 +60,7 @@ def answering(percept: Percept) -> bytes:
     return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
 
 
-def forking(number: int) -> bytes:
-    """The line that asks the program to keep its state by that number."""
-    return b'{"fork": %d}\n' % number
-
-
-def going_to(number: int, percept: Percept) -> bytes:
-    """The line that lets it go on from that state."""
-    return b'{"goto": %d, ' % number + answering(percept)[1:]
-
-
 # ---------------------------------------------------------------- from the program
-
-
-def says_it_forks(line: bytes) -> bool:
-    """Whether a line says that the program can keep its state."""
-    try:
-        message = json.loads(line)
-    except (ValueError, RecursionError):
-        return False
-    return isinstance(message, dict) and message.get("forks") is True
 
 
 def message_of(line: bytes) -> Message:

@@ -103,10 +103,7 @@ def _like_file(name: str) -> str:
 
 
 def explorers_in(text: str) -> Iterator[str]:
-    """The names of a module's generator functions, and of its classes that have a method ``step``.
-
-    They come in their order; there are none if the text is no Python.
-    """
+    """The names of a module's generator functions, in their order; none if it is no Python."""
     try:
         module = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError):
@@ -114,10 +111,6 @@ def explorers_in(text: str) -> Iterator[str]:
     for statement in module.body:
         if isinstance(statement, ast.FunctionDef) and _yields(statement.body):
             yield statement.name
-        elif isinstance(statement, ast.ClassDef):
-            methods = (each for each in statement.body if isinstance(each, ast.FunctionDef))
-            if any(method.name == "step" for method in methods):
-                yield statement.name
 
 
 def _yields(body: Iterable[ast.AST]) -> bool:

@@ -24,9 +24,8 @@ from allworlds.explorers.names import (
     is_program,
     own_bound,
 )
-from allworlds.explorers.program import Program, ProgramRuns
+from allworlds.explorers.program import Program
 from allworlds.explorers.shared_library.native import NativeExplorer
-from allworlds.explorers.stepping import CopyingExplorer, SteppedRuns, SteppingExplorer, stepping
 from allworlds.explorers.translated import CONVENTIONS, Translated
 from allworlds.inputs import InputError
 from allworlds.protocol import (
@@ -41,7 +40,7 @@ from allworlds.protocol import (
 HASH_SEED = "PYTHONHASHSEED"
 """The variable of the environment from which an interpreter takes its hash seed."""
 
-EXPLORER = "an explorer is def explore(first) with yield, or a class with step(percept)"
+EXPLORER = "an explorer is def explore(first) with yield"
 
 
 class Subject(Struct, frozen=True):
@@ -60,7 +59,6 @@ class Subject(Struct, frozen=True):
         source: the text of its file, if it stands in a file.
         program: the user's program behind it, if there is one that is run here.
         native: the shared library behind it, if there is one that is run here.
-        steps: the object or the class behind it, if it is one.
         inside: the explorer inside a shield or behind a translator, if it is run here.
     """
 
@@ -71,7 +69,6 @@ class Subject(Struct, frozen=True):
     source: SourceText | None = None
     program: Program | None = None
     native: NativeExplorer | None = None
-    steps: SteppingExplorer | None = None
     inside: Subject | None = None
 
     @property
@@ -129,15 +126,6 @@ class Subject(Struct, frozen=True):
         """Whether the explorer takes choices, so that its schedules can be enumerated."""
         return "choices" in self.keywords
 
-    @property
-    def copies(self) -> bool:
-        """Whether it can be copied, and is run here; of a program that is known once it has run."""
-        if self.steps is not None:
-            return self.steps.copies
-        if self.program is not None and self.inside is None:
-            return self.program.forks
-        return self.native is not None and self.native.library.clone is not None
-
     def player(
         self,
         notice: Callable[[str], None] = nobody,
@@ -145,28 +133,7 @@ class Subject(Struct, frozen=True):
     ) -> Player:
         """The explorer with its keywords bound; its code must be in this process."""
         assert self.explore is not None
-        return self._bound(self.explore, notice, settled)
-
-    def second_player(self) -> Player:
-        """The explorer as it is played once more: by copies, if it can be copied."""
-        behind = self.steps or self.program or self.native
-        if behind is not None and (self.copies or self.program):
-            return self._bound(behind.explore_by_copies)
-        return self.player()
-
-    def runs_of_copies(self) -> CopyingExplorer | None:
-        """The explorer as it is played in trees in Python; None if it cannot be copied there."""
-        if self.program:
-            return ProgramRuns(self.program)
-        return SteppedRuns(self.steps) if self.steps and self.steps.copies else None
-
-    def _bound(
-        self,
-        explore: Callable[..., Generator[Any, Any, Any]],
-        notice: Callable[[str], None] = nobody,
-        settled: Callable[[Checkpoint], None] = unseen,
-    ) -> Player:
-        keywords = self.keywords
+        explore, keywords = self.explore, self.keywords
 
         def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
             offered = {"choices": choices, "told": told, "notice": notice, "settled": settled}
@@ -236,26 +203,20 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
     module = getattr(explore, "__module__", None) or "?"
     name = f"{module}:{getattr(explore, '__qualname__', type(explore).__qualname__)}"
     found = subject_of(name, explore)
-    return replace(found, explore=None, steps=None) if _is_found_by_name(explore) else found
+    return replace(found, explore=None) if _is_found_by_name(explore) else found
 
 
-def subject_of(
-    name: str, found: Any, source: SourceText | None = None, **arguments: Any
-) -> Subject:
-    """The subject of a generator function, or of an object or class with a method ``step``.
+def subject_of(name: str, found: Any, source: SourceText | None = None) -> Subject:
+    """The subject of a generator function.
 
     Args:
         name: of the explorer.
-        found: the function, the object or the class.
+        found: the function.
         source: the text of its file.
-        arguments: for a class.
 
     Raises:
-        InputError: if it is none of these, or must be called in another way.
+        InputError: if it is none, or must be called in another way.
     """
-    steps = stepping(name, found, **arguments)
-    if steps is not None:
-        return Subject(name, steps.keywords, steps.explore, source=source, steps=steps)
     return Subject(name, keywords_of(name, found), found, source=source)
 
 

@@ -19,7 +19,6 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.judging.endings import (
         BUILT as BUILT,
-        COPIES as COPIES,
         NO_MAP as NO_MAP,
         Answered as Answered,
         Ending as Ending,

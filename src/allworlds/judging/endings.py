@@ -122,12 +122,6 @@ AN_ESTIMATE = "Estimate(map, here) with a dart of the map"
 NO_MAP, BUILT = "no map: ", "built "
 """The first words of the text about a map that could not be built, and of its line of code."""
 
-COPIES = (
-    "it went on from copies of its state, and from its start it goes as before: does a copy leave "
-    "something out, or share memory with what it was copied from?"
-)
-"""The question about a second play that was one of copies, and differs."""
-
 _AMBIGUOUS = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
 
 

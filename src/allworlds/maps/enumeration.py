@@ -76,8 +76,8 @@ class Gluing:
         """Whether no dart is open, and none is owed."""
         return bool(self.degrees) and not self.faces
 
-    def successors(self, dart: Dart | None = None) -> Iterator[tuple[Decision, Gluing]]:
-        """The legal decisions about an open dart, the oldest one unless another is named.
+    def successors(self) -> Iterator[tuple[Decision, Gluing]]:
+        """The legal decisions about the oldest open dart.
 
         They come in the fixed order: gluings ascending, then degrees ascending.  Each successor can
         be followed up to a finished map (simple classes: as far as the counting of partners can
@@ -87,23 +87,23 @@ class Gluing:
             most = self.edges if self.simple else 2 * self.edges
             decisions: list[Decision] = [-degree for degree in range(1, most + 1)]
         else:
-            y, face = self._decided(dart)
+            y, face = self._oldest()
             decisions = sorted(z for z in face if z != y and not self._excluded(y, z))
             if len(self.degrees) < self.limit:
                 decisions += [-degree for degree in range(1, self.owed + 1)]
         for decision in decisions:
             after = self._fork()
-            after.apply(decision, dart)
+            after.apply(decision)
             if after._can_be_finished() and after._may_be_meant():  # noqa: SLF001  # its own kind
                 yield decision, after
 
-    def apply(self, decision: Decision, dart: Dart | None = None) -> None:
-        """Take a decision about an open dart, the oldest unless another is named.  Cost: O(m)."""
+    def apply(self, decision: Decision) -> None:
+        """Take a decision about the oldest open dart.  Cost: O(m)."""
         if not self.degrees:
             self._new_vertex(-decision)
             self.faces = [list(range(-decision))]
             return
-        y, face = self._decided(dart)
+        y, face = self._oldest()
         rest = [other for other in self.faces if other is not face]
         i = face.index(y)
         around = face[i + 1 :] + face[:i]
@@ -118,10 +118,10 @@ class Gluing:
             parts = [between, beyond] if self.planar else [between + beyond]
         self.faces = rest + [part for part in parts if part]
 
-    def _decided(self, dart: Dart | None) -> tuple[Dart, list[Dart]]:
-        """The dart that a decision is about, and the face that it is in."""
-        y = min(map(min, self.faces)) if dart is None else dart
-        return y, next(face for face in self.faces if y in face)
+    def _oldest(self) -> tuple[Dart, list[Dart]]:
+        """The oldest open dart, and the face that it is in."""
+        face = min(self.faces, key=min)
+        return min(face), face
 
     def finish(self) -> CombinatorialMap:
         """The finished map; its root is dart 0.

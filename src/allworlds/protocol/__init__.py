@@ -46,7 +46,6 @@ if TYPE_CHECKING:
         Kind as Kind,
         Policy as Policy,
         Schedule as Schedule,
-        ScheduledChoices as ScheduledChoices,
         Schedules as Schedules,
         a_schedule as a_schedule,
         are_due as are_due,

@@ -8,8 +8,6 @@
     built-in explorers: its rows into tallies;
 ``stretches``
     users' explorers, many runs at a time;
-``trees``
-    users' explorers that can be copied, all runs of a unit as one tree;
 ``users_engine``, ``users_kernel``
     the engine of both, for workers, and what it loads there;
 ``agreement``

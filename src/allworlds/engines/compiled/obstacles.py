@@ -38,8 +38,8 @@ def obstacle(scope: Scope, subject: Subject) -> str:
         return f"knows the policies fifo, lifo and nearest, not {show(rules.policy)}"
     if unknown := [law for law in rules.applying if law not in CHECKED]:
         return f"does not check the law {unknown[0]!r}"
-    if scope.schedules != "one" and not subject.from_user:
-        return "plays built-in explorers in one schedule (see worst for all of them)"
+    if scope.schedules != "one":
+        return "plays one schedule a run (see worst for algorithm1)"
     if beyond := rules.the_bound.variables & {"d", "g"}:
         named = " and ".join(sorted(beyond))
         return f"does not know {named} of the bound {show(rules.the_bound.name)}"

@@ -150,7 +150,7 @@ def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, tally: Tally) -> Tally:
             Row(
                 counts.worlds,
                 counts.runs,
-                counts.episodes,
+                counts.runs,
                 counts.traversals,
                 counts.traversals_rooted,
                 counts.largest,

@@ -26,7 +26,7 @@ KERNEL = "allworlds.engines.compiled.users_kernel"
 
 
 class UsersEngine(Struct, frozen=True):
-    """The engine in which a user's explorer plays in stretches or trees, and the kernel judges.
+    """The engine in which a user's explorer plays in stretches, and the kernel judges.
 
     Attributes:
         general: the Python engine, by which it is checked, and which knows the scope.
@@ -50,10 +50,9 @@ class UsersEngine(Struct, frozen=True):
 
     def compiled(self, job: Job) -> None:
         """Compile or load the kernel in the guardian, before it forks."""
-        one = self.scope.schedules == "one"
-        if not guardian().prepare(KERNEL, "is_kept" if one else "are_schedules_kept"):
+        if not guardian().prepare(KERNEL, "is_kept"):
             job.notice(COMPILING)
-        guardian().prepare(KERNEL, "load" if one else "load_with_schedules")
+        guardian().prepare(KERNEL, "load")
 
     def for_built_in(
         self,

@@ -5,17 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from allworlds.engines.compiled.stretches import PlayedByStretches
-from allworlds.engines.compiled.trees import PlayedByTrees
 from allworlds.engines.isolation.generator_player import load as load_generators
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.kernel.batches import load_native
-from allworlds.engines.kernel.chunks import load_trees
 from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.every_schedule import examine_schedules
 from allworlds.engines.kernel.native import play_worlds
 from allworlds.engines.kernel.runs import examine
-from allworlds.engines.kernel.schedule_judge import load_every_schedule
-from allworlds.engines.kernel.tree_player import play_tree
 from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import PartwiseEngine
@@ -23,29 +18,17 @@ from allworlds.engines.python.run_counter import PartwiseEngine
 
 def is_kept() -> int:
     """Return 1 if the kernel has been compiled before, else 0."""
-    return int(all(map(is_compiled, (play_worlds, play_tree, examine))))
+    return int(all(map(is_compiled, (play_worlds, examine))))
 
 
 def load() -> None:
     """Load the kernel, and with it this module and all that players need."""
     load_native()
-    load_trees()
     load_generators()
-
-
-def are_schedules_kept() -> int:
-    """Return 1 if the kernel, and what every schedule needs, has been compiled before, else 0."""
-    return is_kept() and int(is_compiled(examine_schedules))
-
-
-def load_with_schedules() -> None:
-    """Do :func:`load`, and load what every schedule needs."""
-    load()
-    load_every_schedule()
 
 
 def judged_by_kernel(
     engine: PythonEngine, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
 ) -> PartwiseEngine:
     """Return the engine in which these players play, and the kernel judges."""
-    return PlayedByTrees(PlayedByStretches(engine, explorer, players, earlier))
+    return PlayedByStretches(engine, explorer, players, earlier)

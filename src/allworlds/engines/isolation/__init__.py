@@ -28,8 +28,6 @@ The **guardian** forks them all, and ends them, and all that they have started.
     generator;
 ``log_entries``
     the messages of an explorer in Python, as bytes;
-``chunk_player``
-    trees of runs, walked by an explorer in Python, or a program, that can be copied;
 ``fresh_process``, ``apart``, ``confirm``
     one job in a process of its own; single runs there, and findings once more;
 ``subject_probe``

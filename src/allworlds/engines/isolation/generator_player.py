@@ -12,8 +12,7 @@ from collections.abc import Callable, Generator, MutableSequence
 from random import Random
 from typing import Any
 
-from allworlds.engines.isolation.chunk_player import ChunkPlayer
-from allworlds.engines.isolation.jobs import DueSchedules, PlaySegments, PlayStretch, PlayTree
+from allworlds.engines.isolation.jobs import PlayStretch
 from allworlds.engines.isolation.log_entries import (
     entry_of_answer,
     entry_of_checkpoint,
@@ -26,14 +25,11 @@ from allworlds.engines.kernel.stretch import (
     RUN_BUDGET,
     RUN_MOTIONS,
     RUN_NUMBER,
-    RUN_SCRIPT,
     RUN_TOLD,
-    SCHEDULE_BYTES,
     Stretch,
 )
-from allworlds.engines.kernel.writing import LogEnd, picks_entry
+from allworlds.engines.kernel.writing import LogEnd
 from allworlds.engines.python.play import Recorded
-from allworlds.explorers import CopyingExplorer
 from allworlds.inputs import let_users_interrupt
 from allworlds.judging import closed
 from allworlds.protocol import (
@@ -43,8 +39,6 @@ from allworlds.protocol import (
     Move,
     Percept,
     Player,
-    ScheduledChoices,
-    next_script,
     policy_named,
 )
 from allworlds.world import IllegalAction
@@ -55,97 +49,51 @@ class GeneratorPlayer:
 
     Args:
         player: the explorer.
-        second: the explorer as it is played once more.
-        runs: the explorer as it is played in trees, if it can be copied.
         beat: ``beat[0]`` is set to the number of each run; see
             :func:`allworlds.judging.episode.play`.
         intact: called after each play, to check the parts that the explorer may have broken.
     """
 
     def __init__(
-        self,
-        player: Player,
-        second: Player,
-        runs: CopyingExplorer | None,
-        beat: MutableSequence[int],
-        intact: Callable[[], None],
+        self, player: Player, beat: MutableSequence[int], intact: Callable[[], None]
     ) -> None:
-        self._player, self._second, self._beat, self._intact = player, second, beat, intact
-        self._runs = runs
+        self._player, self._beat, self._intact = player, beat, intact
         self._memories = OpenedMemories()
 
-    def play(self, job: PlayStretch | PlayTree | PlaySegments) -> StretchResult:
-        """Play all runs of a stretch, or of a tree, and put their logs into the memory.
+    def play(self, job: PlayStretch) -> StretchResult:
+        """Play all runs of a stretch, and put their logs into the memory.
 
         No log is put there if there is no room, or if the machine may be the cause of a fault.
         """
-        if not isinstance(job, PlayStretch):
-            if self._runs is None:
-                return StretchResult(-1, 0)
-            return ChunkPlayer(self._runs, self._beat, self._memories).play(job)
         stretch = self._memories.stretch(job)
-        if job.schedules is not None and not job.again:
-            return StretchResult(self._every_schedule(stretch, job, job.schedules), 0)
         logs, begins = bytearray(), [0] * job.runs
         order = [*range(job.runs)]
         Random(job.order).shuffle(order)  # noqa: S311  # it need not be secret for longer than a run
         for run in order:
             begins[run] = len(logs)
-            if job.schedules is None:
-                choices = Choices(policy_named(job.policy))
-            else:
-                choices = ScheduledChoices(self._script(stretch, run))
-            log = self._log(stretch, run, choices, again=job.again)
+            log = self._log(stretch, run, job)
             if log is None:
                 return StretchResult(-1, 0)
             logs += log
         return StretchResult(stretch.put(logs, begins), 0)
 
-    def _every_schedule(self, stretch: Stretch, job: PlayStretch, due: DueSchedules) -> int:
-        """Play every schedule of runs, as far as there is room; return the bytes of the logs."""
-        logs, row, left = bytearray(), due.row, due.most
-        script: tuple[int, ...] | None = due.script
-        while row < job.runs and left:
-            choices = ScheduledChoices(script or ())
-            log = self._log(stretch, row, choices, again=False)
-            if log is None:
-                return -1
-            if len(logs) + len(log) > SCHEDULE_BYTES:
-                break
-            logs += log
-            left -= 1
-            script = next_script(script or (), choices.record, choices.widths)
-            row += script is None
-        return stretch.put(logs, ()) or -1
-
-    def _log(self, stretch: Stretch, run: int, choices: Choices, *, again: bool) -> bytes | None:
+    def _log(self, stretch: Stretch, run: int, job: PlayStretch) -> bytes | None:
         """The log of one run; None if the machine may have made it go wrong."""
         row = stretch.heads[HEAD * run : HEAD * (run + 1)].tolist()
         budget, told = row[RUN_BUDGET], row[RUN_TOLD]
         self._beat[0] = row[RUN_NUMBER]
         world: ByteWorld | Recorded
-        if again:
+        if job.again:
             start = stretch.starts[run]
             end = start + 3 * (row[RUN_MOTIONS] + 1)
             world = recorded(stretch.percepts[start:end].tobytes(), told)
         else:
             table = stretch.worlds[stretch.wide * run : stretch.wide * (run + 1)]
             world = ByteWorld(table.tobytes(), told)
-        player = self._second if again else self._player
-        log = log_of_run(world, player, choices, budget, self._beat)
+        choices = Choices(policy_named(job.policy))
+        log = log_of_run(world, self._player, choices, budget, self._beat)
         self._intact()
-        if log is None or not isinstance(choices, ScheduledChoices):
-            return log
-        made = picks_entry(choices.record, choices.widths)
-        return None if made is None else log + made
-
-    @staticmethod
-    def _script(stretch: Stretch, run: int) -> bytes:
-        """The script behind the percepts of a record."""
-        row = stretch.heads[HEAD * run : HEAD * (run + 1)].tolist()
-        start = stretch.starts[run] + 3 * (row[RUN_MOTIONS] + 1)
-        script: bytes = stretch.percepts[start : start + row[RUN_SCRIPT]].tobytes()
-        return script
+        return log
 
 
 def load() -> None:

@@ -13,7 +13,6 @@ from msgspec import Struct
 from allworlds.protocol import START_TIMEOUT, SourceText
 
 if TYPE_CHECKING:  # a player loads what its messages hold, and nothing for the others
-    from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
     from allworlds.engines.python.play import Record
     from allworlds.engines.python.run_counter import RunCounter
     from allworlds.engines.python.runs_of_unit import UnitOfRuns
@@ -73,15 +72,11 @@ class PlayRuns(Struct, frozen=True):
 
 
 class PlayRecords(Struct, frozen=True):
-    """Play against recorded percepts alone, without a world; answered by ``RecordLogs``.
-
-    If ``plain``, they are played as in worlds, and not by copies.
-    """
+    """Play against recorded percepts alone, without a world; answered by ``RecordLogs``."""
 
     records: tuple[Record, ...]
     policy: str
     order: int
-    plain: bool = False
 
 
 class PlayStretch(Struct, frozen=True):
@@ -97,7 +92,6 @@ class PlayStretch(Struct, frozen=True):
         policy: answers the explorer's choices.
         again: whether the runs are played against the recorded percepts there, not in worlds.
         compiled: whether compiled code plays; then the explorer is a shared library, loaded there.
-        schedules: if every schedule is tried: the ones that are due.
     """
 
     memory: str
@@ -106,61 +100,6 @@ class PlayStretch(Struct, frozen=True):
     order: int
     policy: str
     again: bool
-    compiled: bool = True
-    schedules: DueSchedules | None = None
-
-
-class DueSchedules(Struct, frozen=True):
-    """The schedules that are played of the runs of a stretch, one run after the other.
-
-    Attributes:
-        row: of the run that is played first.
-        script: of the choices in its first schedule; all others are 0.
-        most: the largest number of schedules; there are fewer where the logs have no more room.
-    """
-
-    row: int
-    script: tuple[int, ...]
-    most: int
-
-
-SCRIPTS_BEHIND = DueSchedules(0, (), 0)
-"""The schedules against records: one for each, whose script stands behind the percepts."""
-
-
-class PlayTree(Struct, frozen=True):
-    """Play a chunk of the tree of a unit; answered by a ``StretchResult``.
-
-    Attributes:
-        memory: a file that both sides share.
-        request: the unit.
-        chunk: where it begins.
-        runs: the number of runs after which it ends.
-        compiled: as for :class:`PlayStretch`.
-    """
-
-    memory: str
-    request: TreeRequest
-    chunk: Chunk
-    runs: int
-    compiled: bool = True
-
-
-class PlaySegments(Struct, frozen=True):
-    """Play the segments of a chunk that stand in shared memory; answered by a ``StretchResult``.
-
-    Attributes:
-        memory: a file that both sides share.
-        policy: answers the explorer's choices.
-        roots: the first segments of trees, in the order in which they are played.
-        runs: the number of runs in them.
-        compiled: as for :class:`PlayStretch`.
-    """
-
-    memory: str
-    policy: str
-    roots: tuple[int, ...]
-    runs: int
     compiled: bool = True
 
 

@@ -23,14 +23,12 @@ class _Message(Struct, frozen=True, array_like=True, forbid_unknown_fields=True,
 class ExplorerDescription(_Message, frozen=True):
     """The keywords that the explorer takes, and the digest of its code, if it is known.
 
-    An explorer that has a shield of its own says so, since its bound is that of a shield, and so
-    does one that can be copied.
+    An explorer that has a shield of its own says so, since its bound is that of a shield.
     """
 
     keywords: frozenset[str]
     digest: str
     has_shield: bool = False
-    copies: bool = False
 
 
 class RunLogs(_Message, frozen=True):
@@ -47,15 +45,10 @@ class RecordLogs(_Message, frozen=True):
 
 
 class StretchResult(_Message, frozen=True):
-    """The number of bytes of the logs (-1: there are none), and of threads left behind.
-
-    Of a tree also whether it ends here; and whether the explorer can be copied.
-    """
+    """The number of bytes of the logs (-1: there are none), and of threads left behind."""
 
     size: int
     threads: int
-    last: bool = False
-    copies: bool = False
 
 
 class TraceEvent(_Message, frozen=True):

@@ -18,9 +18,7 @@ from allworlds.engines.isolation.jobs import (
     PlayerSetup,
     PlayRecords,
     PlayRuns,
-    PlaySegments,
     PlayStretch,
-    PlayTree,
     Trace,
 )
 from allworlds.engines.isolation.layout import run_deeper, scatter_memory, scatter_objects
@@ -56,7 +54,7 @@ LOOK = 0.002
 SHARE_OF_MODELS = 0.8
 """The share of an explorer's time for an answer that a call of a lighthouse or judge may take."""
 
-Job = PlayRuns | PlayRecords | PlayStretch | PlayTree | PlaySegments | Trace
+Job = PlayRuns | PlayRecords | PlayStretch | Trace
 """Every message to a player after its setup."""
 
 
@@ -115,11 +113,9 @@ class PlayerProcess:
         if native is not None:
             native.library.print_line_by_line()
         has_shield = isinstance(subject.explore, Shield)
-        described = subject.keywords, _digest(subject), has_shield, subject.copies
-        self._send(ExplorerDescription(*described))
+        self._send(ExplorerDescription(subject.keywords, _digest(subject), has_shield))
         with subject.running():
-            first, second = subject.player(), subject.second_player()
-            self._serve(subject, ExplorerRunner(first, self._beat, self._intact, second))
+            self._serve(subject, ExplorerRunner(subject.player(), self._beat, self._intact))
 
     def _serve(self, subject: Subject, runner: ExplorerRunner) -> None:
         while True:
@@ -138,9 +134,9 @@ class PlayerProcess:
         match job:
             case PlayRuns():
                 self._world_player(runner).play_runs(job)
-            case PlayRecords(records, policy, order, plain):
-                self._send(RecordLogs(runner.play_records(records, policy, order, plain=plain)))
-            case PlayStretch() | PlayTree() | PlaySegments():
+            case PlayRecords(records, policy, order):
+                self._send(RecordLogs(runner.play_records(records, policy, order)))
+            case PlayStretch():
                 self._send(self._play_stretch(subject, job))
             case Trace():
                 self._world_player(runner).trace(job)
@@ -153,9 +149,7 @@ class PlayerProcess:
             self._in_worlds = WorldPlayer(runner, self._send)
         return self._in_worlds
 
-    def _play_stretch(
-        self, subject: Subject, job: PlayStretch | PlayTree | PlaySegments
-    ) -> StretchResult:
+    def _play_stretch(self, subject: Subject, job: PlayStretch) -> StretchResult:
         from allworlds.engines.isolation.generator_player import GeneratorPlayer
         from allworlds.engines.isolation.library_player import LibraryPlayer
 
@@ -163,11 +157,10 @@ class PlayerProcess:
             if subject.native is not None and job.compiled:
                 self._stretches = LibraryPlayer(subject.native, self._beat)
             else:
-                players = subject.player(), subject.second_player(), subject.runs_of_copies()
-                self._stretches = GeneratorPlayer(*players, self._beat, self._intact)
+                self._stretches = GeneratorPlayer(subject.player(), self._beat, self._intact)
         result = self._stretches.play(job)
         self._intact()
-        return StretchResult(result.size, result.threads, result.last, subject.copies)
+        return result
 
     def _send(self, message: Message) -> None:
         self._connection.send_bytes(write_message(message))

@@ -15,12 +15,9 @@ from allworlds.engines.isolation.jobs import (
     PlayerSetup,
     PlayRecords,
     PlayRuns,
-    PlaySegments,
     PlayStretch,
-    PlayTree,
 )
 from allworlds.engines.isolation.messages import (
-    ExplorerDescription,
     RecordLogs,
     RunLogs,
     StretchResult,
@@ -73,23 +70,12 @@ class PlayerPair(Struct):
     in_stretches: bool = False
     _processes: dict[str, Process] = field(default_factory=dict)
     _losses: int = 0
-    _copies: bool = False
     _sent: PlayRecords = field(default_factory=lambda: PlayRecords((), "fifo", 0))
 
     @property
     def answer_timeout(self) -> float:
         """The seconds after which a silent run is given up."""
         return self.setup.answer_timeout
-
-    @property
-    def copies(self) -> bool:
-        """Whether the explorer can be copied, once a player has loaded it."""
-        return self._copies
-
-    @property
-    def in_trees(self) -> bool:
-        """Whether both players can walk trees, which compiled code does for a library."""
-        return self._copies and (self.tour.is_home or not is_library(self.setup.name))
 
     def close(self) -> None:
         """End both processes."""
@@ -211,12 +197,10 @@ class PlayerPair(Struct):
             return interfered
         return None
 
-    def play_stretch(
-        self, which: str, job: PlayStretch | PlayTree | PlaySegments
-    ) -> StretchResult | None:
+    def play_stretch(self, which: str, job: PlayStretch) -> StretchResult | None:
         """Let a player, ``first`` or ``second``, play a stretch; return None if it was lost."""
         if which == "second":
-            self._change_second(job.runs, may_visit=isinstance(job, PlayStretch))
+            self._change_second(job.runs, may_visit=True)
         try:
             player = self._player(which)
             home = self._has_compiled_code(*self._place(which))
@@ -226,14 +210,13 @@ class PlayerPair(Struct):
             self._end(which)
             return None
         if isinstance(message, StretchResult):
-            self._copies = message.copies
             return message
         self._end(which)
         return None
 
-    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
+    def send_records(self, records: Sequence[Record], policy: str) -> None:
         """Begin to play these once more."""
-        self._sent = PlayRecords(tuple(records), policy, self.random.getrandbits(64), plain)
+        self._sent = PlayRecords(tuple(records), policy, self.random.getrandbits(64))
         if records:
             self._change_second(len(records))
             self._player("second").send(self._sent)
@@ -297,8 +280,7 @@ class PlayerPair(Struct):
     def _player(self, which: str) -> Process:
         if which not in self._processes:
             place, in_worlds = self._place(which), which == "first"
-            process, description = self._start(*place, in_worlds=in_worlds)
-            self._processes[which], self._copies = process, description.copies
+            self._processes[which] = self._start(*place, in_worlds=in_worlds)
         return self._processes[which]
 
     def _place(self, which: str) -> tuple[int, int]:
@@ -311,15 +293,14 @@ class PlayerPair(Struct):
         """Whether the process at a place has loaded compiled code, if any has."""
         return seed == 0 and copy in (0, BEHIND)
 
-    def _start(
-        self, seed: int, copy: int, *, in_worlds: bool
-    ) -> tuple[Process, ExplorerDescription]:
+    def _start(self, seed: int, copy: int, *, in_worlds: bool) -> Process:
         if self.in_stretches and not is_program(self.setup.name):
             if not self._has_compiled_code(seed, copy):
                 self.guardian.nursery(seed, copy).prepare(GENERATORS, "load")
             elif copy:
                 self.guardian.nursery(seed, copy, alike=True)
-        return start_player(self.guardian, self.setup, seed, copy, in_worlds=in_worlds)
+        player, _ = start_player(self.guardian, self.setup, seed, copy, in_worlds=in_worlds)
+        return player
 
     def _change_second(self, plays: int, *, may_visit: bool = False) -> None:
         """Count plays of the second player, and replace it if it is time for that."""

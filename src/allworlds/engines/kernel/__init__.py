@@ -14,14 +14,8 @@ lock only to start and to end, so that threads share the work.
 ``native``, ``known_runs``, ``picking``, ``logs``, ``log_codes``, ``writing``, ``stretch``,
 ``batches``
     users' explorers, played in processes of their own, many runs at a time;
-``every_schedule``, ``schedule_judge``
-    the judge of these under every schedule, and its door;
-``on_demand``, ``tree_player``, ``tree_judge``, ``tree_ends``, ``tree_records``
-    users' explorers that can be copied: a world is decided only where the robot looks;
-``chunks``, ``tree_memory``, ``tree_requests``
-    the door of these trees of runs, and their memory;
 ``memory_arrays``
-    the memory of stretches and trees, as compiled code sees it;
+    the memory of stretches, as compiled code sees it;
 ``demand_driven``, ``ways``, ``demand_tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``schedule_costs``

@@ -31,12 +31,9 @@ from allworlds.engines.kernel.stretch import (
     ROWS,
     RUN_MOTIONS,
     RUN_NUMBER,
-    SCHEDULE_BYTES,
     Stretch,
 )
 from allworlds.engines.kernel.tables import tables
-from allworlds.engines.kernel.writing import read_picks
-from allworlds.protocol import DEFAULT_POLICY
 
 
 class LaidOutRuns(Struct, frozen=True):
@@ -63,14 +60,7 @@ class UnitJudge:
         keep: the number of broken runs that are kept of each stretch.
         stretch: for the first play.
         records: for the second.
-
-    Attributes:
-        logs: the number of logs that were judged last, without those of earlier runs.
-        counted: the numbers of the runs that were counted with them.
     """
-
-    every = False
-    """Whether each run has a log for every schedule."""
 
     def __init__(
         self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, records: Stretch
@@ -83,7 +73,6 @@ class UnitJudge:
         self._robot = robot
         self._asked = asked_of(level, prefix, keep)
         self._prefix, self._viable, _, _, self._budgets, *_ = self._asked.arguments
-        self.logs, self.counted = 0, range(0)
 
     def lay_out(self, most: int) -> LaidOutRuns:
         """Write the next stretch, of about that many runs, to the memory; return its bounds."""
@@ -100,15 +89,6 @@ class UnitJudge:
         """Go on behind a stretch that is judged elsewhere, without its results."""
         if self._job.number < batch.until:
             self.judge(batch, 0)
-
-    def is_done(self, batch: LaidOutRuns) -> bool:
-        """Whether every run of the stretch has been judged."""
-        return bool(self._job.number >= batch.until)
-
-    @property
-    def next(self) -> tuple[int, tuple[int, ...]]:
-        """The row of the run that is played next, and the script of its choices."""
-        return 0, ()
 
     def judge(
         self, batch: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
@@ -133,32 +113,25 @@ class UnitJudge:
         reader.noted = reader.run = reader.strange = 0
         job.until = batch.until
         asked.clear()
-        heads, good = self._examine(batch)
-        count = self.logs = len(heads)
-        begins, ends = (each[: count + len(earlier)] for each in (_BEGINS, _ENDS))
+        count = batch.runs
+        _BEGINS[:count] = self._stretch.begins[:count]
+        runs.examine(job, reader, *asked.arguments, _NEVER)
         _STARTS[count] = reader.noted
+        self._heads[:, RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
+        begins, ends = (each[: count + len(earlier)] for each in (_BEGINS, _ENDS))
         for row, play in enumerate(earlier, count):
             begins[row], ends[row] = size, size + len(play.log)
             kept[size : ends[row]] = play.log
             size += len(play.log)
-        self._first = _Logs(heads, _PERCEPTS, _STARTS[: count + 1], kept[:size], begins, ends)
+        self._first = _Logs(self._heads, _PERCEPTS, _STARTS[: count + 1], kept[:size], begins, ends)
         self._hand_over(earlier)
-        good = good and reader.strange == 0 and job.undefined == 0
+        good = reader.run == count and reader.strange == 0 and job.undefined == 0
         return rows_of(asked, job, self._robot), good
-
-    def _examine(self, batch: LaidOutRuns) -> tuple[Any, bool]:
-        """Judge the logs; return what is said of each, and whether they were all there."""
-        reader, count = self._reader, batch.runs
-        _BEGINS[:count] = self._stretch.begins[:count]
-        self.counted = range(batch.first, batch.until)
-        runs.examine(self._job, reader, *self._asked.arguments, _NEVER)
-        _STARTS[count] = reader.noted
-        self._heads[:, RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
-        return self._heads, reader.run == count
 
     def _hand_over(self, earlier: Sequence[ReplayableRun]) -> None:
         """Hand the percepts of these and of earlier runs to the second player."""
-        records, first, count = self._records, self._first, self.logs
+        records, first = self._records, self._first
+        count = len(first.heads)
         end = min(int(first.starts[count]), int(self._reader.room))
         records.percepts[:end] = first.percepts[:end]
         records.starts[:count] = first.starts[:count]
@@ -171,13 +144,14 @@ class UnitJudge:
         # Who plays again is not to know which runs these are.
         records.heads[: count + len(earlier), RUN_NUMBER] = 0
 
-    def differing(self, size: int, earlier: Sequence[ReplayableRun] = ()) -> list[int]:
+    def differing(self, size: int) -> list[int]:
         """The numbers of the logs whose second ones differ from them.
 
         Those of the stretch, and behind them those of earlier runs, are numbered as they were
         judged.
         """
-        records, first, count = self._records, self._first, self.logs + len(earlier)
+        records, first = self._records, self._first
+        count = len(first.begins)
         size = max(0, min(size, LOG_BYTES))
         second, found = _SECOND_LOGS[:size], zeros(count, int64)
         second[:] = records.logs[:size]
@@ -185,10 +159,6 @@ class UnitJudge:
         differ = logs.differing(first.logs, first.begins, first.ends, second, again, count, found)
         different: list[int] = found[:differ].tolist()
         return different
-
-    def choices_of_broken(self, number: int) -> tuple[int, ...]:  # noqa: ARG002  # there is one
-        """The choices of the broken run of that number in the rows, if every schedule is tried."""
-        return ()
 
     def number(self, row: int) -> int:
         """The number of the run of a log in its unit."""
@@ -208,11 +178,6 @@ class ReplayableRun(NamedTuple):
     head: Any
     percepts: Any
     log: Any
-
-    @property
-    def choices(self) -> tuple[int, ...]:
-        """The choices that were made, if every schedule is tried; else nothing."""
-        return read_picks(self.log.tobytes())
 
     @property
     def short(self) -> bool:
@@ -283,27 +248,7 @@ class NativePlayer:
             int64,
         )
 
-    @property
-    def beat(self) -> Any:
-        """The heartbeat."""
-        return self._beat
-
-    def handed(self, policy: str, *, every: bool = False) -> tuple[Any, ...]:
-        """The explorer, percept, action, here, room and choices, as compiled code takes them."""
-        self._asked.policy, self._asked.every = POLICIES[policy], every
-        percept, action, here, sigma, *_ = self._arrays
-        return self._explorer, percept, action, here, len(sigma), self._asked
-
-    def play(
-        self,
-        stretch: Stretch,
-        count: int,
-        order: int,
-        policy: str,
-        *,
-        again: bool,
-        every: bool = False,
-    ) -> int:
+    def play(self, stretch: Stretch, count: int, order: int, policy: str, *, again: bool) -> int:
         """Play runs; return the number of bytes of their logs, or -1 if there is no room for them.
 
         Args:
@@ -312,35 +257,17 @@ class NativePlayer:
             order: seed of the order in which they are played.
             policy: answers its choices.
             again: whether they are played against records.
-            every: whether every schedule is tried: a script answers the choices.
         """
         rows = arange(count)
         native.shuffle(rows, order)
-        common = (*self.handed(policy, every=every), stretch.heads)
+        self._asked.policy = POLICIES[policy]
+        percept, action, here, sigma, *_ = self._arrays
+        handed = self._explorer, percept, action, here, len(sigma), self._asked, stretch.heads
         if again:
             said = (stretch.percepts, stretch.starts, rows, stretch.logs, stretch.begins)
-            return int(native.play_records(*common, *said, self._beat))
+            return int(native.play_records(*handed, *said, self._beat))
         shown = (stretch.worlds, rows, stretch.logs, stretch.begins)
-        return int(native.play_worlds(*common, *shown, self._beat))
-
-    def play_schedules(
-        self, stretch: Stretch, count: int, row: int, script: Sequence[int], most: int
-    ) -> int:
-        """Play every schedule of runs, as far as there is room; return the bytes of the logs.
-
-        Args:
-            stretch: in shared memory.
-            count: of the runs.
-            row: of the run that is played first.
-            script: of its first schedule.
-            most: the largest number of episodes.
-        """
-        common = self.handed(DEFAULT_POLICY, every=True)
-        self._asked.due = len(script)
-        self._asked.script[: len(script)] = script
-        worlds, rows = (stretch.heads, stretch.worlds), (row, count, most)
-        logs = stretch.logs[:SCHEDULE_BYTES]
-        return int(native.play_schedules(*common, *worlds, *rows, logs, self._beat))
+        return int(native.play_worlds(*handed, *shown, self._beat))
 
 
 def _view(memory: Any) -> Any:

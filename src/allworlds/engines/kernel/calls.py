@@ -84,24 +84,6 @@ def call_choose(_context, address, state, pick, context):
 
 
 @intrinsic
-def call_clone(_context, address, source, target):
-    """Call ``clone(source, target)``."""
-    return types.void(address, source, target), _call
-
-
-@intrinsic
-def call_new(_context, address):
-    """Call ``new()``; return the address of the state."""
-
-    def generate(_target, builder, _signature, values):
-        shape = ir.FunctionType(_POINTER, [])
-        state = builder.call(builder.inttoptr(values[0], shape.as_pointer()), [])
-        return builder.ptrtoint(state, ir.IntType(64))
-
-    return types.int64(types.int64), generate
-
-
-@intrinsic
 def ask_answer(_context, address, state, capacity, sigma, alpha, here):
     """Call ``answer(state, capacity, sigma, alpha, &here)``; return the number of darts."""
     return types.int32(address, state, capacity, sigma, alpha, here), _ask

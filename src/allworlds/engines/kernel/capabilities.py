@@ -28,9 +28,5 @@ of an unfolded log, and so the darts of a world times the traversals of its budg
 MOST_BUDGET = LONG // (2 * MOST_EDGES) - 2
 """The largest number of traversals that a run has room for."""
 
-MOST_PICKS, MOST_OPTIONS = 512, 255
-"""The largest number of choices in an episode, and of options in a choice, where every schedule is
-tried; more are left to the general engine."""
-
 COMPILING = "compiling the kernel; this is done once and takes some seconds"
 """The notice for a first use."""

@@ -70,7 +70,7 @@ def rows_of(asked: AskedLevel, job: Any, robot: Any) -> Rows:
     darts = 2 * int(job.gluing.edges)
     rows = enumerate(asked.counts.tolist())
     return Rows(
-        tuple(Counts(n, *row) for n, row in rows if any(row)),
+        tuple(Counts(n, *row) for n, row in rows if row[runs.WORLDS]),
         dict(zip(EVENTS, robot.events.tolist(), strict=False)),
         tuple((n, d0, largest) for n, d0, largest in met),
         tuple(_at(row, darts) for row in asked.most_expensive.tolist() if row[0]),
@@ -302,7 +302,6 @@ def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
     return Counts(
         n,
         worlds,
-        places * worlds,
         places * worlds,
         places * traversals,
         traversals,

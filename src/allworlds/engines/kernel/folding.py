@@ -22,24 +22,24 @@ NODE = DARTS.bit_length() - 1
 @inner
 def folds(world, log, fold):
     """Whether no dart of the folded log is open; the log is that of a directional lighthouse."""
-    begin_fold(world, fold)
+    _begin(world, fold)
     for step in range(log.cost):
-        fold_step(world, fold, log.arrived[step])
+        _step(world, fold, log.arrived[step])
         if fold.open == 0:
             return True
     return False
 
 
-@inner
-def begin_fold(world, fold):
+@inlined
+def _begin(world, fold):
     """Begin with the node of v0 alone."""
-    fold.parent[0] = fold.linked[0] = fold.node = fold.changes = 0
+    fold.parent[0] = fold.linked[0] = fold.node = 0
     fold.open = world.degree[world.start]
     fold.nodes = 1
 
 
-@inner
-def fold_step(world, fold, entered):
+@inlined
+def _step(world, fold, entered):
     """Fold one step more: the robot arrives by the dart, along an edge that has been decided.
 
     There must be an open dart; else all is known, and a log is not folded any further.
@@ -59,7 +59,6 @@ def fold_step(world, fold, entered):
     else:
         to = 0
         if fold.linked[0] >> entered & 1:
-            _remember(fold, at)
             fold.link[at << NODE | leaving] = 0
             fold.linked[at] |= 1 << leaving
             fold.open -= 1
@@ -69,31 +68,9 @@ def fold_step(world, fold, entered):
     fold.node = to
 
 
-@inner
-def unfold(fold, changes):
-    """Take back all but the first changes; links of darts that lead nowhere then are not read."""
-    while fold.changes > changes:
-        fold.changes -= 1
-        change = fold.changes
-        v = fold.changed[change]
-        fold.linked[v], fold.parent[v] = fold.linked_before[change], fold.parent_before[change]
-
-
-@inlined
-def _remember(fold, v):
-    """Note what is to be taken back at a node that changes."""
-    change = fold.changes
-    fold.changed[change] = v
-    fold.linked_before[change], fold.parent_before[change] = fold.linked[v], fold.parent[v]
-    fold.changes = change + 1
-
-
 @inlined
 def _lead(fold, v, leaving, w, entered):
     """Join two darts whose other ends were unknown."""
-    _remember(fold, v)
-    if w == 0:
-        _remember(fold, w)
     fold.link[v << NODE | leaving], fold.link[w << NODE | entered] = w, v
     fold.linked[v] |= 1 << leaving
     fold.linked[w] |= 1 << entered
@@ -118,8 +95,6 @@ def _merge(world, fold, v, w):
             # The older node stays, so that v0 is always a root.
             v, w = w, v
         if v != w:
-            _remember(fold, v)
-            _remember(fold, w)
             fold.parent[v] = w
             both = fold.linked[v] & fold.linked[w]
             more = fold.linked[v] & ~both

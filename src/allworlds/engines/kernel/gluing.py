@@ -24,7 +24,7 @@ def advance(g, prefix, viable):
     if fresh:
         _add_vertex(g, -prefix[0])
     else:
-        take_back(g)
+        _take_back(g)
     while True:
         if fresh:
             _look(g, prefix)
@@ -37,7 +37,7 @@ def advance(g, prefix, viable):
             return False
         else:
             g.depth -= 1
-            take_back(g)
+            _take_back(g)
             fresh = False
 
 
@@ -87,7 +87,7 @@ def _decide(g, viable):
                 call_with(g.rule, g)
             if g.possible:
                 return True
-        take_back(g)
+        _take_back(g)
 
 
 @inner
@@ -105,7 +105,7 @@ def _add_vertex(g, degree):
 
 
 @inner
-def take_back(g):
+def _take_back(g):
     """Undo the decision at this depth."""
     depth = g.depth
     y, z = g.place[depth], g.partner[depth]

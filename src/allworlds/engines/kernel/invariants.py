@@ -41,7 +41,6 @@ def _look_anew(judged, published, world, dart, walked):
     """The number of explored darts; I-1 and I-2 are checked without an earlier S."""
     darts, alpha = published.darts, published.alpha
     explored, mutual = 0, True
-    judged.anew += 1
     for d in range(darts):
         e = entry_of(alpha, d)
         if e != d:

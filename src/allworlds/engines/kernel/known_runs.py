@@ -17,7 +17,6 @@ from allworlds.engines.kernel.stretch import (
     MARKS,
     PARTNER,
     RUN_MOTIONS,
-    RUN_SCRIPT,
     WIDE,
 )
 
@@ -52,11 +51,6 @@ def sense(known: Any, run: int, place: int, percept: Any) -> None:
 
 def go(known: Any, head: Any, run: int, place: int, motion: Any, cost: int) -> int:
     """The place behind the motion, after ``cost`` others; NONE if the first play ended here."""
-    raise NotImplementedError
-
-
-def read_script(known: Any, head: Any, run: int, asked: Any) -> None:
-    """Let the script of a record answer the first choices; of a world there is none."""
     raise NotImplementedError
 
 
@@ -109,20 +103,6 @@ def _going(known, head, run, place, motion, cost):
 
     def record(known, head, run, place, motion, cost):
         return int64(NONE) if cost == head[RUN_MOTIONS] else place + 3
-
-    return _either(known, world, record)
-
-
-@overload(read_script, inline="always")
-def _reading(known, head, run, asked):
-    def world(known, head, run, asked):
-        pass  # of a world every schedule is played
-
-    def record(known, head, run, asked):
-        at = known.starts[run] + 3 * (head[RUN_MOTIONS] + 1)
-        asked.due = head[RUN_SCRIPT]
-        for turn in range(head[RUN_SCRIPT]):
-            asked.script[turn] = known.percepts[at + turn]
 
     return _either(known, world, record)
 

@@ -28,7 +28,6 @@ from allworlds.engines.kernel.known_runs import (
     degree_of,
     enter,
     go,
-    read_script,
     sense,
 )
 from allworlds.engines.kernel.log_codes import (
@@ -152,42 +151,17 @@ def play_records(
     return _play(explorer, handed, asked, heads, known, order, logs, begins, beat)
 
 
-@entry
-def play_schedules(
-    explorer, percept, action, here, room, asked, heads, worlds, run, runs, most, logs, beat
-):
-    """Play every schedule of runs in worlds, one after the other; return the bytes of the logs.
-
-    The first is that of the script of ``asked``, in the run of the given number; the last is the
-    last one of ``runs`` runs, or the number ``most``, or the last for which there is room.
-    """
-    handed, known = (percept, action, here, room), WorldRuns(worlds)
-    at, due = int64(0), NOTHING_DUE
-    while run < runs and most > 0:
-        after, due = _episode(explorer, handed, asked, heads[run], known, run, logs, at, due, beat)
-        if after < 0:
-            break
-        at, most = after, most - 1
-        if not next_script(asked):
-            run += 1
-    beat[1] = 0
-    write(explorer, logs, due)
-    return at
-
-
 @inlined
 def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
     """Play all runs, by the data that are known of them."""
     at, due = int64(0), NOTHING_DUE
     for run in order:
         begins[run] = at
-        if asked.every:
-            read_script(known, heads[run], run, asked)
         at, due = _episode(explorer, handed, asked, heads[run], known, run, logs, at, due, beat)
         if at < 0:
             return -1
     beat[1] = 0
-    write(explorer, logs, due)
+    _write(explorer, logs, due)
     return at
 
 
@@ -225,60 +199,22 @@ def _episode(explorer, handed, asked, head, known, run, logs, at, due, beat):
             cost += 1
         elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
             shown += 1
-            at, due = publish(explorer, handed, logs, at, SHOWN, due)
+            at, due = _publish(explorer, handed, logs, at, SHOWN, due)
             if due[0] < 0:
                 break
         else:
-            at, due = end(explorer, handed, kind, logs, at, due)
+            at, due = _end(explorer, handed, kind, logs, at, due)
             break
         action[0] = action[1] = 0
         call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
-    at += 1
-    if asked.every:
-        at = _write_picks(asked, logs, at)
-    return at, due
-
-
-@inlined
-def _write_picks(asked, logs, at):
-    """Write the choices of the episode behind its log; return the place behind them.
-
-    That is -1 if there is no room.
-    """
-    turns = asked.turns
-    if at + 2 + 2 * turns > len(logs):
-        return int64(-1)
-    logs[at], logs[at + 1] = turns & 255, turns >> 8
-    at += 2
-    for turn in range(turns):
-        logs[at], logs[at + 1] = asked.picks[turn], asked.widths[turn]
-        at += 2
-    return at
-
-
-@inlined
-def next_script(asked):
-    """Make the script that of the next schedule; return whether there is one.
-
-    The twin is :func:`allworlds.protocol.next_script`.
-    """
-    turn = asked.turns - 1
-    while turn >= 0 and asked.picks[turn] + 1 >= asked.widths[turn]:
-        turn -= 1
-    asked.due = turn + 1
-    if turn < 0:
-        return False
-    for i in range(turn):
-        asked.script[i] = asked.picks[i]
-    asked.script[turn] = asked.picks[turn] + 1
-    return True
+    return at + 1, due
 
 
 @inlined
 def _begin(explorer, action, asked, head, beat):
     """Let the explorer take the first step of an episode."""
     beat[0], beat[1] = head[RUN_NUMBER], 1
-    asked.wrong = asked.turns = 0
+    asked.wrong = 0
     if explorer[CHOOSE]:
         call_choose(explorer[CHOOSE], explorer[STATE], explorer[PICK], explorer[ASKED])
     action[0] = action[1] = 0
@@ -288,10 +224,10 @@ def _begin(explorer, action, asked, head, beat):
 
 
 @inlined
-def end(explorer, handed, kind, logs, at, due):
+def _end(explorer, handed, kind, logs, at, due):
     """Write the end of the log, with an answer or without; return its place, and what is due."""
     if kind == ANSWER_READY:
-        at, due = publish(explorer, handed, logs, at, ANSWERED, due)
+        at, due = _publish(explorer, handed, logs, at, ANSWERED, due)
         if due[0] >= 0:
             at -= 1
     elif kind == CHECKPOINT:
@@ -310,7 +246,7 @@ NOTHING_DUE = (int64(-1), int64(0), int64(0))
 
 
 @inlined
-def publish(explorer, handed, logs, at, what, due):
+def _publish(explorer, handed, logs, at, what, due):
     """Write a published map; return the place behind it, and the address of the map that is due.
 
     If the map does not fit, STRANGE is written, and no map is due.
@@ -328,7 +264,7 @@ def publish(explorer, handed, logs, at, what, due):
             explorer[HERE],
         )
     )
-    write(explorer, logs, due)
+    _write(explorer, logs, due)
     if darts < 1 or darts > MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
         logs[at] = STRANGE
         return at, NOTHING_DUE
@@ -337,7 +273,7 @@ def publish(explorer, handed, logs, at, what, due):
 
 
 @inner
-def write(explorer, logs, due):
+def _write(explorer, logs, due):
     """Write the pending map's darts; mark the log STRANGE if one of them is no byte."""
     at, room, darts = due
     if at < 0:

@@ -11,7 +11,7 @@ from typing import Any
 
 from numpy import dtype, int32, int64, recarray, uint8, zeros
 
-from allworlds.engines.kernel.capabilities import LONG, MOST_PICKS
+from allworlds.engines.kernel.capabilities import LONG
 
 DARTS = 32
 """Room for the darts of a world, and for its vertices."""
@@ -21,10 +21,6 @@ DEPTHS = 16
 
 FOLDED = LONG // 16
 """Room for the nodes of an unfolded log: more than the traversals of the largest budget."""
-
-CHANGES = 4 * FOLDED
-"""Room for the changes of a log that is being folded: at most two a step, and two for each node
-that becomes a part of another one."""
 
 NONE = -1
 """The entry for no dart, no bearing, no number told."""
@@ -230,11 +226,6 @@ FOLD = dtype(
         # By darts, ``DARTS`` for each node: the node that one of that set leads to.
         ("link", int64, FOLDED * DARTS),
         ("todo", int64, 2 * LONG),
-        # The changes of nodes so far, with what stood there before.
-        ("changes", int64),
-        ("changed", int64, CHANGES),
-        ("linked_before", int64, CHANGES),
-        ("parent_before", int64, CHANGES),
     ]
 )
 """A log that is being folded."""
@@ -242,11 +233,10 @@ FOLD = dtype(
 JUDGED = dtype(
     [
         # Of the checkpoints so far: the laws that they break, as a set; whether there was one,
-        # and t at the last; how many were embedded without an earlier S.
+        # and t at the last.
         ("broken", int64),
         ("shown", int64),
         ("t", int64),
-        ("anew", int64),
         # The S that was shown last, if it is known how it is embedded: its darts (0: it is not),
         # how many of them lead somewhere, sigma and alpha, and the darts of the world, as a set.
         # The embedding stands in ``to``.
@@ -287,40 +277,8 @@ JOB = dtype(
 """A unit of work on its way."""
 
 
-ASKED = dtype(
-    [
-        ("policy", int64),
-        # Whether a choice was illegal, or has no room here.
-        ("wrong", int64),
-        # Whether every schedule is tried: a script answers the first choices, and 0 all others.
-        ("every", int64),
-        ("due", int64),
-        ("script", uint8, MOST_PICKS),
-        # The choices of the episode: their number, what was picked, and from how many.
-        ("turns", int64),
-        ("picks", uint8, MOST_PICKS),
-        ("widths", uint8, MOST_PICKS),
-    ],
-    align=True,
-)
-"""The choices of a native explorer: how they are answered, and how they were."""
-
-SCHEDULES = dtype(
-    [
-        # Where the judge is: between two runs, before one, or inside of it; and the number of runs
-        # of the stretch that are done.
-        ("stage", int64),
-        ("done", int64),
-        # Of the run that it is inside of: the first choices of its next schedule, and how many
-        # options each has; and the cost of its cheapest schedule so far.
-        ("due", int64),
-        ("script", uint8, MOST_PICKS),
-        ("widths", uint8, MOST_PICKS),
-        ("cheapest", int64),
-    ],
-    align=True,
-)
-"""The judge of every schedule, on its way through the logs."""
+ASKED = dtype([("policy", int64), ("wrong", int64)], align=True)
+"""How the choices of a native explorer are answered, and whether one was illegal."""
 
 READER = dtype(
     [

@@ -60,10 +60,9 @@ class Counts(Struct, frozen=True):
         vertices: n.
         worlds: rooted maps.
         runs: worlds x places.
-        episodes: runs x schedules.
-        traversals: summed over the episodes.
+        traversals: summed over the runs.
         traversals_rooted: summed over the first place of each rooted map only.
-        largest: the largest cost of an episode.
+        largest: the largest cost of a run.
         checkpoints: the number of published ones.
         left_out: worlds without a place for the lighthouse.
         loops, parallels: worlds with a loop, and with two edges that have the same two ends.
@@ -72,7 +71,6 @@ class Counts(Struct, frozen=True):
     vertices: int
     worlds: int
     runs: int
-    episodes: int
     traversals: int
     traversals_rooted: int
     largest: int

@@ -35,7 +35,6 @@ from allworlds.engines.kernel.worlds import doubled, settle
 (
     WORLDS,
     RUNS,
-    EPISODES,
     TRAVERSALS,
     TRAVERSALS_ROOTED,
     LARGEST,
@@ -43,8 +42,8 @@ from allworlds.engines.kernel.worlds import doubled, settle
     LEFT_OUT,
     LOOP_EDGE,
     PARALLEL_EDGE,
-) = range(10)
-COLUMNS = 10
+) = range(9)
+COLUMNS = 9
 
 # The columns of a listed run.
 LAW, COST, SHOWN, WALK = range(4)
@@ -96,7 +95,7 @@ def examine(
             return True
         settle(world, g)
         n = world.vertices
-        count_world(world, counts)
+        _count_world(world, counts)
         call_with(job.lighthouse, world)
         if world.place == NONE:
             counts[n, LEFT_OUT] += 1
@@ -104,14 +103,14 @@ def examine(
         while world.place != NONE:
             counts[n, RUNS] += 1
             beat[0] = job.number
-            bound = bound_of(world, bounds, met)
+            bound = _bound_of(world, bounds, met)
             if bound == UNDEFINED:
                 job.undefined = 1
                 return True
-            law = judged_run(job, explorer, budgets[n], bound, beat)
-            count_run(world, job.log.cost, job.log.checkpoints, law, counts, most_expensive)
+            law = _judged_run(job, explorer, budgets[n], bound, beat)
+            _count_run(world, job.log.cost, job.log.checkpoints, law, counts, most_expensive)
             if law:
-                blame(world, world.place, law, least, row)
+                _blame(world, law, least, row)
             if job.number < len(listed):
                 _list(world, job.log, law, job.number, listed)
             job.number += 1
@@ -120,7 +119,7 @@ def examine(
 
 
 @inlined
-def count_world(world, counts):
+def _count_world(world, counts):
     """Add a world to the tally."""
     n, kinds = world.vertices, doubled(world)
     counts[n, WORLDS] += 1
@@ -129,7 +128,7 @@ def count_world(world, counts):
 
 
 @inlined
-def bound_of(world, bounds, met):
+def _bound_of(world, bounds, met):
     """The largest legal cost of this run, which is noted as met; UNDEFINED if it has no value."""
     n, d0, largest = world.vertices, 0, 0
     if bounds.shape[1] > 1:
@@ -142,7 +141,7 @@ def bound_of(world, bounds, met):
 
 
 @inner
-def judged_run(job, explorer, budget, bound, beat):
+def _judged_run(job, explorer, budget, bound, beat):
     """Play and judge a run; return the first law that it breaks, or 0."""
     world, log, judged = job.world, job.log, job.judged
     judged.broken = judged.shown = judged.known = 0
@@ -168,20 +167,17 @@ def judged_run(job, explorer, budget, bound, beat):
 
 
 @inlined
-def count_run(world, cost, checkpoints, law, counts, most_expensive):
-    """Add an episode to the tally; note it if it is the most expensive so far, and say so."""
+def _count_run(world, cost, checkpoints, law, counts, most_expensive):
+    """Add a run to the tally; note it if it is the most expensive so far."""
     n = world.vertices
-    counts[n, EPISODES] += 1
     more_expensive = cost > counts[n, LARGEST]
-    noted = more_expensive or (cost == counts[n, LARGEST] and is_less(world, most_expensive, n))
-    if noted:
+    if more_expensive or (cost == counts[n, LARGEST] and is_less(world, most_expensive, n)):
         _note(world, law, most_expensive[n])
     counts[n, TRAVERSALS] += cost
     if world.place == 0:
         counts[n, TRAVERSALS_ROOTED] += cost
     counts[n, LARGEST] = max(counts[n, LARGEST], cost)
     counts[n, CHECKPOINTS] += checkpoints
-    return noted
 
 
 @inner
@@ -194,10 +190,9 @@ def _note(world, law, row):
 
 
 @inner
-def blame(world, place, law, least, row):
-    """Keep a run that breaks a law, if it is among the least; ``place`` is what it is sorted by."""
+def _blame(world, law, least, row):
+    """Keep a run that breaks a law, if it is among the least."""
     _note(world, law, row)
-    row[1 + 2 * world.darts] = place
     if not is_greater(least, row):
         encode_unrooted(world, row, 3 + 2 * world.darts)
         keep_least_of_kind(least, row, 2 + 2 * world.darts)

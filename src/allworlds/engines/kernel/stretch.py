@@ -15,14 +15,12 @@ MOST_PLACES = 64
 """A number above that of a lighthouse's places in one map."""
 
 # The columns of what is said of a run besides: its budget, what is told, its number in its unit,
-# and against records how many motions were made, and how many choices are answered by the script
-# behind its percepts.
+# and against records how many motions were made.
 RUN_BUDGET = 0
 RUN_TOLD = 1
 RUN_NUMBER = 2
 RUN_MOTIONS = 3
-RUN_SCRIPT = 4
-HEAD = 5
+HEAD = 4
 
 # The columns of a laid-out world, for each dart: the first dart of its vertex, its partner, and
 # what is sensed on arriving by it.
@@ -30,8 +28,7 @@ FIRST, PARTNER, DEGREE, MARKS, BEARING = range(5)
 WIDE = 5
 
 LONGEST_STRETCH = 2048
-"""The largest number of runs in a stretch, but for those of its last world; where every schedule is
-tried, also of logs in a portion."""
+"""The largest number of runs in a stretch, but for those of its last world."""
 
 ROWS = LONGEST_STRETCH + 2 * MOST_PLACES
 """Room for the runs of a stretch, of its last world, and for earlier ones."""
@@ -42,27 +39,38 @@ MOST_EARLIER = 16
 LOG_BYTES = 1 << 20
 """Room for the logs of a stretch, and as much for its percepts: 512 bytes a run."""
 
-SCHEDULE_BYTES = LOG_BYTES // 2
-"""Room for the logs of every schedule in a first play: with earlier runs they must have room in the
-second."""
-
 LONGEST_EARLIER = LOG_BYTES // (4 * MOST_EARLIER)
 """The largest number of bytes in the log of a run that is played again later: all of them together
 leave room for a stretch."""
 
 
-class Parts:
-    """Parts of a memory, one behind the other: views of numbers, without rows.
+class Stretch:
+    """Memory for the runs of a stretch, shared by both sides.
 
     Args:
-        memory: shared.
+        memory: shared; of :meth:`size` bytes.
+        edges: of each world.
+
+    Attributes:
+        heads: of each run its budget, the number told, its number, and that of its motions.
+        worlds: of each run its world, dart by dart; not for plays against records.
+        percepts, starts: the percepts, three bytes each, and where those of a run begin.
+        logs, begins: the logs, and where that of each run begins.
+        wide: the number of bytes of a world.
     """
 
-    def __init__(self, memory: mmap.mmap) -> None:
+    def __init__(self, memory: mmap.mmap, edges: int) -> None:
         self._memory, self._at = memory, 0
+        self.wide = WIDE * 2 * edges
+        self.heads = self.part("i", ROWS, HEAD)
+        self.begins = self.part("i", ROWS)
+        self.starts = self.part("i", ROWS)
+        self.worlds = self.part("B", ROWS, self.wide)
+        self.percepts = self.part("B", LOG_BYTES)
+        self.logs = self.part("B", LOG_BYTES)
 
     def part(self, kind: Literal["i", "B"], *shape: int) -> Any:
-        """The next part.
+        """The next part of the memory, a view of numbers without rows.
 
         Args:
             kind: ``i`` for numbers of 32 bits, ``B`` for bytes.
@@ -71,34 +79,6 @@ class Parts:
         begin, size = self._at, array(kind).itemsize * prod(shape)
         self._at += size
         return memoryview(self._memory)[begin : self._at].cast(kind)
-
-
-class Stretch(Parts):
-    """Memory for the runs of a stretch, shared by both sides.
-
-    Args:
-        memory: shared; of :meth:`size` bytes.
-        edges: of each world.
-
-    Attributes:
-        heads: of each run its budget, the number told, its number, and the numbers of its motions
-            and of its scripted choices.
-        worlds: of each run its world, dart by dart; not for plays against records.
-        percepts, starts: the percepts, three bytes each, and where those of a run begin; behind
-            them its script, a byte for each choice.
-        logs, begins: the logs, and where that of each run begins.
-        wide: the number of bytes of a world.
-    """
-
-    def __init__(self, memory: mmap.mmap, edges: int) -> None:
-        super().__init__(memory)
-        self.wide = WIDE * 2 * edges
-        self.heads = self.part("i", ROWS, HEAD)
-        self.begins = self.part("i", ROWS)
-        self.starts = self.part("i", ROWS)
-        self.worlds = self.part("B", ROWS, self.wide)
-        self.percepts = self.part("B", LOG_BYTES)
-        self.logs = self.part("B", LOG_BYTES)
 
     @staticmethod
     def size(edges: int) -> int:

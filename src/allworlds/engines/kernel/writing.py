@@ -8,11 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntEnum
-from itertools import chain
 from typing import NamedTuple, TypeAlias
 
 from allworlds.engines.kernel import log_codes
-from allworlds.engines.kernel.capabilities import MOST_OPTIONS, MOST_PICKS
 from allworlds.engines.kernel.log_codes import span
 
 Published: TypeAlias = tuple[tuple[int, ...], tuple[int, ...], int]
@@ -66,37 +64,12 @@ def _entry(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> 
     return entry + bytes(span(darts) - 2 * darts)
 
 
-def picks_entry(picks: Sequence[int], widths: Sequence[int]) -> bytes | None:
-    """The entry of the choices of an episode; None if it does not fit."""
-    few = len(picks) == len(widths) <= MOST_PICKS
-    if not few or max(widths, default=0) > MOST_OPTIONS:
-        return None
-    pairs = zip(picks, widths, strict=True)
-    return len(picks).to_bytes(2, "little") + bytes(chain.from_iterable(pairs))
-
-
-def read_picks(log: bytes) -> tuple[int, ...]:
-    """The choices behind the log; none if it ends without them.
-
-    Raises:
-        ValueError: if it is no log.
-    """
-    _, end = _read(log)
-    return tuple(log[end + 2 :: 2])
-
-
 def read_log(log: bytes) -> Written:
     """The content of the log.
 
     Raises:
         ValueError: if it is no log.
     """
-    written, _ = _read(log)
-    return written
-
-
-def _read(log: bytes) -> tuple[Written, int]:
-    """The content of the log, and the place behind it."""
     motions: list[int] = []
     shown: list[tuple[int, Published]] = []
     at = 0
@@ -110,8 +83,8 @@ def _read(log: bytes) -> tuple[Written, int]:
             published = tuple(log[at : at + darts]), tuple(log[at + darts : at + 2 * darts]), here
             at += span(darts)
             if code == log_codes.ANSWERED and at <= len(log):
-                return Written(tuple(motions), tuple(shown), published), at
+                return Written(tuple(motions), tuple(shown), published)
             shown.append((len(motions), published))
         else:
-            return Written(tuple(motions), tuple(shown), LogEnd(code)), at
+            return Written(tuple(motions), tuple(shown), LogEnd(code))
     raise ValueError("the log has no end")

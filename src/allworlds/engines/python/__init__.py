@@ -13,8 +13,6 @@
 ``play``, ``world_runner``, ``players``, ``second_play``, ``earlier_plays``, ``comparison``,
 ``in_process``
     a user's explorer, which plays every run twice, earlier ones again, and the comparison of plays;
-``partial_world``
-    a world that is decided where the robot looks;
 ``prints``
     what the explorer prints in one run, escaped and limited;
 ``tour``

@@ -9,7 +9,6 @@ from allworlds.engines.python.examiner import LOST, Outcome
 from allworlds.engines.python.play import RECORD_ENDS
 from allworlds.inputs import show
 from allworlds.judging import (
-    COPIES,
     PRECEDENCE,
     Fault,
     Log,
@@ -34,14 +33,6 @@ def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
     detail = next((fault.detail for fault in faults if fault.detail), "")
     detail = "\n".join(filter(None, [side_by_side(first, second), detail]))
     return replace(outcome, violation=difference, detail=detail)
-
-
-def copies_blamed(outcome: Outcome, first: Log, second: Log) -> Outcome:
-    """The outcome of a first play, if the second one differs since it was one of copies."""
-    difference = difference_of(first, second)
-    seen = difference.seen if difference else "the second walk or answer differs"
-    detail = side_by_side(first, second)
-    return replace(outcome, violation=nondeterministic(f"{seen}; {COPIES}"), detail=detail)
 
 
 def _may_be_overruled(violation: Violation | None, second: Log) -> bool:

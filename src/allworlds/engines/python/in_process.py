@@ -35,19 +35,13 @@ class InProcessPlayers:
     _logs: list[Log] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        second = self.subject.second_player()
-        self._runner = ExplorerRunner(self.subject.player(), second=second)
+        self._runner = ExplorerRunner(self.subject.player())
         self._in_worlds = WorldRunner(self._runner)
 
     @property
     def answer_timeout(self) -> float:
         """No end: a silent explorer cannot be stopped."""
         return inf
-
-    @property
-    def copies(self) -> bool:
-        """Whether the second play is one of copies."""
-        return self.subject.copies
 
     def play_runs(
         self,
@@ -66,11 +60,11 @@ class InProcessPlayers:
                 return
             yield [(number, log) for number, log in some if log is not None]
 
-    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
+    def send_records(self, records: Sequence[Record], policy: str) -> None:
         """Take records that are played once more."""
         order = secrets.randbits(64)
         with printing_to(Silence()):
-            self._logs = self._runner.play_records(records, policy, order, plain=plain)
+            self._logs = self._runner.play_records(records, policy, order)
 
     def printed(self, record: Record, policy: str) -> str:
         """The prints of the explorer while it plays a record once more."""

@@ -75,22 +75,14 @@ class ExplorerRunner(Struct):
         beat: ``beat[0]`` is set to the number of each run; see
             :func:`allworlds.judging.episode.play`.
         intact: called after each play, to check the parts that the explorer may have broken.
-        second: the explorer as it is played once more, if that is another way.
     """
 
     player: Player
     beat: MutableSequence[int] = field(default_factory=lambda: [0, 0])
     intact: Callable[[], None] = lambda: None
-    second: Player | None = None
 
-    def play_records(
-        self, records: Sequence[Record], policy: str, order: int, *, plain: bool = False
-    ) -> list[Log]:
-        """The logs of these records, in their order, which is not the order of playing.
-
-        If ``plain``, they are played as in the first play.
-        """
-        player = self.player if plain or self.second is None else self.second
+    def play_records(self, records: Sequence[Record], policy: str, order: int) -> list[Log]:
+        """The logs of these records, in their order, which is not the order of playing."""
         logs: dict[int, Log] = {}
         numbers = list(range(len(records)))
         Random(order).shuffle(numbers)  # noqa: S311  # it need not be secret for longer than a run
@@ -100,7 +92,7 @@ class ExplorerRunner(Struct):
             choices = Choices(policy_named(policy, record.name), record.choices)
             log = perform(
                 Recorded(record.percepts, record.told, record.over),
-                player,
+                self.player,
                 choices,
                 record.budget,
                 self.beat,

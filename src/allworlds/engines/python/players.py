@@ -31,19 +31,12 @@ class Players(Protocol):
         A run that has killed its process twice has one log, with that fault.
         """
 
-    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
-        """Begin to play these once more, in another order, without a world.
-
-        If ``plain``, each is played from its start, as in the first play, and not by copies.
-        """
+    def send_records(self, records: Sequence[Record], policy: str) -> None:
+        """Begin to play these once more, in another order, without a world."""
 
     @property
     def answer_timeout(self) -> float:
         """The seconds after which a silent run is given up; infinite if it is waited for."""
-
-    @property
-    def copies(self) -> bool:
-        """Whether an explorer goes on from copies of itself in the second play."""
 
     def receive_logs(self) -> list[Log]:
         """Return the logs of the records that were sent, in their order."""

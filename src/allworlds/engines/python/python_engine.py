@@ -62,9 +62,12 @@ class BoundPythonEngine(Struct, frozen=True):
             after = run.number + 1
             world = engine.count_run(run, tally)
             if world is not None:
+                costs = []
                 for choices in scope.schedule(name_run(scope.rules, world)):
                     outcome = examiner.examine(world, choices)
                     engine.count_outcome(examiner, world, run.place, outcome, tally)
+                    costs.append(outcome.cost)
+                engine.count_best(world, min(costs), tally)
                 tally.witnesses.update(examiner.events)
                 examiner.events.clear()
             if time.monotonic() > due:

@@ -82,3 +82,8 @@ class RunCounter(Struct, frozen=True):
         tally.checkpoints += len(outcome.episode.checkpoints)
         if outcome.violation and tally.wants(edges, vertices):
             tally.find(referee.finding(world, place, outcome))
+
+    def count_best(self, world: World, cost: int, tally: Tally) -> None:
+        """Add the cost of a run's cheapest schedule to the tally, if every schedule is tried."""
+        if self.scope.schedules == "all":
+            tally.row(world.map.edge_count, world.map.vertex_count).best_of(cost)

@@ -41,7 +41,6 @@ from typing import NamedTuple
 from allworlds.document import replace
 from allworlds.engines.isolation.failures import Unsettled
 from allworlds.engines.python.comparison import (
-    copies_blamed,
     difference_of,
     differing_or_first,
     ending_in_words,
@@ -178,7 +177,7 @@ class PlayedTwice:
     def tally(self, unit: UnitOfRuns, window: Sequence[NumberedRun]) -> Tally:
         """The tally of these runs of a unit; without the rest, if too much is silent to go on."""
         tally = self.engine.tally()
-        placed = {}
+        placed, best = {}, dict[int, int]()
         for run in window:
             world = self.engine.count_run(run, tally)
             if world is not None:
@@ -190,11 +189,14 @@ class PlayedTwice:
         for one, outcome in self.outcomes(unit, placed, matters, tally.remark):
             if isinstance(outcome, Outcome):
                 self.engine.count_outcome(self._referee, one.world, one.place, outcome, tally)
+                best[one.number] = min(outcome.cost, best.get(one.number, outcome.cost))
             elif matters(one):
                 tally.find(self.finding(one, outcome))
             if isinstance(outcome, LostRun) and outcome.law == "timeout" and not outcome.machine:
                 self.given_up = f"the explorer keeps a state: {outcome.seen}"
                 break
+        for number, cost in best.items():
+            self.engine.count_best(placed[number].world, cost, tally)
         for one, outcome in self._belated:
             if matters(one):
                 tally.find(self.finding(one, outcome))
@@ -244,8 +246,6 @@ class PlayedTwice:
                     yield play.one, replace(outcome, violation=nondeterministic(OTHER_CHOICES))
                 elif may_be_the_machine(play.log, second) and matters(play.one):
                     doubtful.append(play)
-                elif self._copies_differ(play, second):
-                    yield play.one, copies_blamed(outcome, play.log, second)
                 elif self._may_go_by_seed and difference_of(play.log, second):
                     unlike.append(_Unlike(play, second, seed, outcome))
                 else:
@@ -363,14 +363,6 @@ class PlayedTwice:
                 yield each.play.one, settled
             elif isinstance(settled, LostRun) or settled.violation is not None:
                 self._belated.append((each.play.one, settled))
-
-    def _copies_differ(self, play: _Play, second: Log) -> bool:
-        """Whether the second play differs only because it went on from copies."""
-        if not self.players.copies or difference_of(play.log, second) is None:
-            return False
-        self.players.send_records([play.record], self._policy, plain=True)
-        (log,) = self.players.receive_logs()
-        return difference_of(play.log, log) is None
 
     def _with_seed(self, unlike: _Unlike, remark: Callable[[str], None]) -> Outcome | LostRun:
         """The outcome of a run with the other seed if it is wrong, or else that with seed 0."""

@@ -60,6 +60,8 @@ class Row:
         traversals_rooted: summed over the first place of each rooted map only.
         max_cost: the largest cost of an episode.
         bound: the largest bound of a run; None without a bound.
+        best_cost: the largest, over the runs, of the cost of the cheapest schedule; None unless
+            every schedule is tried.
         most_expensive: the least run that attains the largest cost; None without a run, and in a
             part of a whole that has more expensive ones.  Rows are compared without it.
     """
@@ -72,6 +74,7 @@ class Row:
     max_cost: int = 0
     bound: int | None = None
     most_expensive: AtRun | None = field(default=None, compare=False)
+    best_cost: int | None = None
 
     def add(self, other: Row) -> None:
         """Take in the counts of another part."""
@@ -84,6 +87,7 @@ class Row:
             self.cost_of(other.max_cost, other.most_expensive)
         self.max_cost = max(self.max_cost, other.max_cost)
         self.bound_of(other.bound)
+        self.best_of(other.best_cost)
 
     def cost_of(self, cost: int, where: AtRun) -> None:
         """Take in the largest cost at a run."""
@@ -96,6 +100,11 @@ class Row:
         """Take in the bound of a run, which may be negative; None if it has none."""
         if run is not None:
             self.bound = run if self.bound is None else max(self.bound, run)
+
+    def best_of(self, run: int | None) -> None:
+        """Take in the cost of a run's cheapest schedule; None if it is not known."""
+        if run is not None:
+            self.best_cost = max(run, self.best_cost or 0)
 
 
 @dataclass(slots=True)

@@ -1,4 +1,4 @@
-/* allworlds.h, version 1: explorers in C, and in every language that can export C functions.
+/* allworlds.h, version 2: explorers in C, and in every language that can export C functions.
  *
  * An explorer is a shared library that defines the functions below.  It is tried with
  *
@@ -53,8 +53,7 @@
  *    `quotient`: `illegal-action`
  *  - an answer that is no map, or `here` that is no dart of it, or more darts than there is room
  *    for: `no-estimate`
- *  - another walk or answer when the same percepts are met again: `nondeterministic`; a copy that
- *    does something else than what it was copied from, too
+ *  - another walk or answer when the same percepts are met again: `nondeterministic`
  *
  * Your code runs in processes of its own; what it does there is a finding in the world that it
  * was in, and the check goes on.  Such a process has 2 GB of address space for its library, or
@@ -62,17 +61,17 @@
  *
  * WHAT STAYS
  *
- * A library that is built with version 1 is accepted by every later release whose header says
- * version 1, and behaves in the same way.  New kinds of actions may come, which no library need
+ * A library that is built with version 2 is accepted by every later release whose header says
+ * version 2, and behaves in the same way.  New kinds of actions may come, which no library need
  * use; existing names, numbers, structures and functions do not change.  If one of them must, the
- * version becomes 2, and a library of version 1 is refused in one line or goes on as it did.
+ * version becomes 3, and a library of version 2 is refused in one line or goes on as it did.
  */
 #ifndef ALLWORLDS_H
 #define ALLWORLDS_H
 
 #include <stdint.h>
 
-#define ALLWORLDS_VERSION 1
+#define ALLWORLDS_VERSION 2
 
 #if defined(__GNUC__) || defined(__clang__)
 #define ALLWORLDS_EXPORT __attribute__((visibility("default")))
@@ -168,21 +167,6 @@ ALLWORLDS_EXPORT int32_t allworlds_answer(void *state, int32_t capacity, int32_t
  * With it --policy decides, and --schedules all tries every sequence of answers.
  */
 ALLWORLDS_EXPORT void allworlds_choose(void *state, allworlds_pick pick, void *context);
-
-/* Optional: makes `to` go on as `from` would: the same episode, the same answers.
- *
- * Both are what `new` has returned; whatever `to` was doing is given up.  Later calls with one of them
- * must not change what the other one does, so `to` gets a copy of all memory that `from` refers to,
- * and not the pointers to it.  The robot of `to` then makes its own way: what it senses next may be
- * something else.
- *
- * With it, large worlds are decided on demand, where the robot looks: what many worlds have in common
- * is explored once, and goes on from copies.  That takes about half the time; no verdict depends on
- * it.  Explorers that keep all they know in one structure copy that structure:
- *
- *     void allworlds_clone(const void *from, void *to) { *(struct robot *)to = *(const struct robot *)from; }
- */
-ALLWORLDS_EXPORT void allworlds_clone(const void *from, void *to);
 
 /* Optional: the rooted quotient, all that can be known where several worlds look alike.
  *

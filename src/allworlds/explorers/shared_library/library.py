@@ -10,7 +10,7 @@ from typing import Any
 
 from allworlds.inputs import InputError, existing_file, is_loop_of_links, show
 
-INTERFACE_VERSION = 1
+INTERFACE_VERSION = 2
 """The value of ``ALLWORLDS_VERSION``."""
 
 ROOM = 1 << 18
@@ -66,7 +66,6 @@ _FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
 """The types that each function returns and takes."""
 
 _OPTIONAL: dict[str, tuple[Any, tuple[Any, ...]]] = {
-    "clone": (None, (_ADDRESS, _ADDRESS)),
     "choose": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
     "quotient": (_INTEGER, (_ADDRESS, _INTEGER, *(_ADDRESS,) * 5)),
 }
@@ -116,13 +115,12 @@ class Library:
         self.start, self.step = functions["start"], functions["step"]
         self.answer = functions["answer"]
         self.choose, self.quotient = (self._optional(name) for name in ("choose", "quotient"))
-        self.clone = self._optional("clone")
         self.chooses = self.choose is not None
         version = functions["version"]()
         if version != INTERFACE_VERSION:
             raise InputError(
                 f"--native {show(path)} is built with version {version} of allworlds.h; legal is "
-                f"{INTERFACE_VERSION}"
+                f"{INTERFACE_VERSION}: build it again with that of 'allworlds init --header'"
             )
 
     def print_line_by_line(self) -> None:
@@ -151,7 +149,7 @@ class Library:
 
     def addresses(self) -> dict[str, int]:
         """The addresses of the functions of episodes, by name; 0 for one that is missing."""
-        names = ("new", "start", "step", "answer", "choose", "clone")
+        names = ("start", "step", "answer", "choose")
         functions = {name: getattr(self, name) for name in names}
         return {
             name: (ctypes.cast(function, _ADDRESS).value or 0) if function else 0

@@ -5,8 +5,8 @@ from __future__ import annotations
 import ctypes
 import os
 import time
-from collections.abc import Generator, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Generator
+from contextlib import suppress
 from typing import Any, Literal, TypeAlias
 
 from allworlds.explorers.shared_library.guarded_memory import Guarded
@@ -64,7 +64,6 @@ class NativeExplorer:
         self._capacity = 0
         self._lists: list[Guarded] = []
         self._state: int | None = None
-        self._spare: int | None = None
         self._picks: Any = None
 
     @property
@@ -90,11 +89,10 @@ class NativeExplorer:
         return tuple(Guarded(4 * size).as_a(ctypes.c_int32 * size) for size in sizes)
 
     def close(self) -> None:
-        """Delete the states."""
-        states, self._state, self._spare = (self._state, self._spare), None, None
-        for state in states:
-            if state is not None:
-                self.library.delete(state)
+        """Delete the state."""
+        state, self._state = self._state, None
+        if state is not None:
+            self.library.delete(state)
 
     def explore(
         self, first: Percept, *, told: Told = None, choices: Choices | None = None
@@ -104,36 +102,16 @@ class NativeExplorer:
         Raises:
             ExplorerFault: for an illegal action or answer, and for threads left behind.
         """
-        return self._play(first, told, choices, copying=False)
-
-    def explore_by_copies(
-        self, first: Percept, *, told: Told = None, choices: Choices | None = None
-    ) -> Generator[Action | Checkpoint, Percept, Answer]:
-        """Play one episode, in which each step is that of a copy of the state before.
-
-        The library must have ``clone``.
-
-        The state from which it was copied plays something else then: so a copy that shares its
-        memory does not go on as it should.
-
-        Raises:
-            ExplorerFault: as :meth:`explore`.
-        """
-        return self._play(first, told, choices, copying=True)
-
-    def _play(
-        self, first: Percept, told: Told, choices: Choices | None, *, copying: bool
-    ) -> Generator[Action | Checkpoint, Percept, Answer]:
         threads = threads_now()
         library, action, state = self.library, self._action, self.state()
         here, there = ctypes.addressof(self._percept), ctypes.addressof(action)
-        asked, steps, beginning = _Asked(choices), 0, (first, _one_number(told))
+        asked, number = _Asked(choices), _one_number(told)
         if library.choose is not None:
             self._picks = Pick(asked.pick)  # who may still ask a picker must find it
             library.choose(state, self._picks, None)
         sensed = self._sense(first)
         action.kind = action.motion = 0
-        library.start(state, here, beginning[1], there)
+        library.start(state, here, number, there)
         while True:
             asked.complain()
             kind = action.kind
@@ -153,41 +131,14 @@ class NativeExplorer:
                 sensed += self._sense((yield Drop() if kind == DROP else PickUp()))
             else:
                 raise ExplorerFault("illegal-action", f"an action of kind {kind}")
-            if copying:
-                state = self._copied(state)
             action.kind = action.motion = 0
             library.step(state, here, there)
-            if copying:
-                steps += 1
-                self._stray(asked, None if steps % 2 else beginning)
-
-    def _copied(self, state: int) -> int:
-        """A copy of the state, which takes its place."""
-        if self._spare is None:
-            self._spare = self.library.new()
-            if self._spare is None:
-                raise ExplorerFault("crash", "allworlds_new returned NULL")
-        self.library.clone(state, self._spare)
-        self._state, self._spare = self._spare, state
-        return self._state
-
-    def _stray(self, asked: _Asked, beginning: tuple[Percept, int] | None) -> None:
-        """Let the state that was copied take the same step, or begin anew; drop the outcome."""
-        action = CAction()
-        there = ctypes.addressof(action)
-        with asked.aside():
-            if beginning is None:
-                self.library.step(self._spare, ctypes.addressof(self._percept), there)
-            else:
-                first, told = beginning
-                percept = CPercept(first.degree, first.marks, _bearing(first))
-                self.library.start(self._spare, ctypes.addressof(percept), told, there)
 
     def _sense(self, percept: Percept) -> int:
         """Write the percept for the library; return its degree."""
         ours = self._percept
         ours.degree, ours.marks = percept.degree, percept.marks
-        ours.bearing = _bearing(percept)
+        ours.bearing = NOTHING if percept.bearing is None else percept.bearing
         return percept.degree
 
     def _published(
@@ -233,11 +184,6 @@ class NativeExplorer:
         return Ambiguous(sigma, alpha, degree, marks, self._here[0])
 
 
-def _bearing(percept: Percept) -> int:
-    """The bearing as C has it."""
-    return NOTHING if percept.bearing is None else percept.bearing
-
-
 def _one_number(told: Told) -> int:
     """The one number that a library is told."""
     if told is None:
@@ -255,22 +201,9 @@ class _Asked:
     def __init__(self, choices: Choices | None) -> None:
         self._choices = choices or Choices()
         self._wrong = ""
-        self._is_aside = False
-
-    @contextmanager
-    def aside(self) -> Iterator[None]:
-        """A context in which choices are answered by the last option, and do not count.
-
-        Mostly that is another way than that of the run, whose first choices are answered by 0.
-        """
-        self._is_aside = True
-        yield
-        self._is_aside = False
 
     def pick(self, _: int | None, of: int, options: int, cost: Any) -> int:
         """Answer ``allworlds_pick``; an illegal choice is answered by 0, and reported later."""
-        if self._is_aside:
-            return max(options - 1, 0)
         try:
             kind = KINDS[of] if 0 <= of < len(KINDS) else str(of)
             costs = cost[: max(options, 0)] if cost else None

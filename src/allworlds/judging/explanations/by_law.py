@@ -10,7 +10,7 @@ import re
 
 from allworlds.explorers import is_program
 from allworlds.inputs import an_integer
-from allworlds.judging.endings import BUILT, COPIES, NO_MAP
+from allworlds.judging.endings import BUILT, NO_MAP
 from allworlds.judging.explanations.another_world import another_world
 from allworlds.judging.explanations.parting import tell_open_darts, tell_parting
 from allworlds.judging.explanations.rounds import tell_rounds
@@ -138,7 +138,7 @@ def tell_nondeterministic(story: Story) -> Telling:
     seen = str(story.finding.seen)
     if is_program(story.finding.explorer) and any(words in seen for words in LATE):
         told.append(STDOUT)
-    elif COPIES not in seen:  # which asks a question of its own
+    else:
         told.append(KEPT)
     return Telling([*told, _say_last_step(story)])
 

@@ -73,6 +73,8 @@ def _rows(report: CheckReport) -> CsvRows:
     """A row for each number of edges and of vertices, of a sample too."""
     played = {"worlds": int, "runs": int, "episodes": int}
     costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
+    if report.asked.schedules == "all":
+        costs["best_cost"] = int
     return CsvRows.of(report.rows, edges=int, vertices=int, **played, **costs)
 
 
@@ -84,7 +86,7 @@ def size_table(report: CheckReport) -> ToldTable:
     every = report.asked.schedules == "all"
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
     if every:
-        header.insert(4, "schedules")
+        header[4:4], header[6:6] = ["schedules"], ["best cost"]
     rows = []
     sampled = isinstance(report.asked.coverage, Sample)
     for (edges, *vertices), row in _by_size(report, sampled).items():
@@ -92,7 +94,8 @@ def size_table(report: CheckReport) -> ToldTable:
         between = f"{number(most)}" if fewest == most else f"{fewest}-{most}"
         shown = Shown(most if fewest == most else between, between)
         played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
-        rows.append([edges, shown, *played, row.max_cost, row.bound])
+        best = [row.best_cost] if every else []
+        rows.append([edges, shown, *played, *best, row.max_cost, row.bound])
     return ToldTable(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
 
 

@@ -92,6 +92,13 @@ class CheckRow(Document):
         Natural, about("the same at the first place of each rooted map alone")
     ]
     max_cost: Annotated[Natural, about("the largest cost of an episode")]
+    best_cost: Annotated[
+        IfAny[Natural | None],
+        about(
+            "the largest, over the runs, of the cost of the cheapest schedule; where it is left "
+            "out, one schedule was tried"
+        ),
+    ]
     bound: Annotated[int | None, about("the largest bound of a run; null without a bound")]
 
 
@@ -242,6 +249,7 @@ def _rows(tally: Tally) -> Iterator[CheckRow]:
             traversals=row.traversals,
             traversals_rooted=row.traversals_rooted,
             max_cost=row.max_cost,
+            best_cost=row.best_cost,
             bound=row.bound,
         )
 
