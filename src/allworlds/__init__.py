@@ -18,13 +18,13 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds import (
+        claims as claims,
         maps as maps,
         strategies as strategies,
         testing as testing,
         world as world,
     )
     from allworlds.evidence.bench import bench as bench
-    from allworlds.evidence.claims import claims as claims
     from allworlds.evidence.figures import figure as figure
     from allworlds.evidence.mutants import mutants as mutants
     from allworlds.judging import Finding as Finding
@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from allworlds.studies.explain import explain as explain
     from allworlds.studies.fuzz import fuzz as fuzz
     from allworlds.studies.init import init as init
+    from allworlds.studies.ledger import ledger as ledger
     from allworlds.studies.merge import merge as merge
     from allworlds.studies.optimum import optimum as optimum
     from allworlds.studies.play import play as play

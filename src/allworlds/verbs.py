@@ -55,7 +55,8 @@ class Verb:
 
 
 EVERYDAY, LONG_RUNS, COSTS, WORLDS = "Everyday", "Long runs", "Costs", "Worlds"
-ALIKE, EVIDENCE = "What no robot can tell apart", "The paper and this program"
+ALIKE, PAPERS = "What no robot can tell apart", "Papers"
+EVIDENCE = "The paper and this program"
 
 VERBS = (
     Verb(
@@ -263,19 +264,20 @@ VERBS = (
         ),
     ),
     Verb(
-        "paper claims",
-        "evidence.claims:claims",
-        "claims",
-        "Check the sentences of the paper, and further ones of this project.",
-        telling="evidence.claims.claims_telling:claims_telling",
+        "ledger",
+        "studies.ledger:ledger",
+        "ledger",
+        "Check the sentences of a paper, each by its own function.",
+        telling="reports.tellings.ledger:ledger_telling",
+        panel=PAPERS,
         has=(ROWS, CASES),
-        example="--only fig1 --html fig1.html",
+        example="papers/minimal_information --only fig1",
         help=(
-            "The ledger: each sentence of the paper that can be checked, and each sentence that "
-            "this project adds, with the expected verdict and the verdict found. Misprints are "
-            "expected to be refuted. Exit code 0: all that was checked is as expected, 1: "
-            "something is not, 3: a required claim was not checked, 4: no claim was checked, or a "
-            "claim was checked on no case."
+            "The ledger of a paper: a folder with ledger.toml, which has each sentence that can be "
+            "checked and the expected verdict, and claims.py, which has a function for each. "
+            "allworlds init DIR --ledger writes one to begin with. Exit code 0: all that was "
+            "checked is as expected, 1: something is not, 3: a required claim was not checked, "
+            "4: no claim was checked, or a claim was checked on no case."
         ),
     ),
     Verb(

@@ -99,6 +99,7 @@ if TYPE_CHECKING:
         LANGUAGES as LANGUAGES,
         Language as Language,
         templates as templates,
+        templates_in as templates_in,
     )
     from allworlds.explorers.source_line import (
         SourceLine as SourceLine,

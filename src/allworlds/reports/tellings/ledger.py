@@ -1,14 +1,15 @@
-"""Telling of ``claims``: each claim, expected beside found."""
+"""Telling of ``ledger``: each claim, expected beside found."""
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping
 
-from allworlds.evidence.claims.ledger import CheckedClaim, ClaimsReport
-from allworlds.reports import (
+from allworlds.reports.drawing.scene import scene_of
+from allworlds.reports.rows import CsvRows
+from allworlds.reports.telling import (
     Block,
-    CsvRows,
     Headline,
     Section,
     Suite,
@@ -18,9 +19,9 @@ from allworlds.reports import (
     ToldResult,
     ToldTable,
     Words,
-    scene_of,
     so_far,
 )
+from allworlds.studies.ledger import CheckedClaim, LedgerReport
 from allworlds.words import number, plural
 
 LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"
@@ -39,7 +40,7 @@ VERDICTS = {
 """The word, and the verdict whose colour it has, by the exit code."""
 
 
-def claims_telling(report: ClaimsReport) -> ToldResult:
+def ledger_telling(report: LedgerReport) -> ToldResult:
     """A row for each claim; for a single claim, and on a page for each, also the details."""
     facts = []
     for one in report.claims:
@@ -53,7 +54,7 @@ def claims_telling(report: ClaimsReport) -> ToldResult:
     sections = [_section(one) for one in report.claims]
     alone = sections if len(sections) == 1 else []
     return ToldResult(
-        "allworlds paper claims",
+        "allworlds ledger",
         f"budget {report.budget}",
         report,
         _headline(report),
@@ -64,7 +65,7 @@ def claims_telling(report: ClaimsReport) -> ToldResult:
     )
 
 
-def _rows(report: ClaimsReport) -> CsvRows:
+def _rows(report: LedgerReport) -> CsvRows:
     names = ("section", "claim", "sentence", "method", "expected", "found", "standing")
     rows = [
         [one.section, one.id, one.statement, one.method, one.expected, one.verdict, one.standing]
@@ -74,11 +75,11 @@ def _rows(report: ClaimsReport) -> CsvRows:
 
 
 def _heading(section: str) -> str:
-    """``Section IV``, or the heading of claims beyond the paper."""
-    return "Beyond the paper" if section == "ours" else f"Section {section}"
+    """``Section IV``; a section that is no number is its own heading."""
+    return f"Section {section}" if re.fullmatch(r"[IVXLC]+|[0-9.]+|[A-Z]", section) else section
 
 
-def _headline(report: ClaimsReport) -> Headline | None:
+def _headline(report: LedgerReport) -> Headline | None:
     """The verdict, and the number of claims with each outcome."""
     standings = Counter(one.standing for one in report.claims)
     checked = [one for one in report.claims if one.standing == "as-expected"]
@@ -104,7 +105,7 @@ def _headline(report: ClaimsReport) -> Headline | None:
     return so_far(report, told if report.claims else None)
 
 
-def _needed(report: ClaimsReport) -> str:
+def _needed(report: LedgerReport) -> str:
     """The reasons why claims were not checked, each with the number of its claims."""
     reasons = Counter(one.told for one in report.claims if one.standing == "not-checked")
     if len(reasons) == 1:
@@ -125,7 +126,7 @@ def _section(one: CheckedClaim) -> Section:
     return Section(one.id, f"{_heading(one.section)}: {one.id}", blocks)
 
 
-def _suite(report: ClaimsReport) -> Suite:
+def _suite(report: LedgerReport) -> Suite:
     """A case for each claim: passed as expected, failed otherwise, skipped if not checked."""
     properties = {
         "budget": report.budget,
@@ -133,7 +134,7 @@ def _suite(report: ClaimsReport) -> Suite:
         "complete": report.complete,
     }
     cases = [_case(one, required=one.id in report.missed) for one in report.claims]
-    return Suite("claims", "claims", properties, cases)
+    return Suite("ledger", "ledger", properties, cases)
 
 
 def _case(one: CheckedClaim, *, required: bool) -> ToldCase:
