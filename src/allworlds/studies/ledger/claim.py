@@ -173,19 +173,21 @@ def claims_in(file: Path) -> tuple[Claim, ...]:
 
 
 def _claim(file: Path, name: str, table: Any) -> Claim:
+    said = f"file {show(str(file))}: claim {name}"
+    if not re.fullmatch(r"[a-zA-Z][a-zA-Z0-9-]*", name):
+        raise InputError(f"{said}: an id is a letter, and then letters, digits and '-'")
+    if not isinstance(table, dict):
+        raise InputError(f"{said}: {show(table)} is no table")
     try:
-        if not re.fullmatch(r"[a-zA-Z][a-zA-Z0-9-]*", name):
-            raise InputError("its id is no letter with letters, digits and '-' after it")
-        if not isinstance(table, dict):
-            raise InputError(f"{show(table)} is no table")
         claim = taken({"id": name, **table}, Claim, "it")
-        for budget in ("quick", "full"):
-            claim.scope_under(budget)
-    except KeyError as error:
-        raise InputError(
-            f"file {show(str(file))}: claim {name}: its scope names the bound {error}, "
-            "which a budget does not have"
-        ) from None
     except InputError as error:
-        raise InputError(f"file {show(str(file))}: claim {name}: {error}") from None
+        raise InputError(f"{said}: {error}") from None
+    for budget, scope in claim.scopes.items():
+        try:
+            claim.scope_under(budget)
+        except (KeyError, IndexError, ValueError):
+            raise InputError(
+                f"{said}: scope {show(claim.scope)} does not fit the bounds "
+                f"{', '.join(scope.bounds) or '(none)'} of {budget}"
+            ) from None
     return claim

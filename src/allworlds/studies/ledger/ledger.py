@@ -235,6 +235,10 @@ def _budget(given: object) -> Budget:
     return cast("Budget", given)
 
 
+def _names(given: Iterable[str]) -> tuple[str, ...]:
+    return (given,) if isinstance(given, str) else tuple(given)
+
+
 class LedgerRequest(AskedListener, AskedWorkers, kw_only=False):
     """Request of ``ledger``: of which paper, which of its claims, and how much of each."""
 
@@ -246,7 +250,7 @@ class LedgerRequest(AskedListener, AskedWorkers, kw_only=False):
     only: Annotated[
         Taken[Iterable[str], tuple[str, ...]],
         Option(SCOPE, "ID", "Only this claim; may be repeated.", repeated=True),
-    ] = Taken(lambda given: _names(given), ())
+    ] = Taken(_names, ())
     require: Annotated[
         Taken[Iterable[str], tuple[str, ...]],
         Option(
@@ -255,7 +259,7 @@ class LedgerRequest(AskedListener, AskedWorkers, kw_only=False):
             "A claim that must be checked, else the exit code is 3; may be repeated.",
             repeated=True,
         ),
-    ] = Taken(lambda given: _names(given), ())
+    ] = Taken(_names, ())
     budget: Annotated[
         Taken[str, Budget],
         Option(
@@ -358,10 +362,6 @@ def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0)
         error=found.reason if isinstance(found, InternalError) else "",
         seconds=seconds,
     )
-
-
-def _names(given: Iterable[str]) -> tuple[str, ...]:
-    return (given,) if isinstance(given, str) else tuple(given)
 
 
 def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> None:
