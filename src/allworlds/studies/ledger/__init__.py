@@ -2,7 +2,7 @@
 
 ``claim``
     what a function that decides a claim takes and returns, and the file of the claims, read;
-``ledger``
+``checked_claims``
     found beside expected: the report;
 ``skeleton``
     the files that ``init --ledger`` writes.
@@ -13,6 +13,11 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.studies.ledger.checked_claims import (
+        CheckedClaim as CheckedClaim,
+        LedgerReport as LedgerReport,
+        ledger as ledger,
+    )
     from allworlds.studies.ledger.claim import (
         Found as Found,
         Means as Means,
@@ -21,11 +26,6 @@ if TYPE_CHECKING:
         Unfinished as Unfinished,
         of_check as of_check,
         truth as truth,
-    )
-    from allworlds.studies.ledger.ledger import (
-        CheckedClaim as CheckedClaim,
-        LedgerReport as LedgerReport,
-        ledger as ledger,
     )
 else:
     open_door(__name__)
