@@ -57,7 +57,8 @@ def pairs(means, *, edges):
     return Found("holds", {"pairs": edges + 1, "others": 1}, figures)
 
 def not_all(means):
-    return Found("refuted", {"worlds": 1}, pictures=(Picture("the one", World(maps.named_map("loop"), "directional")),))
+    loop = World(maps.named_map("loop"), "directional")
+    return Found("refuted", {"worlds": 1}, pictures=(Picture("the one", loop),))
 
 def proof(means):
     return NotChecked("Coq is not installed")
@@ -217,9 +218,9 @@ def test_the_files_must_be_there_and_import(paper):
     with pytest.raises(InputError, match="does not import: ModuleNotFoundError"):
         allworlds.ledger(paper)
     (paper / "claims.py").unlink()
-    with pytest.raises(InputError, match="there is no file .*claims.py"):
+    with pytest.raises(InputError, match=r"there is no file .*claims\.py"):
         allworlds.ledger(paper)
-    with pytest.raises(InputError, match=r"ledger.toml' cannot be read"):
+    with pytest.raises(InputError, match=r"ledger\.toml' cannot be read"):
         allworlds.ledger(paper / "elsewhere")
 
 
