@@ -51,7 +51,6 @@ if TYPE_CHECKING:
     from allworlds.studies.init import init as init
     from allworlds.studies.ledger import ledger as ledger
     from allworlds.studies.merge import merge as merge
-    from allworlds.studies.optimum import optimum as optimum
     from allworlds.studies.play import play as play
     from allworlds.studies.replay import replay as replay
     from allworlds.studies.run import run as run

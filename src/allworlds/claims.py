@@ -7,6 +7,7 @@ keywords, and returns a :class:`Found` or a :class:`NotChecked`::
         return of_check(check("algorithm1", edges=edges, workers=means.workers))
 """
 
+from allworlds.explorers import Algorithm1, FoldedLog
 from allworlds.studies.ledger.claim import (
     Found,
     Means,
@@ -16,5 +17,17 @@ from allworlds.studies.ledger.claim import (
     of_check,
     truth,
 )
+from allworlds.studies.worst import EverySchedule
 
-__all__ = ["Found", "Means", "NotChecked", "Picture", "Unfinished", "of_check", "truth"]
+__all__ = [
+    "Algorithm1",
+    "EverySchedule",
+    "FoldedLog",
+    "Found",
+    "Means",
+    "NotChecked",
+    "Picture",
+    "Unfinished",
+    "of_check",
+    "truth",
+]

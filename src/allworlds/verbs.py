@@ -187,23 +187,6 @@ VERBS = (
         ),
     ),
     Verb(
-        "optimum",
-        "studies.optimum:optimum",
-        "optimum",
-        "Find the best worst case of any explorer, by minimax.",
-        telling="reports.tellings.optimum:optimum_telling",
-        panel=COSTS,
-        sweep="studies.optimum:OptimumSweep",
-        example="--edges 4",
-        help=(
-            "The fewest traversals with which an explorer that knows the number of edges "
-            "can map the worst world, by minimax over all worlds with every bearing, with "
-            "its strategy; beside it the worst cost of every built-in explorer. Exit code "
-            "0: answered, 3: the time was up, 70: the strategy, followed in every world, "
-            "disagrees."
-        ),
-    ),
-    Verb(
         "count",
         "studies.count:count",
         "count",

@@ -12,7 +12,7 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from allworlds.explorers.builtin.algorithm1 import nobody, unseen
+from allworlds.explorers.builtin.algorithm1 import nobody
 from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
 from allworlds.explorers.builtin.shield import Shield
 from allworlds.explorers.names import (
@@ -30,7 +30,6 @@ from allworlds.explorers.stepping import CopyingExplorer, SteppedRuns, SteppingE
 from allworlds.explorers.translated import CONVENTIONS, Translated
 from allworlds.inputs import InputError
 from allworlds.protocol import (
-    Checkpoint,
     Choices,
     Percept,
     Player,
@@ -53,7 +52,7 @@ class Subject(Struct, frozen=True):
             ``exec:COMMAND`` or ``native:PATH``;
             any of them with a shield as ``shield:NAME``, or behind a translator as
             ``translated:CONVENTION:NAME``.
-        keywords: the ones of ``choices``, ``told``, ``notice`` and ``settled`` that it takes.
+        keywords: the ones of ``choices``, ``told`` and ``notice`` that it takes.
         explore: the generator function; None where another process finds it by its name, so
             that its code never gets into this one.
         own: its entry among the built-in explorers, if it is built in.
@@ -138,14 +137,10 @@ class Subject(Struct, frozen=True):
             return self.program.forks
         return self.native is not None and self.native.library.clone is not None
 
-    def player(
-        self,
-        notice: Callable[[str], None] = nobody,
-        settled: Callable[[Checkpoint], None] = unseen,
-    ) -> Player:
+    def player(self, notice: Callable[[str], None] = nobody) -> Player:
         """The explorer with its keywords bound; its code must be in this process."""
         assert self.explore is not None
-        return self._bound(self.explore, notice, settled)
+        return self._bound(self.explore, notice)
 
     def second_player(self) -> Player:
         """The explorer as it is played once more: by copies, if it can be copied."""
@@ -164,12 +159,11 @@ class Subject(Struct, frozen=True):
         self,
         explore: Callable[..., Generator[Any, Any, Any]],
         notice: Callable[[str], None] = nobody,
-        settled: Callable[[Checkpoint], None] = unseen,
     ) -> Player:
         keywords = self.keywords
 
         def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
-            offered = {"choices": choices, "told": told, "notice": notice, "settled": settled}
+            offered = {"choices": choices, "told": told, "notice": notice}
             return explore(first, **{key: offered[key] for key in keywords})
 
         return play
@@ -196,7 +190,7 @@ def with_translator(inside: Subject, convention: str) -> Subject:
 def _around(
     inside: Subject, before: str, wrapped: Callable[[Callable[..., Any]], Callable[..., Any]]
 ) -> Subject:
-    name, keywords = before + inside.name, inside.keywords - {"notice", "settled"}
+    name, keywords = before + inside.name, inside.keywords - {"notice"}
     if inside.explore is None:
         return Subject(name, keywords, source=inside.source)
     return Subject(name, keywords, wrapped(inside.explore), source=inside.source, inside=inside)

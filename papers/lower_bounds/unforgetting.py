@@ -1,6 +1,6 @@
 """Algorithm 1 that never forgets: the common part of its variants.
 
-S are the settled vertices of the folded log (:mod:`allworlds.explorers.builtin.folded_log`), U
+S are the settled vertices of the folded log (:class:`allworlds.claims.FoldedLog`), U
 their darts without a settled vertex at the other end, as in Algorithm 1.  A pass takes a dart from
 U, goes through it, and asks which vertex lies behind it:
 
@@ -23,10 +23,11 @@ from typing import TypeAlias, TypeVar
 
 from msgspec import Struct
 
-from allworlds.explorers.builtin.algorithm1 import unseen
-from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import Checkpoint, Estimate, Move, Percept
+from allworlds import Checkpoint, CombinatorialMap, Estimate, Move, Percept
+from allworlds.claims import FoldedLog
+
+OPEN = -1
+"""The other end of a dart of the log that the robot has not gone through."""
 
 R = TypeVar("R")
 Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]
@@ -34,6 +35,14 @@ Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]
 Settled: TypeAlias = Callable[[Checkpoint], None]
 """Told of S and U whenever a vertex is settled, wherever the robot is then: in place of the robot's
 dart stands the one that it faced at the start.  It changes nothing."""
+
+
+def nobody(_event: str) -> None:
+    """Hear of an event, and do nothing."""
+
+
+def unseen(_shown: Checkpoint) -> None:
+    """See S and U, and do nothing."""
 
 
 class Hypotheses(ABC):
@@ -320,6 +329,3 @@ class Unforgetting(ABC):
     def _answer(self) -> Estimate:
         done = self._checkpoint(self.here, set())
         return Estimate(CombinatorialMap(done.sigma, done.alpha), done.here)
-
-
-__all__ = ["Hypotheses", "Settled", "Spread", "Test", "Unforgetting", "Walk"]

@@ -8,16 +8,22 @@ from math import comb, prod
 from random import Random
 from typing import NamedTuple
 
-from allworlds.evidence.claims.claim_types import Checks, Found, Means, Shown, Unfinished, truth
-from allworlds.judging import paper_bound
-from allworlds.maps import CombinatorialMap, CorridorShape, Dart, usual_degree
-from allworlds.outcome import Exit
-from allworlds.studies.optimum import optimum
-from allworlds.studies.run import run
-from allworlds.world import Adversary, Directional, World, map_of_family
+from adversary import Dart, against, usual_shape
+from allworlds import CombinatorialMap, World
+from allworlds.claims import Found, Means, Unfinished, truth
+from allworlds.maps import CorridorShape, family
+from playing import run_here
 
 
-def testers_need_the_order(_: Means, *, far: int, explorers: list[str]) -> Found:
+def paper_bound(vertices: int, edges: int) -> int:
+    """The sum of (1) and (2) of the paper on minimal information, Section VI."""
+    n, m = vertices, edges
+    growing = sum(s + 2 * (s - 1) * (2 * m - 2 * (s - 1)) for s in range(1, n))
+    left = (2 * m - 2 * (n - 1) - 2 * (i - 1) for i in range(1, m - n + 2))
+    return growing + sum(n + 2 * (n - 1) * darts for darts in left)
+
+
+def order_exact(_: Means, *, far: int, explorers: list[str]) -> Found:
     """Play testers against the adversary of corridors, and look for what its proof rests on.
 
     The bounds of the theorem and (1)+(2) must hold, the world that is left must give the same
@@ -27,18 +33,16 @@ def testers_need_the_order(_: Means, *, far: int, explorers: list[str]) -> Found
     excluded = walks = pairs = 0
     holds = True
     for size in range(1, far + 1):
-        shape = CorridorShape(size, usual_degree(size))
+        shape = usual_shape(size)
         for name in explorers:
-            told = run(name, Adversary(shape, 1))
-            made = told.adversary
-            assert made is not None
+            made = against(name, shape, 1)
             costs[name].append(made.cost)
-            excluded += made.excluded
+            excluded += made.deciding.excluded
             enough = made.cost >= shape.bound_of_testers
-            enough &= made.excluded >= shape.excluded_by_testers
+            enough &= made.deciding.excluded >= shape.excluded_by_testers
             bound = paper_bound(shape.hubs + 1, shape.edges)
-            holds &= enough and made.same and not told.finding and made.cost <= bound
-        map_ = map_of_family(f"corridor:{size}", None, 1)
+            holds &= enough and made.same and not made.run.finding and made.cost <= bound
+        map_ = family(f"corridor:{size}", seed=1)
         words = [*home_words(map_, shape)]
         seen = [wrong_walkers(map_, shape, y, word) for y, word in words]
         walks += len(seen) * (size * shape.degree - 1)
@@ -111,7 +115,7 @@ class _Skeleton(NamedTuple):
     free: tuple[Dart, ...]
 
 
-def every_explorer_needs_as_many(_: Means, *, degree: int, explorers: list[str]) -> Found:
+def every_explorer_mn_log(_: Means, *, degree: int, explorers: list[str]) -> Found:
     """Count the logs of explorers in every corridor with one near and one far hub.
 
     The logs must differ, none may begin another, and the returns from the far hub must tell each;
@@ -134,7 +138,7 @@ def every_explorer_needs_as_many(_: Means, *, degree: int, explorers: list[str])
         holds &= all(4 * len(far) <= len(log) for log, far in logs)
         longest.append(max(len(log) - 1 for log in sensed))
     witnesses = {"worlds": number, "returns from the far hub": returns}
-    figures: dict[str, Shown] = {"motions needed": needed, "motions of each": longest}
+    figures = {"motions needed": needed, "motions of each": longest}
     return Found(truth(holds and min(longest) >= needed), witnesses, figures)
 
 
@@ -156,7 +160,7 @@ def _skeleton(degree: int) -> _Skeleton:
 def _corridors(skeleton: _Skeleton) -> Iterator[World]:
     """Every world of a skeleton."""
     if not skeleton.free:
-        yield World(CombinatorialMap(skeleton.sigma, skeleton.alpha), Directional(0))
+        yield World(CombinatorialMap(skeleton.sigma, skeleton.alpha), "directional")
         return
     d, *others = skeleton.free
     for e in others:
@@ -168,12 +172,12 @@ def _corridors(skeleton: _Skeleton) -> Iterator[World]:
 
 def _walked(name: str, world: World) -> tuple[list[int], tuple[tuple[int, int], ...]]:
     """The bearings of a run, -1 at hubs; and its far returns: when, and with which bearing."""
-    told = run(name, world)
+    told = run_here(name, world)
     if told.finding:
         raise Unfinished(f"{name} breaks a law in {world}")
     state, sensed, far, been = world.initial, [0], list[tuple[int, int]](), False
     degree = (len(world.map.sigma) - 2) // 2
-    for time, action in enumerate(told.outcome.episode.transcript.actions, 1):
+    for time, action in enumerate(told.transcript.actions, 1):
         state, percept = world.step(state, action)
         sensed.append(-1 if percept.bearing is None else percept.bearing)
         been = been or state.dart >= 2 + degree
@@ -182,27 +186,3 @@ def _walked(name: str, world: World) -> tuple[list[int], tuple[tuple[int, int], 
                 far.append((time, sensed[-1]))
             been = False
     return sensed, tuple(far)
-
-
-def bouquets_need_more(_: Means, *, loops: int) -> Found:
-    """Find the optimum in bouquets by minimax; each strategy is followed in each of them."""
-    report = optimum(family="bouquet", to=loops).uninterrupted()
-    if report.exit_code != Exit.ANSWERED:
-        raise Unfinished(f"the optimum ended with exit code {report.exit_code}")
-    rows = report.rows
-    best = [row.optimum or 0 for row in rows]
-    information = [row.information or 0 for row in rows]
-    between = all(
-        (row.information or 0) <= (row.optimum or 0) <= (row.cautious or 0) for row in rows
-    )
-    squares = best[1:] == [c * c for c in range(2, loops + 1)]
-    witnesses = {"worlds": sum(row.runs for row in rows)}
-    figures = {"optimum": best, "counting gives": information}
-    return Found(truth(between and squares), witnesses, figures)
-
-
-CHECKS: Checks = {
-    "order-exact": testers_need_the_order,
-    "every-explorer-mn-log": every_explorer_needs_as_many,
-    "bouquet-minimax": bouquets_need_more,
-}

@@ -9,12 +9,8 @@ from collections.abc import Iterator, Sequence
 from functools import cache
 from math import prod
 
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Percept
-from allworlds.world import Directional, World
-
-MOST_LOOPS = 6
-"""The largest number of loops for which the optimum is searched for: 10,395 worlds."""
+from allworlds import CombinatorialMap, Percept, World
+from allworlds.maps import Dart
 
 MANY = 10**12
 """More than the worlds of any search."""
@@ -27,7 +23,7 @@ def bouquets(loops: int) -> Iterator[World]:
         alpha = [1, 0, *range(2, size)]
         for d, e in pairs:
             alpha[d], alpha[e] = e, d
-        yield World(CombinatorialMap((0, *range(2, size), 1), alpha), Directional(0))
+        yield World(CombinatorialMap((0, *range(2, size), 1), alpha), "directional")
 
 
 def number_of_bouquets(loops: int) -> int:

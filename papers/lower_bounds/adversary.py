@@ -20,69 +20,25 @@ Source: ``docs/research/lower-bounds.md``, 'Testers of home words'.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator
-from typing import NamedTuple, TypeAlias
+from collections.abc import Iterator
+from typing import Any, NamedTuple, TypeAlias
 
-from msgspec import Struct
-
-from allworlds.inputs import InputError, show
-from allworlds.maps import CorridorShape, Dart, augmented, drawn_corridor, usual_degree
-from allworlds.protocol import Action, Checkpoint, Move, Percept, Told
-from allworlds.world.illegal_action import IllegalAction
-from allworlds.world.lighthouses.directional import Directional
-from allworlds.world.state import State, without_markers
-from allworlds.world.world import World
+import explorers
+from allworlds import Checkpoint, Choices, Move, Percept, World
+from allworlds.claims import Algorithm1
+from allworlds.maps import CorridorShape, drawn_corridor
+from matching import augmented
+from playing import Played, played, run_here
 
 Word: TypeAlias = tuple[int, ...]
 """Motions, each from the dart by which one has arrived; 0, the way back, does not occur."""
 
-PREFIX = "adversary:"
-FORM = f"{PREFIX}corridor:F"
-FORMS_OF_ADVERSARIES = f"{FORM} or {FORM}xR"
-MOST_EDGES = 10_000
-"""The largest number of edges of a world that an adversary makes."""
+Dart: TypeAlias = int
 
 
-class Adversary(Struct, frozen=True):
-    """The adversary in a corridor.
-
-    Attributes:
-        shape: of the corridor.
-        seed: of the near loops, and of the matching that is kept at first.
-    """
-
-    shape: CorridorShape
-    seed: int = 0
-
-    def __str__(self) -> str:
-        far, degree = self.shape.far, self.shape.degree
-        usual = degree == usual_degree(far)
-        return f"{PREFIX}corridor:{far}" if usual else f"{PREFIX}corridor:{far}x{degree}"
-
-    @property
-    def at_first(self) -> World:
-        """The world that is left if the robot does not move."""
-        return Deciding(self).world()
-
-
-def adversary_named(text: str, seed: int = 0) -> Adversary:
-    """The adversary of a text ``adversary:corridor:F`` or ``adversary:corridor:FxR``.
-
-    Raises:
-        InputError: for another text, or a corridor that does not exist or is too large.
-    """
-    match = re.fullmatch(rf"{PREFIX}corridor:([0-9]{{1,6}})(?:x([0-9]{{1,6}}))?", text)
-    if match is None:
-        raise InputError(f"{show(text)} is not {FORMS_OF_ADVERSARIES}")
-    far = int(match[1])
-    try:
-        shape = CorridorShape(far, int(match[2] or usual_degree(far)))
-    except ValueError as error:
-        raise InputError(f"{show(text)}: {error}") from None
-    if shape.edges > MOST_EDGES:
-        raise InputError(f"{show(text)} has {shape.edges:,} edges, more than {MOST_EDGES:,}")
-    return Adversary(shape, seed)
+def usual_shape(far: int) -> CorridorShape:
+    """The corridor with so many far hubs whose hubs all have different types: of degree 12F + 6."""
+    return CorridorShape(far, 12 * far + 6)
 
 
 class Spot(NamedTuple):
@@ -102,6 +58,10 @@ class Spot(NamedTuple):
 class Deciding:
     """One play of an adversary: the environment of an explorer.
 
+    Args:
+        shape: of the corridor.
+        seed: of the near loops, and of the matching that is kept at first.
+
     Attributes:
         excluded: the number of pairs that an answer has excluded.
         forced: the number of edges that are fixed because nothing else is allowed.
@@ -110,15 +70,13 @@ class Deciding:
         depended: the number of edges that were fixed before an answer that depended on two.
     """
 
-    initial = without_markers(0)
+    initial = None
     first = Percept(2, 1, 0)
-    told: Told = None
-    over = False
 
-    def __init__(self, adversary: Adversary) -> None:
-        self._corridor = drawn_corridor(adversary.shape, adversary.seed)
+    def __init__(self, shape: CorridorShape, seed: int = 0) -> None:
+        self._corridor = drawn_corridor(shape, seed)
         darts = self._corridor.free
-        self._hub = adversary.shape.degree
+        self._hub = shape.degree
         self._partner = {d: e for d, e in enumerate(self._corridor.alpha) if d != e}
         self._allowed = {d: {*darts} - {d} for d in darts}
         self._mate = {d: darts[i ^ 1] for i, d in enumerate(darts)}
@@ -128,14 +86,8 @@ class Deciding:
         self.excluded = self.forced = self.depended = 0
         self.settled: list[tuple[int, Dart]] = []
 
-    def step(self, state: State, action: Action) -> tuple[State, Percept]:
-        """The percept after a motion; the state stays as it is, and this object decides.
-
-        Raises:
-            IllegalAction: for anything but a motion.
-        """
-        if type(action) is not Move:
-            raise IllegalAction("Move: there are no markers, and nothing is written")
+    def step(self, state: None, action: Move) -> tuple[None, Percept]:
+        """The percept after a motion; this object decides."""
         self._motions += 1
         self._move(action.k)
         return state, self._sensed()
@@ -163,20 +115,10 @@ class Deciding:
             self.settled.append((self._motions, root))
             self._fix(root)
 
-    def repeat(self, walk: Iterable[Action], settled: Iterable[tuple[int, Dart]]) -> None:
-        """Play again what was played: actions, and what the explorer had settled before each."""
-        waiting = [*settled][::-1]
-        for number, action in enumerate(walk):
-            while waiting and waiting[-1][0] <= number:
-                self.settle(waiting.pop()[1])
-            self.step(self.initial, action)
-        for _, root in reversed(waiting):
-            self.settle(root)
-
     def world(self) -> World:
         """The static world in which all answers up to now are true."""
         pairs = [(d, self._partner.get(d, self._mate.get(d, d))) for d in self._corridor.free]
-        return World(self._corridor.matched(pairs), Directional(0))
+        return World(self._corridor.matched(pairs), "directional")
 
     def _sensed(self) -> Percept:
         at = self._at
@@ -330,3 +272,43 @@ class Deciding:
                     places.append((other, there))
                 dart, facing = sigma[dart], self._turned(facing, 1)
         return None
+
+
+class Decisions(NamedTuple):
+    """A play against the adversary, and the judged run in the world that is left.
+
+    Attributes:
+        walk: the motions against the adversary.
+        deciding: the adversary after them.
+        run: in the world that is left.
+    """
+
+    walk: Played
+    deciding: Deciding
+    run: Any
+
+    @property
+    def cost(self) -> int:
+        """Traversals against the adversary."""
+        return len(self.walk.actions)
+
+    @property
+    def same(self) -> bool:
+        """Whether the explorer walks in the world as against the adversary."""
+        return bool(self.run.transcript.actions == self.walk.actions)
+
+
+def against(name: str, shape: CorridorShape, seed: int = 0) -> Decisions:
+    """Play an explorer against the adversary, and run it in the world that is left.
+
+    Those of this folder tell what they settle, when they do; Algorithm 1 shows it.
+    """
+    deciding = Deciding(shape, seed)
+
+    def explore(first: Percept) -> Any:
+        if name == "algorithm1":
+            return Algorithm1(first, Choices()).explore()
+        return getattr(explorers, name)(first, settled=deciding.hear)
+
+    walk = played(explore, deciding, deciding.heed)
+    return Decisions(walk, deciding, run_here(name, deciding.world()))

@@ -4,13 +4,13 @@ from collections import Counter
 from itertools import pairwise
 
 import pytest
-from hypothesis import given, strategies as st
-
-from allworlds.explorers import BUILT_IN, FoldedLog, algorithm1
 from allworlds.explorers.builtin.greedy import greedy
 from allworlds.explorers.builtin.prudent import prudent
 from allworlds.explorers.builtin.remembering import remembering
 from allworlds.explorers.builtin.unforgetting import Spread
+from hypothesis import given, strategies as st
+
+from allworlds.explorers import BUILT_IN, FoldedLog, algorithm1
 from allworlds.judging import paper_bound
 from allworlds.maps import dense, from_cycles, lattice, rooted_code, rooted_maps
 from allworlds.protocol import Checkpoint, Choices, Percept, policy_named

@@ -5,12 +5,11 @@ It shares nothing with the search but the strategy: it walks in worlds, and comp
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
-from allworlds.maps import CombinatorialMap, Dart, rooted_code
-from allworlds.protocol import Estimate, Move
-from allworlds.studies.optimum.strategy import Strategy, StrategyLeaf, node_after
-from allworlds.world import World
+from allworlds import CombinatorialMap, Estimate, Move, Percept, World
+from allworlds.maps import Dart, rooted_code
+from minimax import Branch, Strategy, StrategyLeaf
 
 
 def most_expensive(strategy: Strategy, worlds: Iterable[World]) -> int | None:
@@ -30,7 +29,7 @@ def most_expensive(strategy: Strategy, worlds: Iterable[World]) -> int | None:
 
 def _followed(strategy: Strategy, world: World) -> int | None:
     """The traversals to the right answer in a world; None where it is not reached."""
-    state, number, cost = world.initial, node_after(world.first, strategy.start), 0
+    state, number, cost = world.initial, _node_after(world.first, strategy.start), 0
     while number is not None:
         node = strategy.nodes[number]
         if isinstance(node, StrategyLeaf):
@@ -39,8 +38,13 @@ def _followed(strategy: Strategy, world: World) -> int | None:
             return None
         state, percept = world.step(state, Move(node.move))
         cost += 1
-        number = node_after(percept, node.then)
+        number = _node_after(percept, node.then)
     return None
+
+
+def _node_after(percept: Percept, branches: Sequence[Branch]) -> int | None:
+    """The number of the node to go on with; None where there is none."""
+    return next((branch.node for branch in branches if branch.percept == percept), None)
 
 
 def _is_right(answer: Estimate, map_: CombinatorialMap, dart: Dart) -> bool:

@@ -7,30 +7,27 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import factorial, prod
 
-from allworlds.evidence.claims.claim_types import Checks, Found, Means, truth
+from allworlds import CombinatorialMap, World, ambiguity
+from allworlds.claims import Found, Means, truth
 from allworlds.maps import (
-    CombinatorialMap,
     Labelled,
-    MapClass,
     Quotient,
     automorphisms,
     class_size,
     is_ambiguous,
-    pose_count,
     project,
     rooted_code,
     rooted_maps,
+    unrooted_code,
 )
-from allworlds.studies.ambiguity import class_of
-from allworlds.world import Position, World
 
 
 def _by_quotient(edges: int) -> Iterator[dict[object, list[tuple[CombinatorialMap, Quotient]]]]:
     """For each number of edges all rooted maps, by the quotient with the root's vertex marked."""
     for m in range(1, edges + 1):
         alike: dict[object, list[tuple[CombinatorialMap, Quotient]]] = defaultdict(list)
-        for map_ in rooted_maps(m, MapClass.MAPS):
-            quotient = project(Labelled(map_, Position(0).percepts(map_), 0)).quotient
+        for map_ in rooted_maps(m):
+            quotient = project(Labelled(map_, World(map_, "position").percepts, 0)).quotient
             alike[quotient.sigma, quotient.alpha, quotient.degree, quotient.labels].append(
                 (map_, quotient)
             )
@@ -70,7 +67,7 @@ def _turned(quotient: Quotient) -> bool:
     return bool(quotient.semi_edges) or any(b > 1 for b in quotient.cone_indices[1:])
 
 
-def sizes_of_classes(_: Means, *, edges: int) -> Found:
+def class_sizes(_: Means, *, edges: int) -> Found:
     """Compare Burnside's count of the class with its members among all worlds."""
     classes = larger = wrong = 0
     for alike in _by_quotient(edges):
@@ -92,7 +89,8 @@ def mass_formula(_: Means, *, edges: int) -> Found:
             members = {_marked(map_): map_ for map_, _quotient in group}
             mass = sum(Fraction(quotient.sheets, _symmetries(map_)) for map_ in members.values())
             classes += 1
-            wrong += not mass == pose_count(quotient) == _choices(quotient)
+            poses = ambiguity.class_of(World(group[0][0], "position")).poses
+            wrong += not mass == poses == _choices(quotient)
     return Found(truth(wrong == 0), {"classes": classes})
 
 
@@ -112,7 +110,7 @@ def _symmetries(map_: CombinatorialMap) -> int:
     return sum(rooted_code(map_.sigma, map_.alpha, dart) == code for dart in around)
 
 
-def lookalikes_have_one_size(_: Means, *, edges: int) -> Found:
+def lookalikes_one_size(_: Means, *, edges: int) -> Found:
     """Group all rooted maps of any size by quotient, and compare m, n and the degrees."""
     alike: dict[object, set[object]] = defaultdict(set)
     worlds = 0
@@ -125,7 +123,7 @@ def lookalikes_have_one_size(_: Means, *, edges: int) -> Found:
     return Found(truth(not several), {"worlds": worlds, "quotients": len(alike)})
 
 
-def classes_on_two_sheets(_: Means, *, edges: int) -> Found:
+def two_sheets(_: Means, *, edges: int) -> Found:
     """Check that for k = 2 the class has 2^beta1 members, each class made by lifting."""
     classes = wrong = 0
     for alike in _by_quotient(edges):
@@ -133,31 +131,19 @@ def classes_on_two_sheets(_: Means, *, edges: int) -> Found:
             map_, quotient = group[0]
             if quotient.sheets == 2:
                 classes += 1
-                made = class_of(World(map_, Position(0)))
+                made = ambiguity.class_of(World(map_, "position"))
                 wrong += not len(made.worlds) == made.size == 2**quotient.beta1
     return Found(truth(wrong == 0), {"classes": classes})
 
 
-def counted_by_symmetry(_: Means, *, edges: int) -> Found:
+def counts(_: Means, *, edges: int) -> Found:
     """Check that the sum of 2m / |Aut| over unrooted maps is the number of rooted ones."""
-    from allworlds.maps import unrooted_code
-
     rooted = []
     agree = True
     for m in range(1, edges + 1):
-        every = list(rooted_maps(m, MapClass.MAPS))
+        every = list(rooted_maps(m))
         unrooted = {unrooted_code(map_): map_ for map_ in every}
         weight = sum(Fraction(2 * m, automorphisms(map_)) for map_ in unrooted.values())
         agree = agree and weight == len(every)
         rooted.append(len(every))
     return Found(truth(agree), {"maps": sum(rooted)}, {"rooted": rooted})
-
-
-CHECKS: Checks = {
-    "criterion": criterion,
-    "class-sizes": sizes_of_classes,
-    "mass-formula": mass_formula,
-    "lookalikes-one-size": lookalikes_have_one_size,
-    "two-sheets": classes_on_two_sheets,
-    "counts": counted_by_symmetry,
-}
