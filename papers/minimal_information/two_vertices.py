@@ -4,23 +4,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 
-from allworlds.evidence.claims.claim_types import (
-    Checks,
-    Found,
-    Means,
-    Picture,
-    Unfinished,
-    of_check,
-    truth,
-)
-from allworlds.judging import bound_named
+from allworlds import World, ambiguity, check, worlds
+from allworlds.claims import Found, Means, Picture, Unfinished, of_check, truth
 from allworlds.maps import Labelled, project
-from allworlds.studies.ambiguity import twins
-from allworlds.studies.check import check
-from allworlds.world import World, worlds
+from formulas import two_vertices_bound
 
 
-def cluster_with_one_edge(means: Means, *, edges: int) -> Found:
+def cluster(means: Means, *, edges: int) -> Found:
     """Algorithm 1 with one marker at v0 and two at v1, where one edge joins them."""
     report = check(
         "algorithm1-cluster",
@@ -31,12 +21,12 @@ def cluster_with_one_edge(means: Means, *, edges: int) -> Found:
     return of_check(report, "case-1", "case-2", "case-3", "loop", "non-loop")
 
 
-def cluster_anywhere(_: Means, *, edges: int) -> Found:
+def cluster_multigraphs(_: Means, *, edges: int) -> Found:
     """Find two different worlds with a cluster that no motion tells apart."""
     return _twins_under("cluster", "maps", edges)
 
 
-def natural_in_simple_worlds(means: Means, *, edges: int) -> Found:
+def natural(means: Means, *, edges: int) -> Found:
     """Algorithm 1 with a unique degree beside a unique degree, that of v1 told; in both engines."""
     compiled, readable = (
         of_check(
@@ -59,7 +49,7 @@ def natural_in_simple_worlds(means: Means, *, edges: int) -> Found:
     return Found(readable.verdict if compiled.verdict == "holds" else "refuted", seen)
 
 
-def natural_in_multigraphs(_: Means, *, edges: int) -> Found:
+def natural_multigraphs(_: Means, *, edges: int) -> Found:
     """Find two different worlds with such degrees that no motion tells apart."""
     return _twins_under("natural", "maps", edges)
 
@@ -73,7 +63,7 @@ def _twins_under(kind: str, map_class: str, edges: int) -> Found:
         quotient = project(Labelled(world.map, world.percepts, 0)).quotient
         learnt = (quotient.sigma, quotient.alpha, quotient.labels, world.told)
         for one in alike[learnt]:
-            if twins(one, world).twins:
+            if ambiguity.twins(one, world).twins:
                 figures = {"edges": one.map.edge_count, "vertices": one.map.vertex_count}
                 pictures = (Picture("one world", one), Picture("its twin", world))
                 return Found("refuted", {"worlds": compared}, figures, pictures)
@@ -81,18 +71,8 @@ def _twins_under(kind: str, map_class: str, edges: int) -> Found:
     return Found("holds", {"worlds": compared})
 
 
-def natural_costs_the_same_order(_: Means, *, edges: int) -> Found:
+def two_vertices_order(_: Means, *, edges: int) -> Found:
     """Compare these explorers' bound, with two traversals more a test, with 4 m^2 n."""
-    bound = bound_named("two-vertices").value
     points = [(n, m, d) for m in range(1, edges + 1) for n in range(2, m + 2) for d in (1, 2 * m)]
-    over = [p for p in points if (bound(p[0], p[1], p[2], p[2], 0, 0) or 0) > 4 * p[1] ** 2 * p[0]]
+    over = [p for p in points if two_vertices_bound(*p) > 4 * p[1] ** 2 * p[0]]
     return Found(truth(not over), {"triples of n, m and deg(v0)": len(points)})
-
-
-CHECKS: Checks = {
-    "cluster": cluster_with_one_edge,
-    "cluster-multigraphs": cluster_anywhere,
-    "natural": natural_in_simple_worlds,
-    "natural-multigraphs": natural_in_multigraphs,
-    "two-vertices-order": natural_costs_the_same_order,
-}

@@ -7,53 +7,39 @@ from fractions import Fraction
 from importlib.util import find_spec
 from itertools import product
 from math import log
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from allworlds.evidence.claims.algorithm import READABLE_EDGES, readable_worst, worst_rows
-from allworlds.evidence.claims.claim_types import (
-    Checks,
-    Found,
-    Means,
-    NotChecked,
-    Picture,
-    Shown,
-    of_check,
-    truth,
-)
-from allworlds.evidence.claims.passes import PassWalked, every_run, pass_bound
-from allworlds.inputs import INSTALL
-from allworlds.judging import paper_bound, printed_bound
-from allworlds.maps import MapClass, cycle, rooted_maps
-from allworlds.outcome import Verdict
-from allworlds.studies.check import check
-from allworlds.studies.compare import compare
-from allworlds.studies.worst import EverySchedule
-from allworlds.world import Directional, World
+from algorithm import worst_rows
+from allworlds import World, check, compare
+from allworlds.claims import EverySchedule, Found, Means, NotChecked, Picture, of_check, truth
+from allworlds.maps import family as map_of, rooted_maps
+from formulas import paper_bound, printed_bound
+from passes import PassWalked, every_run, pass_bound
 
 
-def every_edge_is_walked(_: Means, *, edges: int) -> Found:
+def every_edge_walked(_: Means, *, edges: int) -> Found:
     """Check that the cheapest of all schedules walks at least m edges in each world; exact."""
     cheapest = []
     for m in range(1, edges + 1):
-        best = [EverySchedule(map_, 0).best - m for map_ in rooted_maps(m, MapClass.MAPS)]
+        best = [EverySchedule(map_, 0).best - m for map_ in rooted_maps(m)]
         cheapest += best
     attained = sum(spare == 0 for spare in cheapest)
     witnesses = {"worlds": len(cheapest), "walked with m": attained}
     return Found(truth(min(cheapest) >= 0), witnesses)
 
 
-def depth_first_is_2m(means: Means, *, edges: int) -> Found:
+def dfs_2m(means: Means, *, edges: int) -> Found:
     """Depth first where every vertex has a number; by the number of edges the largest cost."""
     report = check("dfs", edges=edges, bound="2*m", workers=means.workers)
     largest = _largest((row.edges, row.max_cost) for row in report.rows)
     return of_check(report, **{"largest cost": list(largest.values())})
 
 
-def two_m_is_a_lower_bound(_: Means, *, length: int) -> Found:
+def lower_bound_2m(_: Means, *, length: int) -> Found:
     """On cycles: the cheapest schedule of Algorithm 1, over all schedules."""
-    best = [EverySchedule(cycle(m), 0).best for m in range(2, length + 1)]
+    best = [EverySchedule(map_of(f"cycle:{m}"), 0).best for m in range(2, length + 1)]
     below = sum(cost < 2 * m for m, cost in enumerate(best, 2))
-    pictures = (Picture("walked round once", World(cycle(4), Directional(0))),)
+    pictures = (Picture("walked round once", World(map_of("cycle:4"), "directional")),)
     return Found(
         truth(not below), {"cycles": len(best)}, {"traversals for 2, 3, ... edges": best}, pictures
     )
@@ -89,7 +75,7 @@ def _in_every_pass(
     return Found(truth(wrong == 0), witnesses)
 
 
-def walk_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
+def pass_walk(_: Means, *, edges: int, policies: list[str]) -> Found:
     """Check that the walk to the unknown end takes at most n_s traversals."""
 
     def walk(_m: int, one: PassWalked) -> _Part:
@@ -98,7 +84,7 @@ def walk_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
     return _in_every_pass(edges, policies, walk)
 
 
-def length_of_a_test(_: Means, *, edges: int, policies: list[str]) -> Found:
+def pass_tests(_: Means, *, edges: int, policies: list[str]) -> Found:
     """Check that a test, there and back, takes at most 2(n_s - 1)."""
 
     def tests(_m: int, one: PassWalked) -> _Part:
@@ -108,7 +94,7 @@ def length_of_a_test(_: Means, *, edges: int, policies: list[str]) -> Found:
     return _in_every_pass(edges, policies, tests)
 
 
-def hypotheses_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
+def pass_hypotheses(_: Means, *, edges: int, policies: list[str]) -> Found:
     """Check that a pass has at most 2m - 2(n_s - 1) hypotheses."""
 
     def hypotheses(m: int, one: PassWalked) -> _Part:
@@ -119,7 +105,7 @@ def hypotheses_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
     return _in_every_pass(edges, policies, hypotheses)
 
 
-def cost_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
+def pass_cost(_: Means, *, edges: int, policies: list[str]) -> Found:
     """Check that each pass by itself costs at most s + 2(s-1)(2m-2p)."""
 
     def cost(m: int, one: PassWalked) -> _Part:
@@ -129,18 +115,18 @@ def cost_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
     return _in_every_pass(edges, policies, cost)
 
 
-def pass_by_all_schedules(_: Means, *, edges: int) -> Found:
+def pass_cost_all_schedules(_: Means, *, edges: int) -> Found:
     """The most expensive pass from every state that any schedule can come to."""
     states = wrong = 0
     for m in range(1, edges + 1):
-        for map_ in rooted_maps(m, MapClass.MAPS):
+        for map_ in rooted_maps(m):
             for state in EverySchedule(map_, 0).most_expensive_passes():
                 states += 1
                 wrong += state.cost > pass_bound(m, state.vertices, state.explored)
     return Found(truth(wrong == 0), {"states with a dart": states})
 
 
-def kinds_of_passes(_: Means, *, edges: int, policies: list[str]) -> Found:
+def pass_kinds(_: Means, *, edges: int, policies: list[str]) -> Found:
     """Check that in every run n-1 passes find a vertex and m-n+1 close a loop."""
     runs = wrong = vertices = loops = 0
     for world, met in every_run(edges, policies):
@@ -154,7 +140,7 @@ def kinds_of_passes(_: Means, *, edges: int, policies: list[str]) -> Found:
     return Found(truth(wrong == 0), seen)
 
 
-def vertices_first_is_worst(_: Means, *, edges: int) -> Found:
+def vertices_first(_: Means, *, edges: int) -> Found:
     """Check every order of both kinds of passes, each at its bound: none exceeds (1)+(2)."""
     orders = over = attained = 0
     for m in range(1, edges + 1):
@@ -172,7 +158,7 @@ def vertices_first_is_worst(_: Means, *, edges: int) -> Found:
     return Found(truth(over == 0), witnesses)
 
 
-def bound_of_every_run(means: Means, *, edges: int) -> Found:
+def bound(means: Means, *, edges: int) -> Found:
     """The exact worst cost over all worlds and all schedules, beside (1)+(2)."""
     rows = worst_rows(means, edges).rows
     slack = [paper_bound(row.vertices, row.edges) - row.worst for row in rows]
@@ -189,21 +175,21 @@ def polynomial(n: int, m: int) -> Fraction:
     return printed_bound(n, m) + 5 * m * n - 2 * m + Fraction(11, 6) * n
 
 
-def sums_are_the_polynomial(_: Means, *, edges: int) -> Found:
+def bound_polynomial(_: Means, *, edges: int) -> Found:
     """Compare both at enough points to determine the polynomial, and at more."""
     points = [(n, m) for m in range(1, edges + 1) for n in range(1, m + 2)]
     agree = sum(paper_bound(n, m) == polynomial(n, m) for n, m in points)
     return Found(truth(agree == len(points)), {"pairs of n and m": len(points)})
 
 
-def printed_3_bounds(_: Means, *, edges: int) -> Found:
+def printed_3(_: Means, *, edges: int) -> Found:
     """Compare expression (3), without its unstated terms, with the cost of Algorithm 1."""
     points = [(m, n) for m in range(1, edges + 1) for n in range(1, m + 2)]
     below = [(m, n) for m, n in points if printed_bound(n, m) < paper_bound(n, m)]
     beaten = [(m, n) for m, n in points if printed_bound(n, m) < m]
     first = list(beaten[0]) if beaten else []
     seen = {"pairs of n and m": len(points), "below (1)+(2)": len(below), "below m": len(beaten)}
-    figures: dict[str, Shown] = {
+    figures: dict[str, Any] = {
         "first edges and vertices": first,
         "its value at n = 2, m = 1": str(printed_bound(2, 1)),
     }
@@ -213,7 +199,7 @@ def printed_3_bounds(_: Means, *, edges: int) -> Found:
 def terms_left_out(_: Means, *, edges: int) -> Found | NotChecked:
     """Sum (1) and (2) by sympy, and subtract the printed terms of (3)."""
     if find_spec("sympy") is None:
-        return NotChecked(f"sympy is not installed: {INSTALL.format('proofs')}")
+        return NotChecked("sympy is not installed: in a clone, pip install '.[proofs]'")
     import sympy
 
     n, m, s, i = sympy.symbols("n m s i", integer=True, positive=True)
@@ -261,21 +247,21 @@ def printed_limit_of_2(means: Means, *, edges: int) -> Found:
     )
 
 
-def order_of_the_bound(_: Means, *, edges: int) -> Found:
+def bound_order(_: Means, *, edges: int) -> Found:
     """Compare (1)+(2) with 2 m^2 n."""
     points = [(n, m) for m in range(1, edges + 1) for n in range(1, m + 2)]
     over = [(n, m) for n, m in points if paper_bound(n, m) > 2 * m * m * n]
     return Found(truth(not over), {"pairs of n and m": len(points)})
 
 
-def order_is_reached(means: Means, *, family: str, to: int, growing: float) -> Found:
+def order_reached(means: Means, *, family: str, to: int, growing: float) -> Found:
     """The cost in a family in which n grows like m: between the last two sizes like m^3 or more."""
     report = compare("algorithm1", family=family, to=to, worlds=2, places=1, workers=means.workers)
     rows = report.uninterrupted().rows
     shares = [row.mean / (row.edges**2 * row.vertices) for row in rows]
     shorter, longer = rows[-2:]
     last = log(longer.mean / shorter.mean) / log(longer.edges / shorter.edges)
-    judged = report.verdict is Verdict.NOT_REFUTED
+    judged = report.verdict == "not-refuted"
     return Found(
         truth(judged and last >= growing),
         {"runs": sum(row.runs for row in rows)},
@@ -289,51 +275,9 @@ def order_is_reached(means: Means, *, family: str, to: int, growing: float) -> F
     )
 
 
-def worst_by_edges(means: Means, *, edges: int) -> Found:
-    """The exact worst cost of Algorithm 1, by the number of edges.
-
-    It is attained by the run that is replayed of each size; that no schedule costs more is said
-    by the compiled search, and in small worlds by the readable one, too.
-    """
-    report = worst_rows(means, edges)
-    worst = _largest((row.edges, row.worst) for row in report.rows)
-    attained = sum(row.replayed == row.worst for row in report.rows)
-    again = readable_worst(min(edges, READABLE_EDGES))
-    agree = all(worst[m] == cost for m, cost in _largest(again).items())
-    seen = {
-        "worlds": sum(row.worlds for row in report.rows),
-        "sizes that a run attains": attained,
-        "worlds searched twice": len(again),
-    }
-    holds = agree and attained == len(report.rows)
-    return Found(truth(holds), seen, {"worst": list(worst.values())})
-
-
 def _largest(costs: Iterable[tuple[int, int]]) -> dict[int, int]:
     """The largest cost, by number of edges."""
     largest: dict[int, int] = {}
     for edges, cost in costs:
         largest[edges] = max(largest.get(edges, 0), cost)
     return largest
-
-
-CHECKS: Checks = {
-    "every-edge-walked": every_edge_is_walked,
-    "dfs-2m": depth_first_is_2m,
-    "lower-bound-2m": two_m_is_a_lower_bound,
-    "pass-walk": walk_of_a_pass,
-    "pass-tests": length_of_a_test,
-    "pass-hypotheses": hypotheses_of_a_pass,
-    "pass-cost": cost_of_a_pass,
-    "pass-cost-all-schedules": pass_by_all_schedules,
-    "pass-kinds": kinds_of_passes,
-    "vertices-first": vertices_first_is_worst,
-    "bound": bound_of_every_run,
-    "bound-polynomial": sums_are_the_polynomial,
-    "printed-3": printed_3_bounds,
-    "terms-left-out": terms_left_out,
-    "printed-limit-of-2": printed_limit_of_2,
-    "bound-order": order_of_the_bound,
-    "order-reached": order_is_reached,
-    "exact-worst": worst_by_edges,
-}

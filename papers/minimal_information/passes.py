@@ -7,18 +7,14 @@ the outside.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator, Sequence
-from typing import Any
+from collections.abc import Generator, Iterator, Sequence, Sized
+from typing import Any, NamedTuple
 
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.evidence.claims.claim_types import Unfinished
-from allworlds.explorers import Algorithm1
-from allworlds.judging import Answered, Episode, paper_bound, play
-from allworlds.maps import cycles
-from allworlds.protocol import Choices, Estimate, Move, Percept, Told, policy_named
-from allworlds.world import World, worlds
+from allworlds import Checkpoint, Choices, Estimate, Percept, World, worlds
+from allworlds.claims import Algorithm1, Unfinished
 
 
 class PassWalked(Struct, frozen=True):
@@ -49,6 +45,46 @@ class _BegunPass(Struct):
     walked: int = 0
     hypotheses: int = 0
     tests: list[int] = field(default_factory=list)
+
+
+class _Policy:
+    """First in, first out: the first option of every kind."""
+
+    def choose(self, kind: str, options: Sized, cost: Sequence[int] | None) -> int:
+        """Return the index of the option."""
+        return self.edge(len(options), cost or ()) if kind == "edge" else 0
+
+    def edge(self, _count: int, _cost: Sequence[int]) -> int:
+        """Return the index of the dart that leaves U."""
+        return 0
+
+
+class _Lifo(_Policy):
+    def edge(self, count: int, _cost: Sequence[int]) -> int:
+        return count - 1
+
+
+class _Nearest(_Policy):
+    def edge(self, _count: int, cost: Sequence[int]) -> int:
+        return min(range(len(cost)), key=cost.__getitem__, default=0)
+
+
+POLICIES = {"fifo": _Policy, "lifo": _Lifo, "nearest": _Nearest}
+"""Which dart leaves U next."""
+
+
+class Played(NamedTuple):
+    """A run without a judge.
+
+    Attributes:
+        checkpoints: each with the traversals before it.
+        cost: traversals.
+        answer: of the explorer.
+    """
+
+    checkpoints: list[tuple[int, Checkpoint]]
+    cost: int
+    answer: Estimate
 
 
 class Watched(Algorithm1):
@@ -82,40 +118,35 @@ def passes_of(world: World, policy: str = "fifo") -> list[PassWalked]:
     """The passes of Algorithm 1 in a world, in their order.
 
     Raises:
-        Unfinished: where the run has no answer, or shows no checkpoint for a pass.
+        Unfinished: where the run shows no checkpoint for a pass.
     """
-    met: list[Watched] = []
-
-    def player(
-        first: Percept,
-        choices: Choices,
-        told: Told,  # noqa: ARG001  # nothing is told under this lighthouse
-    ) -> Generator[Any, Any, Estimate]:
-        watched = Watched(first, choices)
-        met.append(watched)
-        return (yield from _counted(watched))
-
-    budget = 8 * paper_bound(world.map.vertex_count, world.map.edge_count) + 100
-    episode = play(world, player, Choices(policy_named(policy)), budget)
-    if not isinstance(episode.ending, Answered):
-        raise Unfinished(f"Algorithm 1 has no answer in {world}")
-    return list(_passes(met[0], episode))
+    watched = Watched(world.first, Choices(POLICIES[policy]()))
+    met = played(watched.explore(), world, watched)
+    return list(_passes(watched, met))
 
 
-def _counted(watched: Watched) -> Generator[Any, Any, Estimate]:
-    """The exploration, with its traversals counted."""
-    exploring, seen = watched.explore(), None
+def played(
+    exploring: Generator[Any, Any, Estimate], world: World, watched: Watched | None = None
+) -> Played:
+    """A run without a judge: each checkpoint with the traversals before it, and how many in all."""
+    state, seen, cost = world.initial, None, 0
+    shown: list[tuple[int, Checkpoint]] = []
     while True:
         try:
-            said = exploring.send(seen)  # type: ignore[arg-type]  # None begins a generator
+            said = exploring.send(seen)
         except StopIteration as end:
-            answer: Estimate = end.value
-            return answer
-        watched.steps += type(said) is Move
-        seen = yield said
+            return Played(shown, cost, end.value)
+        seen = None
+        if isinstance(said, Checkpoint):
+            shown.append((cost, said))
+            continue
+        cost += 1
+        if watched is not None:
+            watched.steps = cost
+        state, seen = world.step(state, said)
 
 
-def _passes(watched: Watched, episode: Episode) -> Iterator[PassWalked]:
+def _passes(watched: Watched, episode: Played) -> Iterator[PassWalked]:
     """Passes, each with the traversals between the checkpoints before and after it."""
     if len(watched.begun) != len(episode.checkpoints):
         raise Unfinished("Algorithm 1 has not shown its map after each pass")
@@ -141,7 +172,15 @@ def _passes(watched: Watched, episode: Episode) -> Iterator[PassWalked]:
 
 def _vertices(sigma: Sequence[int]) -> list[int]:
     """One dart of each cycle of sigma."""
-    return [min(cycle) for cycle in cycles(sigma)]
+    least, seen = [], set[int]()
+    for first in range(len(sigma)):
+        if first not in seen:
+            least.append(first)
+        dart = first
+        while dart not in seen:
+            seen.add(dart)
+            dart = sigma[dart]
+    return least
 
 
 def pass_bound(edges: int, vertices: int, explored: int) -> int:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, product
 from tempfile import TemporaryDirectory
+from typing import Any
 
-from allworlds.evidence.claims.claim_types import (
-    Checks,
+from allworlds import Choices, CombinatorialMap, World, ambiguity, check, run, worlds, worst
+from allworlds.claims import (
+    Algorithm1,
+    EverySchedule,
     Found,
     Means,
     Picture,
@@ -15,22 +18,9 @@ from allworlds.evidence.claims.claim_types import (
     of_check,
     truth,
 )
-from allworlds.evidence.claims.position import pair_of_corpus
-from allworlds.explorers import load
-from allworlds.judging import default_step_budget, paper_bound, play
-from allworlds.maps import CombinatorialMap, Dart, Labelled, MapClass, project, rooted_maps
-from allworlds.outcome import Verdict
-from allworlds.studies.ambiguity import (
-    REQUIREMENTS,
-    SearchResult,
-    has_model_without,
-    search,
-    twins,
-)
-from allworlds.studies.check import check
-from allworlds.studies.run import run
-from allworlds.studies.worst import EverySchedule, Planned, WorstReport, WrongTest, worst
-from allworlds.world import Directional, World, worlds
+from allworlds.maps import Labelled, project, rooted_maps
+from passes import played
+from position import marked, pair_of_corpus
 
 READABLE_EDGES = 3
 """The largest m for which the readable search over schedules takes seconds."""
@@ -51,22 +41,35 @@ def every_schedule(means: Means, *, edges: int, most_expensive: int) -> Found:
     report = check("algorithm1", edges=edges, schedules="all", workers=means.workers)
     found = of_check(report)
     episodes = sum(row.episodes for row in report.tally.rows.values())
-    played = wrong = 0
+    tried = wrong = 0
     for m in range(edges + 1, most_expensive + 1):
-        for map_ in rooted_maps(m, MapClass.MAPS):
-            world = World(map_, Directional(0))
+        for map_ in rooted_maps(m):
+            world = World(map_, "directional")
             told = run("algorithm1", world, choices=_most_expensive_choices(world))
-            played += 1
-            wrong += told.verdict is not Verdict.HOLDS
-    seen = {**found.witnesses, "schedules": episodes, "most expensive schedules": played}
+            tried += 1
+            wrong += told.finding is not None
+    seen = {**found.witnesses, "schedules": episodes, "most expensive schedules": tried}
     return Found(truth(found.verdict == "holds" and not wrong), seen)
+
+
+class Planned(Choices):
+    """An answerer with prepared choices, given as darts of S."""
+
+    def __init__(self, darts: Iterable[int]) -> None:
+        super().__init__()
+        self._darts = iter(darts)
+
+    def pick(self, options: Sequence[int], of: str, cost: object = None) -> int:  # noqa: ARG002
+        """Pick the next dart of the plan."""
+        index = list(options).index(next(self._darts))
+        self.record.append(index)
+        return options[index]
 
 
 def _most_expensive_choices(world: World) -> list[int]:
     """The indices that Algorithm 1 takes on a most expensive schedule."""
     planned = Planned(EverySchedule(world.map, world.start).most_expensive_picks())
-    bound = paper_bound(world.map.vertex_count, world.map.edge_count)
-    play(world, load("algorithm1").player(), planned, default_step_budget(bound))
+    played(Algorithm1(world.first, planned).explore(), world)
     return planned.record
 
 
@@ -87,27 +90,21 @@ def tests_decide(means: Means, *, edges: int) -> Found:
         "worlds": sum(row.worlds for row in report.rows),
         "tests of false hypotheses": sum(row.tests or 0 for row in report.rows),
     }
-    try:
-        seen["worlds searched twice"] = len(readable_worst(min(edges, READABLE_EDGES)))
-    except WrongTest as error:
-        return Found("refuted", seen, told=str(error))
+    seen["worlds searched twice"] = len(readable_worst(min(edges, READABLE_EDGES)))
     return Found(truth(wrong == 0), seen)
 
 
 def readable_worst(edges: int) -> list[tuple[int, int]]:
     """Edges of each world, and the cost of its most expensive schedule by the readable search.
 
-    Raises:
-        WrongTest: if a false hypothesis can be confirmed.
+    It raises an error if a false hypothesis can be confirmed.
     """
     return [
-        (m, EverySchedule(map_, 0).worst)
-        for m in range(1, edges + 1)
-        for map_ in rooted_maps(m, MapClass.MAPS)
+        (m, EverySchedule(map_, 0).worst) for m in range(1, edges + 1) for map_ in rooted_maps(m)
     ]
 
 
-def worst_rows(means: Means, edges: int) -> WorstReport:
+def worst_rows(means: Means, edges: int) -> Any:
     """The exact worst cases of Algorithm 1.
 
     Raises:
@@ -127,8 +124,8 @@ def not_both(_: Means, *, edges: int) -> Found:
     """
     pairs = same_motions = same_percepts = both = 0
     for m in range(1, edges + 1):
-        for map_ in rooted_maps(m, MapClass.MAPS):
-            world = World(map_, Directional(0))
+        for map_ in rooted_maps(m):
+            world = World(map_, "directional")
             for explored in _explored_parts(map_):
                 plans = [
                     (dart, _plan(world, dart, path))
@@ -151,10 +148,10 @@ def not_both(_: Means, *, edges: int) -> Found:
     return Found(truth(both == 0), witnesses)
 
 
-def _explored_parts(map_: CombinatorialMap) -> Iterator[frozenset[Dart]]:
+def _explored_parts(map_: CombinatorialMap) -> Iterator[frozenset[int]]:
     """Every possible set of explored edges: those connected with v0, given by their darts."""
-    seen = {frozenset[Dart]()}
-    queue = [frozenset[Dart]()]
+    seen = {frozenset[int]()}
+    queue = [frozenset[int]()]
     for explored in queue:
         yield explored
         for dart in _open_darts(map_, explored):
@@ -164,17 +161,17 @@ def _explored_parts(map_: CombinatorialMap) -> Iterator[frozenset[Dart]]:
                 queue.append(more)
 
 
-def _open_darts(map_: CombinatorialMap, explored: frozenset[Dart]) -> list[Dart]:
+def _open_darts(map_: CombinatorialMap, explored: frozenset[int]) -> list[int]:
     known = {map_.vertex_of[0]} | {map_.vertex_of[d] for d in explored}
     return [d for d in map_.darts if map_.vertex_of[d] in known and d not in explored]
 
 
 def _simple_paths(
     map_: CombinatorialMap,
-    explored: frozenset[Dart],
+    explored: frozenset[int],
     vertex: int,
     avoiding: frozenset[int] = frozenset(),
-) -> Iterator[tuple[Dart, ...]]:
+) -> Iterator[tuple[int, ...]]:
     """Simple paths to v0, by the darts by which the vertices are left."""
     if vertex == map_.vertex_of[0]:
         yield ()
@@ -186,7 +183,7 @@ def _simple_paths(
                 yield (dart, *rest)
 
 
-def _plan(world: World, entry: Dart, path: tuple[Dart, ...]) -> tuple[list[int], list[object]]:
+def _plan(world: World, entry: int, path: tuple[int, ...]) -> tuple[list[int], list[object]]:
     """The motions of a test and the percepts that it expects, with the vertex where it begins."""
     at, motions = entry, []
     expected: list[object] = [world.percepts[entry]]
@@ -197,13 +194,15 @@ def _plan(world: World, entry: Dart, path: tuple[Dart, ...]) -> tuple[list[int],
     return motions, expected
 
 
-def direction_is_needed(_: Means) -> Found:
+def direction_needed(_: Means) -> Found:
     """K4 in the plane and on the torus: alike by position, apart with any two directions."""
-    plain = twins(*pair_of_corpus("pair-k4"))
+    plain = ambiguity.twins(*pair_of_corpus("pair-k4"))
     one, other = (world.map for world in plain.worlds)
     first, second = ([w.map.turn(w.start, k) for k in range(w.first.degree)] for w in plain.worlds)
     pairs = [
-        twins(World(one, Directional(i), first[0]), World(other, Directional(j), second[0]))
+        ambiguity.twins(
+            marked(one, "directional", i, first[0]), marked(other, "directional", j, second[0])
+        )
         for i, j in product(first, second)
     ]
     apart = sum(pair.distinguishable for pair in pairs)
@@ -213,7 +212,7 @@ def direction_is_needed(_: Means) -> Found:
     )
 
 
-def no_twins_with_a_direction(_: Means, *, edges: int) -> Found:
+def no_twins_with_direction(_: Means, *, edges: int) -> Found:
     """Check in every run: no two darts look alike, and no two worlds have one quotient."""
     runs = 0
     met = set()
@@ -226,7 +225,7 @@ def no_twins_with_a_direction(_: Means, *, edges: int) -> Found:
     return Found(truth(whole and len(met) == runs), {"runs": runs})
 
 
-def no_twins_by_smt(_: Means, *, edges: int) -> Found:
+def no_twins_smt(_: Means, *, edges: int) -> Found:
     """Ask z3 for different worlds that look alike.
 
     Controls: each formula with one of its two requirements left out, which must have a model; and
@@ -234,37 +233,25 @@ def no_twins_by_smt(_: Means, *, edges: int) -> Found:
     """
     with TemporaryDirectory(prefix="allworlds-claims-") as directory:
         result = _searched("directional", edges, directory)
-        for level, left_out in product(result.levels, REQUIREMENTS):
-            if not has_model_without(level.formula, left_out):
+        for level, left_out in product(result.levels, ambiguity.REQUIREMENTS):
+            if not ambiguity.has_model_without(level.formula, left_out):
                 name = level.formula.name
                 raise Unfinished(f"{name} has no model even without this: {left_out}")
     with TemporaryDirectory(prefix="allworlds-claims-") as directory:
         control = _searched("position", edges, directory)
-    if control.pair is None or not twins(*control.pair).twins:
+    if control.pair is None or not ambiguity.twins(*control.pair).twins:
         raise Unfinished("the solver finds no twins where only the position is marked")
     seen = {
         "pairs of sizes": len(result.levels),
-        "models with one requirement left out": len(result.levels) * len(REQUIREMENTS),
+        "models with one requirement left out": len(result.levels) * len(ambiguity.REQUIREMENTS),
         "twins without a direction": 1,
     }
     return Found(truth(result.status == "unsat"), seen)
 
 
-def _searched(lighthouse: str, edges: int, out: str) -> SearchResult:
-    found = search(lighthouse=lighthouse, vertices=edges + 1, edges=edges, out=out)
+def _searched(lighthouse: str, edges: int, out: str) -> Any:
+    found = ambiguity.search(lighthouse=lighthouse, vertices=edges + 1, edges=edges, out=out)
     result = found.uninterrupted()
     if result.status == "unknown" or result.vacuous:
         raise Unfinished(f"the search has no answer: {result.status}")
     return result
-
-
-CHECKS: Checks = {
-    "lighthouse-suffices": lighthouse_suffices,
-    "every-schedule": every_schedule,
-    "three-cases": three_cases,
-    "tests-decide": tests_decide,
-    "not-both": not_both,
-    "direction-needed": direction_is_needed,
-    "no-twins-with-direction": no_twins_with_a_direction,
-    "no-twins-smt": no_twins_by_smt,
-}
