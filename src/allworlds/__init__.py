@@ -25,7 +25,6 @@ if TYPE_CHECKING:
         world as world,
     )
     from allworlds.evidence.bench import bench as bench
-    from allworlds.evidence.figures import figure as figure
     from allworlds.evidence.mutants import mutants as mutants
     from allworlds.judging import Finding as Finding
     from allworlds.maps import CombinatorialMap as CombinatorialMap, InvalidMap as InvalidMap

@@ -264,14 +264,6 @@ VERBS = (
         ),
     ),
     Verb(
-        "paper figure",
-        "evidence.figures:figure",
-        "figure",
-        "Draw the paper's figures, from runs of this program.",
-        telling="evidence.figures.figure_telling:figure_telling",
-        has=(),
-    ),
-    Verb(
         "self mutants",
         "evidence.mutants:mutants",
         "mutants",
@@ -316,11 +308,6 @@ GROUPS = {
         "allworlds ambiguity class wheel-4",
         "Worlds that look alike to a robot, with proofs.",
         ALIKE,
-    ),
-    "paper": Group(
-        "allworlds paper claims",
-        "The paper's claims and figures, checked and drawn anew.",
-        EVIDENCE,
     ),
     "self": Group(
         "allworlds self mutants",

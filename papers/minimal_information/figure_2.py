@@ -8,14 +8,10 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.engines import SingleRun
-from allworlds.evidence.figures.canvas import FAINT, INK, PAPER, Canvas
-from allworlds.evidence.figures.drawn import Table
-from allworlds.maps import CombinatorialMap, Dart, Vertex
-from allworlds.outcome import Facts
-from allworlds.protocol import Checkpoint, Move
-from allworlds.studies.run import run
-from allworlds.world import world_named
+from allworlds import Checkpoint, CombinatorialMap, Move, World, run
+from allworlds.maps import named_map
+from canvas import FAINT, INK, PAPER, Canvas
+from drawn import Table
 
 WORLD = "cube"
 
@@ -30,10 +26,10 @@ class KnownDarts(Struct, frozen=True):
         open: U.
     """
 
-    explored: frozenset[Dart]
-    open: frozenset[Dart]
+    explored: frozenset[int]
+    open: frozenset[int]
 
-    def vertices(self, map_: CombinatorialMap) -> set[Vertex]:
+    def vertices(self, map_: CombinatorialMap) -> set[int]:
         """The vertices of S in the world."""
         return {map_.vertex_of[dart] for dart in self.explored | self.open}
 
@@ -52,12 +48,12 @@ class PassDrawn(Struct, frozen=True):
     number: int
     before: KnownDarts
     after: KnownDarts
-    e: Dart
-    hypotheses: tuple[Dart, ...]
+    e: int
+    hypotheses: tuple[int, ...]
     cost: int
 
     @property
-    def added(self) -> frozenset[Dart]:
+    def added(self) -> frozenset[int]:
         """Both darts of the edge that the pass has explored."""
         return self.after.explored - self.before.explored
 
@@ -76,15 +72,13 @@ class Augmentation(Struct, frozen=True):
             closes a loop though another hypothesis might have been true.
     """
 
-    told: SingleRun
+    told: Any
     passes: tuple[PassDrawn, PassDrawn]
 
-    is_sample = False
-
     @property
-    def facts(self) -> Facts:
-        """The facts of the run."""
-        return self.told.facts
+    def right(self) -> bool:
+        """Whether the run breaks no law."""
+        return self.told.finding is None
 
     def table(self) -> Table:
         """Rows for the two passes, darts as the world numbers them."""
@@ -174,14 +168,14 @@ class Augmentation(Struct, frozen=True):
 
 def figure_2() -> Augmentation:
     """The passes of a run in the cube."""
-    told = run("algorithm1", world_named(WORLD))
+    told = run("algorithm1", World(named_map(WORLD), "directional"))
     passes = list(_passes(told))
     adding = next(p for p in passes if not p.is_loop and len(p.hypotheses) > 1)
     closing = next(p for p in passes if p.is_loop and len(p.hypotheses) > 1)
     return Augmentation(told, (adding, closing))
 
 
-def _passes(told: SingleRun) -> Iterator[PassDrawn]:
+def _passes(told: Any) -> Iterator[PassDrawn]:
     map_, start = told.world.map, told.world.start
     trail = [start]
     actions = told.outcome.episode.transcript.actions
@@ -201,7 +195,7 @@ def _passes(told: SingleRun) -> Iterator[PassDrawn]:
         yield PassDrawn(number, before, after, e, tuple(alike), ended - begun)
 
 
-def _in_world(shown: Checkpoint, map_: CombinatorialMap, here: Dart) -> KnownDarts:
+def _in_world(shown: Checkpoint, map_: CombinatorialMap, here: int) -> KnownDarts:
     """The darts of the world that S and U are: S is laid on it from the robot's dart on."""
     place = {shown.here: here}
     queue = [shown.here]

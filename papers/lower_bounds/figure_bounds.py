@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
+import argparse
+import sys
 from collections import defaultdict
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
 
-from allworlds.engines import Limits, Listener
-from allworlds.evidence.figures.drawn import Table
-from allworlds.judging import paper_bound
-from allworlds.maps import CorridorShape, usual_degree
-from allworlds.outcome import Facts
-from allworlds.studies.optimum import minimax
-from allworlds.studies.run import run
-from allworlds.studies.worst import WorstReport, worst
-from allworlds.world import Adversary, Directional, worlds
+from adversary import against, usual_shape
+from allworlds import worlds, worst
+from drawn import Table, write
+from optima import fewest_traversals
+from testers import paper_bound
 
-MOST_OPTIMAL = 4
+MOST_OPTIMAL = 3
 """The largest number of edges for which the optimum is searched for: some seconds."""
 
 MOST_FAR = 3
@@ -79,20 +78,17 @@ class BoundsFigure(Struct, frozen=True):
         corridors: ascending by far hubs.
     """
 
-    report: WorstReport
+    report: Any
     cells: tuple[BoundsCell, ...]
     corridors: tuple[CorridorCell, ...]
 
-    is_sample = False
-
     @property
-    def facts(self) -> Facts:
+    def right(self) -> bool:
         """Whether no schedule exceeds the bound, and no cost is below a known lower bound."""
         kept = all(cell.edges <= cell.best <= cell.worst <= cell.bound for cell in self.cells)
         possible = all(cell.optimum is None or cell.optimum <= cell.worst for cell in self.cells)
         between = all(cell.least <= cell.cost <= cell.bound for cell in self.corridors)
-        found = self.report.facts
-        return found._replace(refuted=found.refuted or not (kept and possible and between))
+        return bool(self.report.agrees and kept and possible and between)
 
     def table(self) -> Table:
         """Rows, one for each size."""
@@ -180,12 +176,12 @@ def _corridors(axes: Any, cells: Sequence[CorridorCell]) -> None:
     axes.legend(fontsize="x-small")
 
 
-def figure_bounds(edges: int, limits: Limits, listener: Listener) -> BoundsFigure:
+def figure_bounds(edges: int) -> BoundsFigure:
     """Compute worst cases for all sizes up to the limit, optima and costs in corridors.
 
     Optima and corridors go as far as some seconds allow.
     """
-    report = worst(edges=edges, workers=limits.workers, listener=listener)
+    report = worst(edges=edges)
     optima = _optima(min(edges, MOST_OPTIMAL))
     cells = [
         BoundsCell(r.edges, r.vertices, r.worst, r.best, optima.get((r.edges, r.vertices)))
@@ -195,17 +191,27 @@ def figure_bounds(edges: int, limits: Limits, listener: Listener) -> BoundsFigur
 
 
 def _in_corridors(far: int) -> CorridorCell:
-    shape = CorridorShape(far, usual_degree(far))
-    made = run("algorithm1", Adversary(shape, 1)).adversary
-    assert made is not None
-    return CorridorCell(far, shape.edges, shape.hubs + 1, made.cost, shape.bound_of_testers)
+    shape = usual_shape(far)
+    cost = against("algorithm1", shape, 1).cost
+    return CorridorCell(far, shape.edges, shape.hubs + 1, cost, shape.bound_of_testers)
 
 
 def _optima(edges: int) -> dict[tuple[int, int], int]:
     """The optimum of each size, for explorers that know it."""
     given = defaultdict(list)
     for world in worlds(edges=edges, places="all"):
-        assert isinstance(world.lighthouse, Directional)
-        size = world.map.edge_count, world.map.vertex_count
-        given[size].append((world.map, world.start, world.lighthouse.dart))
-    return {size: minimax(known).at_least for size, known in given.items()}
+        given[world.map.edge_count, world.map.vertex_count].append(world)
+    return {size: fewest_traversals(some) for size, some in given.items()}
+
+
+def main() -> int:
+    """Draw the figure: ``python papers/lower_bounds/figure_bounds.py [--edges M] [--out FILE]``."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--edges", type=int, default=6, help="at most M edges (default: 6)")
+    parser.add_argument("--out", type=Path, default=Path("figure-bounds.svg"))
+    asked = parser.parse_args()
+    return 0 if write(figure_bounds(asked.edges), asked.out) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -8,7 +8,7 @@ from typing import Any
 
 from msgspec import Struct, field
 
-from allworlds.maps import CombinatorialMap, Dart
+from allworlds import CombinatorialMap
 from allworlds.reports import Layout, layout
 
 INK, FAINT, PAPER = "#1a1a1a", "#c9c9c9", "white"
@@ -36,7 +36,7 @@ class Canvas(Struct, frozen=True):
     _named: set[str] = field(default_factory=set)
 
     @classmethod
-    def of(cls, axes: Any, map_: CombinatorialMap, root: Dart) -> Canvas:
+    def of(cls, axes: Any, map_: CombinatorialMap, root: int) -> Canvas:
         """Return empty axes with room for the map; y grows downwards, as in a layout."""
         drawn = layout(map_, root)
         left, top, width, height = drawn.box(24)
@@ -44,12 +44,12 @@ class Canvas(Struct, frozen=True):
         axes.set_axis_off()
         return cls(axes, map_, drawn, f"map-{axes.figure.axes.index(axes)}")
 
-    def edges(self, darts: Iterable[Dart], **style: Any) -> None:
+    def edges(self, darts: Iterable[int], **style: Any) -> None:
         """Draw the edges of these darts, each from end to end."""
         for dart in darts:
             self._path(self.layout.ways[dart], gid=self._id(f"edge-{dart}"), **style)
 
-    def stubs(self, darts: Iterable[Dart], **style: Any) -> None:
+    def stubs(self, darts: Iterable[int], **style: Any) -> None:
         """Draw the beginnings of these darts."""
         for dart in darts:
             start, end = self.layout.ways[dart][0], self.layout.stub(dart)
@@ -68,7 +68,7 @@ class Canvas(Struct, frozen=True):
                 *centre, f"v{vertex}", color=text, ha="center", va="center", fontsize=7, zorder=5
             )
 
-    def pointer(self, dart: Dart) -> None:
+    def pointer(self, dart: int) -> None:
         """Draw the arrow of a marker that points along the dart."""
         start, end = self.layout.ways[dart][0], self.layout.stub(dart)
         along = (end - start) / abs(end - start)
@@ -77,7 +77,7 @@ class Canvas(Struct, frozen=True):
         arrow |= {"shrinkA": 0, "shrinkB": 0}
         self.axes.annotate("", xy=tip, xytext=tail, arrowprops=arrow, zorder=6)
 
-    def note(self, dart: Dart, text: str, **style: Any) -> None:
+    def note(self, dart: int, text: str, **style: Any) -> None:
         """Write a short text on the dart's edge, near its vertex."""
         box = {"boxstyle": "round,pad=0.15", "facecolor": PAPER, "edgecolor": "none"}
         at = _xy(self.layout.label(dart))

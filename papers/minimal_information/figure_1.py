@@ -8,14 +8,10 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.document import UNSET
-from allworlds.evidence.figures.canvas import FAINT, INK, PAPER, Canvas
-from allworlds.evidence.figures.drawn import Table
-from allworlds.maps import Dart
-from allworlds.outcome import Facts
-from allworlds.protocol import Move, Percept
-from allworlds.studies.ambiguity import ComparedWorlds, twins
-from allworlds.world import World, world_named
+from allworlds import Move, Percept, World, ambiguity
+from allworlds.maps import named_map
+from canvas import FAINT, INK, PAPER, Canvas
+from drawn import Table
 
 MOTIONS = (1, 1, 2, 2, 1)
 """M of the caption."""
@@ -34,19 +30,17 @@ PAIR = ("fig1-left", "fig1-right")
 class TwinsFigure(Struct, frozen=True):
     """The pair, the proof that it is one, and the caption's walk in both."""
 
-    compared: ComparedWorlds
-    walks: tuple[Sequence[tuple[Dart, Percept]], Sequence[tuple[Dart, Percept]]]
-
-    is_sample = False
+    compared: Any
+    walks: tuple[Sequence[tuple[int, Percept]], Sequence[tuple[int, Percept]]]
 
     @property
-    def facts(self) -> Facts:
+    def right(self) -> bool:
         """Whether the proof is right, the maps differ, and both walks sense what the paper says."""
         said = [[(seen.degree, seen.marks) for _, seen in walk[1:]] for walk in self.walks]
-        right = all(tuple(senses) == CAPTION for senses in said)
+        as_said = all(tuple(senses) == CAPTION for senses in said)
         different = self.compared.relation == "different"
         proved = not self.compared.distinguishable
-        return Facts(refuted=not (right and different and proved))
+        return bool(as_said and different and proved)
 
     def table(self) -> Table:
         """Rows, one for each step: the motion, and the dart and the percept in both worlds."""
@@ -69,7 +63,7 @@ class TwinsFigure(Struct, frozen=True):
                 "black vertex v0. The darts stand round every vertex in their true cyclic order."
             ),
             (
-                "Darts of one colour are of one class of a bisimulation, which was checked: "
+                "ints of one colour are of one class of a bisimulation, which was checked: "
                 "wherever a motion leads in one map, it leads to a dart of the same colour in the "
                 "other, and there the same is sensed. So no motion tells the two worlds apart."
             ),
@@ -100,7 +94,6 @@ class TwinsFigure(Struct, frozen=True):
         world, walk = self.compared.worlds[number], self.walks[number]
         other = self.compared.worlds[1 - number].map
         bisimulation = self.compared.bisimulation
-        assert bisimulation is not UNSET
         canvas = Canvas.of(axes, world.map, world.start)
         for dart, end in world.map.edges:
             own = other.alpha[dart] != end
@@ -122,11 +115,11 @@ class TwinsFigure(Struct, frozen=True):
 
 def figure_1() -> TwinsFigure:
     """The pair of the paper, from the corpus."""
-    left, right = (world_named(name, "position") for name in PAIR)
-    return TwinsFigure(twins(left, right), (_walk(left), _walk(right)))
+    left, right = (World(named_map(name), "position") for name in PAIR)
+    return TwinsFigure(ambiguity.twins(left, right), (_walk(left), _walk(right)))
 
 
-def _walk(world: World) -> list[tuple[Dart, Percept]]:
+def _walk(world: World) -> list[tuple[int, Percept]]:
     """The dart and the percept at the start and after each motion."""
     state, walk = world.initial, [(world.start, world.first)]
     for motion in MOTIONS:
