@@ -18,14 +18,13 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds import (
+        claims as claims,
         maps as maps,
         strategies as strategies,
         testing as testing,
         world as world,
     )
     from allworlds.evidence.bench import bench as bench
-    from allworlds.evidence.claims import claims as claims
-    from allworlds.evidence.figures import figure as figure
     from allworlds.evidence.mutants import mutants as mutants
     from allworlds.judging import Finding as Finding
     from allworlds.maps import CombinatorialMap as CombinatorialMap, InvalidMap as InvalidMap
@@ -49,8 +48,8 @@ if TYPE_CHECKING:
     from allworlds.studies.explain import explain as explain
     from allworlds.studies.fuzz import fuzz as fuzz
     from allworlds.studies.init import init as init
+    from allworlds.studies.ledger import ledger as ledger
     from allworlds.studies.merge import merge as merge
-    from allworlds.studies.optimum import optimum as optimum
     from allworlds.studies.play import play as play
     from allworlds.studies.replay import replay as replay
     from allworlds.studies.run import run as run
@@ -59,4 +58,4 @@ if TYPE_CHECKING:
     from allworlds.version import __version__ as __version__
     from allworlds.world import Lighthouse as Lighthouse, World as World, worlds as worlds
 else:
-    open_door(__name__, gone="verbs:GONE")
+    open_door(__name__)

@@ -7,11 +7,7 @@ function in ``reports.tellings``; one that does more than answer a request has o
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
-
-from allworlds.inputs import InputError
 
 ROWS, CASES, FINDINGS, GROWTH = "rows or a walk", "cases", "findings", "costs that grow"
 """Parts that the telling of a result can have."""
@@ -59,7 +55,8 @@ class Verb:
 
 
 EVERYDAY, LONG_RUNS, COSTS, WORLDS = "Everyday", "Long runs", "Costs", "Worlds"
-ALIKE, EVIDENCE = "What no robot can tell apart", "The paper and this program"
+ALIKE, PAPERS = "What no robot can tell apart", "Papers"
+EVIDENCE = "The paper and this program"
 
 VERBS = (
     Verb(
@@ -190,23 +187,6 @@ VERBS = (
         ),
     ),
     Verb(
-        "optimum",
-        "studies.optimum:optimum",
-        "optimum",
-        "Find the best worst case of any explorer, by minimax.",
-        telling="reports.tellings.optimum:optimum_telling",
-        panel=COSTS,
-        sweep="studies.optimum:OptimumSweep",
-        example="--edges 4",
-        help=(
-            "The fewest traversals with which an explorer that knows the number of edges "
-            "can map the worst world, by minimax over all worlds with every bearing, with "
-            "its strategy; beside it the worst cost of every built-in explorer. Exit code "
-            "0: answered, 3: the time was up, 70: the strategy, followed in every world, "
-            "disagrees."
-        ),
-    ),
-    Verb(
         "count",
         "studies.count:count",
         "count",
@@ -267,28 +247,21 @@ VERBS = (
         ),
     ),
     Verb(
-        "paper claims",
-        "evidence.claims:claims",
-        "claims",
-        "Check the sentences of the paper, and further ones of this project.",
-        telling="evidence.claims.claims_telling:claims_telling",
+        "ledger",
+        "studies.ledger:ledger",
+        "ledger",
+        "Check the sentences of a paper, each by its own function.",
+        telling="reports.tellings.ledger:ledger_telling",
+        panel=PAPERS,
         has=(ROWS, CASES),
-        example="--only fig1 --html fig1.html",
+        example="papers/minimal_information --only fig1",
         help=(
-            "The ledger: each sentence of the paper that can be checked, and each sentence that "
-            "this project adds, with the expected verdict and the verdict found. Misprints are "
-            "expected to be refuted. Exit code 0: all that was checked is as expected, 1: "
-            "something is not, 3: a required claim was not checked, 4: no claim was checked, or a "
-            "claim was checked on no case."
+            "The ledger of a paper: a folder with ledger.toml, which has each sentence that can be "
+            "checked and the expected verdict, and claims.py, which has a function for each. "
+            "allworlds init DIR --ledger writes one to begin with. Exit code 0: all that was "
+            "checked is as expected, 1: something is not, 3: a required claim was not checked, "
+            "4: no claim was checked, or a claim was checked on no case."
         ),
-    ),
-    Verb(
-        "paper figure",
-        "evidence.figures:figure",
-        "figure",
-        "Draw the paper's figures, from runs of this program.",
-        telling="evidence.figures.figure_telling:figure_telling",
-        has=(),
     ),
     Verb(
         "self mutants",
@@ -336,11 +309,6 @@ GROUPS = {
         "Worlds that look alike to a robot, with proofs.",
         ALIKE,
     ),
-    "paper": Group(
-        "allworlds paper claims",
-        "The paper's claims and figures, checked and drawn anew.",
-        EVIDENCE,
-    ),
     "self": Group(
         "allworlds self mutants",
         "This program: the mistakes that it catches, and its speed.",
@@ -348,34 +316,3 @@ GROUPS = {
     ),
 }
 """The groups of verbs of two words, by the first."""
-
-RENAMED = {
-    "twins": "ambiguity twins",
-    "search": "ambiguity search",
-    "claims": "paper claims",
-    "figure": "paper figure",
-    "mutants": "self mutants",
-    "bench": "self bench",
-    "grow": "compare EXPLORER... --family F,F --to M",
-    "native": "init --header",
-}
-"""Verbs as they were called once; they are refused with the name that they have now."""
-
-REPLACED = {
-    "grow": "compare(*explorers, family=..., to=M)",
-    "native": "init(header=True)",
-}
-"""Functions of the package that are gone, and what does the same."""
-
-
-def _gone(name: str, instead: str) -> Callable[..., Any]:
-    """Return a function that refuses to be called, and names what does the same."""
-
-    def refuse(*_: Any, **__: Any) -> Any:
-        raise InputError(f"{name} is gone: call {instead}")
-
-    return refuse
-
-
-GONE = {name: _gone(f"allworlds.{name}", f"allworlds.{new}") for name, new in REPLACED.items()}
-"""Functions of Python that refuse to be called, and name what does the same."""

@@ -24,9 +24,8 @@ class RunWords(ProgramWords):
             "",
             "[EXPLORER] WORLD",
             "EXPLORER as in check, also shield:EXPLORER (default: algorithm1). WORLD: inline JSON, "
-            "@file, a code of --csv, or a name such as k4, wheel:4, cycle:5; "
-            "adversary:corridor:F (or FxR) makes a world that is bad for the explorer; left out "
-            "with --family.",
+            "@file, a code of --csv, or a name such as k4, wheel:4, cycle:5; left out with "
+            "--family.",
             repeated=True,
         ),
     ] = None

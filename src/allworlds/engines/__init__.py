@@ -54,12 +54,6 @@ if TYPE_CHECKING:
         by_vertices_and_faces as by_vertices_and_faces,
         flag as flag,
     )
-    from allworlds.engines.kernel.minimax_memory import FAR as FAR
-    from allworlds.engines.kernel.minimax_search import (
-        MinimaxSearch as MinimaxSearch,
-        PlaceTable as PlaceTable,
-        tables_of as tables_of,
-    )
     from allworlds.engines.kernel.schedule_costs import (
         ScheduleCosts as ScheduleCosts,
         schedule_costs_of_unit as schedule_costs_of_unit,
@@ -123,7 +117,6 @@ if TYPE_CHECKING:
     from allworlds.engines.single import (
         Decisions as Decisions,
         SingleRun as SingleRun,
-        adversarial_run as adversarial_run,
         single_run as single_run,
         unused_choice as unused_choice,
     )

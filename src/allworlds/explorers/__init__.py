@@ -57,10 +57,7 @@ if TYPE_CHECKING:
         folding_oldest as folding_oldest,
         way as way,
     )
-    from allworlds.explorers.builtin.greedy import greedy as greedy
-    from allworlds.explorers.builtin.prudent import prudent as prudent
     from allworlds.explorers.builtin.quotient import quotient as quotient
-    from allworlds.explorers.builtin.remembering import remembering as remembering
     from allworlds.explorers.builtin.shield import Shield as Shield
     from allworlds.explorers.builtin.undirected import (
         algorithm1_cluster as algorithm1_cluster,
@@ -97,6 +94,7 @@ if TYPE_CHECKING:
         LANGUAGES as LANGUAGES,
         Language as Language,
         templates as templates,
+        templates_in as templates_in,
     )
     from allworlds.explorers.source_line import (
         SourceLine as SourceLine,

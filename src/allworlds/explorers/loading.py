@@ -45,8 +45,6 @@ from allworlds.protocol import (
     text_of,
 )
 
-_ADVERSARY = "adversary:"
-
 
 def source_of(name: str) -> SourceText | None:
     """The text of the file in an explorer's name; None if the name has no file.
@@ -60,11 +58,6 @@ def source_of(name: str) -> SourceText | None:
     if is_library(name):
         library_path(path_of(name))
         return None
-    if name.startswith(_ADVERSARY):
-        raise InputError(
-            f"{show(name)} is no explorer, but makes a world for one: it is for 'allworlds run "
-            f"EXPLORER {_ADVERSARY}corridor:F'"
-        )
     plain, arguments = arguments_of(name)
     if plain in BUILT_IN and arguments:
         raise InputError(f"the built-in explorer {plain} takes no arguments, not {show(name)}")

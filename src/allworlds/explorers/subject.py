@@ -12,7 +12,7 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from allworlds.explorers.builtin.algorithm1 import nobody, unseen
+from allworlds.explorers.builtin.algorithm1 import nobody
 from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
 from allworlds.explorers.builtin.shield import Shield
 from allworlds.explorers.names import (
@@ -29,7 +29,6 @@ from allworlds.explorers.shared_library.native import NativeExplorer
 from allworlds.explorers.translated import CONVENTIONS, Translated
 from allworlds.inputs import InputError
 from allworlds.protocol import (
-    Checkpoint,
     Choices,
     Percept,
     Player,
@@ -52,7 +51,7 @@ class Subject(Struct, frozen=True):
             ``exec:COMMAND`` or ``native:PATH``;
             any of them with a shield as ``shield:NAME``, or behind a translator as
             ``translated:CONVENTION:NAME``.
-        keywords: the ones of ``choices``, ``told``, ``notice`` and ``settled`` that it takes.
+        keywords: the ones of ``choices``, ``told`` and ``notice`` that it takes.
         explore: the generator function; None where another process finds it by its name, so
             that its code never gets into this one.
         own: its entry among the built-in explorers, if it is built in.
@@ -126,17 +125,13 @@ class Subject(Struct, frozen=True):
         """Whether the explorer takes choices, so that its schedules can be enumerated."""
         return "choices" in self.keywords
 
-    def player(
-        self,
-        notice: Callable[[str], None] = nobody,
-        settled: Callable[[Checkpoint], None] = unseen,
-    ) -> Player:
+    def player(self, notice: Callable[[str], None] = nobody) -> Player:
         """The explorer with its keywords bound; its code must be in this process."""
         assert self.explore is not None
         explore, keywords = self.explore, self.keywords
 
         def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
-            offered = {"choices": choices, "told": told, "notice": notice, "settled": settled}
+            offered = {"choices": choices, "told": told, "notice": notice}
             return explore(first, **{key: offered[key] for key in keywords})
 
         return play
@@ -163,7 +158,7 @@ def with_translator(inside: Subject, convention: str) -> Subject:
 def _around(
     inside: Subject, before: str, wrapped: Callable[[Callable[..., Any]], Callable[..., Any]]
 ) -> Subject:
-    name, keywords = before + inside.name, inside.keywords - {"notice", "settled"}
+    name, keywords = before + inside.name, inside.keywords - {"notice"}
     if inside.explore is None:
         return Subject(name, keywords, source=inside.source)
     return Subject(name, keywords, wrapped(inside.explore), source=inside.source, inside=inside)

@@ -47,7 +47,6 @@ if TYPE_CHECKING:
         play as play,
         retold as retold,
         the_same as the_same,
-        unwatched as unwatched,
     )
     from allworlds.judging.explanations.chirality import (
         chiral_worlds as chiral_worlds,

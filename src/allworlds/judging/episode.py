@@ -140,10 +140,6 @@ def the_same(percept: Percept) -> Percept:
     return percept
 
 
-def unwatched(shown: Checkpoint) -> None:
-    """Do nothing: only an adversary looks at checkpoints during the run."""
-
-
 def play(
     world: Environment,
     player: Player,
@@ -152,7 +148,6 @@ def play(
     beat: MutableSequence[int] | None = None,
     hand: Callable[[Percept], Percept] = own_copy,
     ended: EndingOf = ending_of,
-    watch: Callable[[Checkpoint], object] = unwatched,
 ) -> Episode:
     """Run one explorer in one world to its end.
 
@@ -165,11 +160,10 @@ def play(
             that someone else can see a silent explorer.
         hand: makes the percept that the explorer gets; a copy costs some 3 % of a run.
         ended: what is made of what the explorer returns.
-        watch: sees each checkpoint when it is published.
 
     Cost: linear in the steps, besides the explorer's own.
     """
-    run = _Run(world, budget, beat if beat is not None else [0, 0], hand, ended, watch)
+    run = _Run(world, budget, beat if beat is not None else [0, 0], hand, ended)
     ending = answered(run.play(player, choices))
     return Episode(Transcript(world.first, tuple(run.steps)), _published(run.checkpoints), ending)
 
@@ -182,10 +176,9 @@ def perform(
     beat: MutableSequence[int] | None = None,
     hand: Callable[[Percept], Percept] = own_copy,
     ended: EndingOf = ending_of,
-    watch: Callable[[Checkpoint], object] = unwatched,
 ) -> Log:
     """Run as :func:`play` does, and return a log that says nothing of the world."""
-    run = _Run(world, budget, beat if beat is not None else [0, 0], hand, ended, watch)
+    run = _Run(world, budget, beat if beat is not None else [0, 0], hand, ended)
     ending = run.play(player, choices)
     actions = tuple(
         [action.k if type(action) is Move else number_of(action) for action, _ in run.steps]
@@ -219,7 +212,6 @@ class _Run(Struct):
     beat: MutableSequence[int]
     hand: Callable[[Percept], Percept]
     ended: EndingOf
-    watch: Callable[[Checkpoint], object]
     steps: list[tuple[Action, Percept]] = field(default_factory=list)
     checkpoints: list[Shown] = field(default_factory=list)
     cost: int = 0
@@ -289,7 +281,6 @@ class _Run(Struct):
                 show(message),
             )
         self.checkpoints.append((len(self.steps), sigma, alpha, here))
-        self.watch(Checkpoint(sigma, alpha, here))
         return None
 
     def _act(self, state: Any, message: object) -> tuple[Fault | None, Any, Percept | None]:

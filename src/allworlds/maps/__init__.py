@@ -157,7 +157,6 @@ if TYPE_CHECKING:
         edges_of as edges_of,
         rootings as rootings,
     )
-    from allworlds.maps.matching import augmented as augmented
     from allworlds.maps.networks import from_planar_embedding as from_planar_embedding
     from allworlds.maps.quotient import (
         Labelled as Labelled,

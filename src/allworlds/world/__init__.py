@@ -8,8 +8,6 @@
     map, lighthouse and start together, the effect of a step, and the error where there is none;
 ``enumeration``
     every world of a class, for loops of one's own;
-``adversary``
-    an environment that decides late, as bad as it can, which world it is;
 ``named``
     the forms of a WORLD on the command line and in Python;
 ``asked_lighthouse``, ``own_condition``
@@ -64,12 +62,6 @@ if TYPE_CHECKING:
 
 # For other parts of the program.
 if TYPE_CHECKING:
-    from allworlds.world.adversary import (
-        PREFIX as PREFIX,
-        Adversary as Adversary,
-        Deciding as Deciding,
-        adversary_named as adversary_named,
-    )
     from allworlds.world.asked_lighthouse import (
         AskedLighthouse as AskedLighthouse,
         flaws_of as flaws_of,

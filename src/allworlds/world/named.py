@@ -33,7 +33,6 @@ from allworlds.maps import (
     named_maps,
     rooted_code,
 )
-from allworlds.world.adversary import FORM, PREFIX
 from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.directional import Directional
@@ -284,11 +283,6 @@ class AskedWorld(Request):
 
 def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:
     """The map of a family, or a named one with its number; ``holes`` is ``10%`` or ``0.1``."""
-    if text.startswith(PREFIX):
-        raise InputError(
-            f"{show(text)} is no world before an explorer has walked in it: it is for 'allworlds "
-            f"run EXPLORER {FORM}'; {FORM.removeprefix(PREFIX)} has a world for each seed"
-        )
     kind, _, number = text.partition(":")
     names = {name.removesuffix("-N") for name in named_maps() if name.endswith("-N")}
     if holes is None and kind in names - _families():

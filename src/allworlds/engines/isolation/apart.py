@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from random import Random
 
 from allworlds.document import replace
-from allworlds.engines.isolation.fresh_process import Traced, logs_of, record_of, traced
+from allworlds.engines.isolation.fresh_process import logs_of, record_of, traced
 from allworlds.engines.isolation.jobs import PlayerSetup, Trace
 from allworlds.engines.isolation.overheard import Overheard
 from allworlds.engines.isolation.player_pair import PlayerPair
@@ -24,7 +24,7 @@ from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 from allworlds.judging import Episode, LostRun, Rules, Violation, canonical_world, place_of
 from allworlds.maps import Extent, MapClass
-from allworlds.world import Adversary, World
+from allworlds.world import World
 
 
 def examine_apart(
@@ -80,22 +80,6 @@ def outcomes_apart(
         once = PlayedTwice(engine, subject.name, players)
         for _, outcome in once.played_once(unit, [*engine.runs(unit)]):
             yield outcome
-
-
-def walk_apart(
-    subject: Subject,
-    rules: Rules,
-    adversary: Adversary,
-    script: tuple[int, ...],
-    limits: Limits,
-    hash_seed: int | None,
-) -> Traced:
-    """The walk of an explorer in a process of its own, against an adversary.
-
-    Of a lost player it is what was before.
-    """
-    job = Trace(rules, adversary.at_first, "one", script, adversary)
-    return traced(job, PlayerSetup.of(subject, limits), hash_seed)
 
 
 def _of_these(rules: Rules, worlds: Sequence[World]) -> tuple[PythonEngine, GivenWorlds]:

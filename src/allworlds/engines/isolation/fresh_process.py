@@ -15,7 +15,6 @@ from allworlds.engines.python.play import Record
 from allworlds.engines.python.players import OTHER_SEED
 from allworlds.inputs import InputError
 from allworlds.judging import Log, Rules
-from allworlds.maps import Dart
 from allworlds.protocol import Percept, Transcript, action_numbered
 from allworlds.world import World
 
@@ -29,14 +28,11 @@ class Traced(NamedTuple):
     Attributes:
         transcript: the walk.
         choices: the index taken at each choice.
-        settled: the darts behind which an explorer has settled a vertex, against an adversary,
-            each with the number of actions before.
         lost: the way the player was lost; None if it was not.
     """
 
     transcript: Transcript
     choices: tuple[int, ...]
-    settled: tuple[tuple[int, Dart], ...]
     lost: PlayerLost | None
 
 
@@ -73,7 +69,6 @@ def traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
     """The walk of a job in a fresh process that sends every step before it can be lost."""
     steps: list[tuple[int, Percept]] = []
     choices: list[int] = []
-    vertices: list[tuple[int, Dart]] = []
     settled = 0
     lost: PlayerLost | None = None
     try:
@@ -83,9 +78,7 @@ def traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
             while isinstance(message := receive(player, setup), TraceEvent):
                 match message.what:
                     case None:
-                        steps, choices, vertices, settled = [], [], [], 0
-                    case int() as dart if message.settled:
-                        vertices.append((len(steps), dart))
+                        steps, choices, settled = [], [], 0
                     case int() as index:
                         choices.append(index)
                     case tuple() as step:
@@ -97,7 +90,7 @@ def traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
         lost = error
     kept = choices if lost is None else choices[: settled + MOST_CHOICES]
     walk = tuple((action_numbered(number), percept) for number, percept in steps)
-    return Traced(Transcript(job.world.first, walk), tuple(kept), tuple(vertices), lost)
+    return Traced(Transcript(job.world.first, walk), tuple(kept), lost)
 
 
 @contextmanager

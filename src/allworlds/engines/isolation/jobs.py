@@ -20,7 +20,7 @@ if TYPE_CHECKING:  # a player loads what its messages hold, and nothing for the 
     from allworlds.explorers import Subject
     from allworlds.judging import Rules
     from allworlds.protocol import Schedule
-    from allworlds.world import Adversary, World
+    from allworlds.world import World
 
 
 class PlayerSetup(Struct, frozen=True):
@@ -104,12 +104,10 @@ class PlayStretch(Struct, frozen=True):
 class Trace(Struct, frozen=True):
     """Play one world and send every step at once, because the process may not survive it.
 
-    The schedules are all, or the policy's after the choices of ``script``.  If there is an
-    adversary, the explorer plays against it; the world is the one that it has at first.
+    The schedules are all, or the policy's after the choices of ``script``.
     """
 
     rules: Rules
     world: World
     schedules: Schedule
     script: tuple[int, ...] = ()
-    adversary: Adversary | None = None

@@ -52,13 +52,9 @@ class StretchResult(_Message, frozen=True):
 
 
 class TraceEvent(_Message, frozen=True):
-    """A part of a trace: a new schedule (None), a choice, or an action and its percept.
-
-    Against an adversary also a dart behind which the explorer has settled a vertex.
-    """
+    """A part of a trace: a new schedule (None), a choice, or an action and its percept."""
 
     what: int | tuple[int, Percept] | None
-    settled: bool = False
 
 
 class Refusal(_Message, frozen=True):

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import TypeVar
 
 from allworlds.engines.isolation.jobs import PlayRuns, Trace
@@ -16,9 +15,9 @@ from allworlds.engines.isolation.messages import Message, RecordLogs, RunLogs, T
 from allworlds.engines.python.examiner import name_run
 from allworlds.engines.python.play import ExplorerRunner, ending_maker
 from allworlds.engines.python.world_runner import WorldRunner
-from allworlds.judging import Environment, Log, perform, unwatched
-from allworlds.protocol import Action, Checkpoint, Choices, Kind, Percept, Schedules, number_of
-from allworlds.world import Deciding, State
+from allworlds.judging import Environment, Log, perform
+from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
+from allworlds.world import State
 
 T = TypeVar("T")
 
@@ -70,10 +69,6 @@ class WorldPlayer:
         for choices in Schedules() if every else [rules.choices(name, job.script)]:
             self._send(TraceEvent(None))
             world: Environment = rules.task.environment(job.world)
-            watch: Callable[[Checkpoint], object] = unwatched
-            if job.adversary:
-                world = deciding = Deciding(job.adversary)
-                watch = partial(self._settled, deciding)
             log = perform(
                 TracedWorld(world, self._send),
                 self._runner.player,
@@ -81,14 +76,9 @@ class WorldPlayer:
                 rules.budget(job.world.map),
                 self._runner.beat,
                 ended=ending_maker(any_answer=not rules.task.is_map),
-                watch=watch,
             )
             self._runner.intact()
         self._send(RecordLogs([log]))
-
-    def _settled(self, deciding: Deciding, shown: Checkpoint) -> None:
-        for dart in deciding.heed(shown):
-            self._send(TraceEvent(dart, settled=True))
 
 
 class TracedWorld:

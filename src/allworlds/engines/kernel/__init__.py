@@ -20,8 +20,6 @@ lock only to start and to end, so that threads share the work.
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``schedule_costs``
     the worst and the best cost of a world over all schedules, and its door;
-``minimax``, ``minimax_memory``, ``minimax_search``
-    the fewest traversals that suffice from a state of knowledge, and its door;
 ``counting``
     the numbers of maps, by vertices and faces;
 ``capabilities``

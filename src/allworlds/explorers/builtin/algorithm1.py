@@ -39,10 +39,6 @@ def nobody(_event: str) -> None:
     """Ignore an event."""
 
 
-def unseen(_shown: Checkpoint) -> None:
-    """Ignore what is settled."""
-
-
 def algorithm1(
     first: Percept,
     *,

@@ -6,8 +6,6 @@ The modules:
     Algorithm 1 of the paper, and its variant without a direction;
 ``partial_map``, ``paths``
     its S and U, and its ways through S;
-``unforgetting``, ``remembering``, ``greedy``, ``prudent``
-    the explorers that never forget: their common part, and three of them;
 ``folded_log``, ``folding``
     all percepts of a run as one map, and explorers that only fold it;
 ``shield``
@@ -28,10 +26,7 @@ from allworlds.explorers.builtin.depth_first import dfs
 from allworlds.explorers.builtin.dudek91 import dudek91
 from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
 from allworlds.explorers.builtin.folding import explore_folding, folding, folding_oldest, way
-from allworlds.explorers.builtin.greedy import greedy
-from allworlds.explorers.builtin.prudent import prudent
 from allworlds.explorers.builtin.quotient import quotient
-from allworlds.explorers.builtin.remembering import remembering
 from allworlds.explorers.builtin.undirected import algorithm1_cluster, algorithm1_natural
 
 Size: TypeAlias = tuple[int, int]
@@ -54,8 +49,6 @@ class BuiltIn(Struct, frozen=True):
             the lighthouse's own.
         step_budget: the largest legal number of traversals, where the usual budget is too small
             for it.
-        tests_home_words: whether it crosses unknown edges only as a *tester* does:
-            docs/research/lower-bounds.md, 'Testers of home words'.
         about: a description, for a sentence of the page on the protocol.
     """
 
@@ -64,17 +57,8 @@ class BuiltIn(Struct, frozen=True):
     witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
     bound: str | None = None
     step_budget: int | None = None
-    tests_home_words: bool = False
     about: str = ""
 
-
-_NEVER_FORGETS = {
-    "case-1": ((3, 2), (5, 4)),
-    "case-2": ((2, 2), (4, 4)),
-    "empty-H": ((1, 2), (1, 2)),
-    "loop": ((1, 1), (3, 3)),
-    "non-loop": ((1, 2), (1, 2)),
-}
 
 BUILT_IN: dict[str, BuiltIn] = {
     "algorithm1": BuiltIn(
@@ -91,7 +75,6 @@ BUILT_IN: dict[str, BuiltIn] = {
             # no dart of v0 is open when the robot comes back to it.
             "v0-hypothesis": ((1, 1), None),
         },
-        tests_home_words=True,
         about="Algorithm 1 of the paper; the default",
     ),
     "algorithm1-cluster": BuiltIn(
@@ -124,28 +107,6 @@ BUILT_IN: dict[str, BuiltIn] = {
         },
         "two-vertices",
         about="as `algorithm1-cluster`, with the degrees of v0 and v1 for marks",
-    ),
-    "remembering": BuiltIn(
-        remembering,
-        "directional",
-        _NEVER_FORGETS,
-        tests_home_words=True,
-        about="Algorithm 1 on the folded log of its whole walk: what contradicts anything that "
-        "was ever seen is not tested; oldest dart, oldest hypothesis",
-    ),
-    "greedy": BuiltIn(
-        greedy,
-        "directional",
-        _NEVER_FORGETS,
-        tests_home_words=True,
-        about="as `remembering`, but the nearest dart, and the test that is finished first",
-    ),
-    "prudent": BuiltIn(
-        prudent,
-        "directional",
-        _NEVER_FORGETS,
-        tests_home_words=True,
-        about="as `greedy` while the settled part is round, nearest to v0 first while it is long",
     ),
     "dudek91": BuiltIn(
         dudek91,
@@ -206,10 +167,7 @@ __all__ = [
     "explore_folding",
     "folding",
     "folding_oldest",
-    "greedy",
     "nobody",
-    "prudent",
     "quotient",
-    "remembering",
     "way",
 ]

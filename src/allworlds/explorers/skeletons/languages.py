@@ -53,8 +53,12 @@ LANGUAGES = {
 
 def templates(lang: str) -> Iterator[tuple[str, str]]:
     """The files of a language with their texts, sorted by their names."""
-    found = _below(files("allworlds.explorers") / "skeletons" / lang, PurePosixPath())
-    for name, file in sorted(found):
+    return templates_in(files("allworlds.explorers") / "skeletons" / lang)
+
+
+def templates_in(folder: Traversable) -> Iterator[tuple[str, str]]:
+    """The files of a skeleton with their texts, sorted by their names."""
+    for name, file in sorted(_below(folder, PurePosixPath())):
         yield name, file.read_text(encoding="utf-8")
 
 

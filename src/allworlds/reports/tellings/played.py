@@ -20,7 +20,6 @@ from allworlds.words import plural
 
 NAMES = {
     Walker.ALGORITHM_1: "Algorithm 1",
-    Walker.OPTIMUM: "the optimum, which knows the number of edges",
     Walker.EVERY_EDGE: "a shortest walk along every edge, which knows the map",
 }
 """Whose costs stand beside the player's, in words."""

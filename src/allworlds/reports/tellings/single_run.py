@@ -56,22 +56,11 @@ def run_telling(run: SingleRun | WorldNames) -> ToldResult:
 
 def _said(run: SingleRun) -> str:
     """The result in a sentence: the first thing that is wrong, or that nothing is."""
-    made = run.adversary
     if run.finding:
         return f"law {run.finding.law} is broken"
-    if made is not None and not made.same:
-        return f"{run.explorer} did not walk as against {made.name}: not deterministic"
     if not run.checked_laws:
         return f"{nothing_checked(run.rules)}; {cost_words(run)}"
-    if made is None:
-        return f"{cost_words(run)}: no law is broken"
-    if not made.keeps_the_bound:
-        return (
-            f"{cost_words(run)} and {plural(made.excluded, 'pair')} excluded, less than every "
-            f"tester of home words must ({number(made.testers)} and "
-            f"{number(made.testers_exclude)}): the theorem or the adversary is wrong"
-        )
-    return f"{cost_words(run)}, the same walk as against {made.name}: no law is broken"
+    return f"{cost_words(run)}: no law is broken"
 
 
 def replay_telling(replay: Replay) -> ToldResult:
@@ -114,43 +103,12 @@ def cost_words(run: SingleRun) -> str:
 
 def _section(run: SingleRun) -> Section:
     if run.finding:
-        told = finding_section(run.finding, checked=False)
-        return replace(told, blocks=[*told.blocks, *_decided(run)])
+        return finding_section(run.finding, checked=False)
     told = run_section(run, "walk-1")
     if not run.shows_walk:
         told = replace(told, blocks=[b for b in told.blocks if not isinstance(b, ToldWalk)])
     laws = fact("laws", ", ".join(run.checked_laws) or nothing_checked(run.rules))
-    return replace(told, blocks=[*told.blocks, *_decided(run), *printed(run.outcome.output), laws])
-
-
-def _decided(run: SingleRun) -> list[Block]:
-    """The play against an adversary that has made the world."""
-    made = run.adversary
-    if made is None:
-        return []
-    fixed = f"{plural(made.excluded, 'pair')} of free darts excluded, {made.forced} edges forced"
-    if made.settled:
-        fixed += f", {made.settled} fixed since the vertex behind was settled"
-    if made.depended:
-        fixed += f", {made.depended} fixed since an answer depended on two"
-    every = (
-        f"every tester of home words excludes at least {plural(made.testers_exclude, 'pair')} and "
-        f"walks at least {plural(made.testers, 'edge')}"
-    )
-    who = f"{run.explorer} is one, and walked {number(made.cost)}"
-    if not made.tester:
-        who = (
-            f"whether {run.explorer} is one is not known, so that its {number(made.cost)} are a "
-            "measurement"
-        )
-    return [
-        ToldFacts(
-            [
-                ("made by", f"{made.name} with seed {made.seed}: {fixed}"),
-                ("testers", f"{every}; {who}"),
-            ]
-        )
-    ]
+    return replace(told, blocks=[*told.blocks, *printed(run.outcome.output), laws])
 
 
 def run_section(run: SingleRun, name: str, title: str = "") -> Section:

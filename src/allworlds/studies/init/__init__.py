@@ -1,4 +1,4 @@
-"""Files for the beginning of an explorer, ``beginning``: a skeleton, or the C header."""
+"""Files to begin with, ``beginning``: a skeleton of an explorer or ledger, or the C header."""
 
 from typing import TYPE_CHECKING
 
@@ -7,6 +7,7 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.studies.init.beginning import (
         Header as Header,
+        LedgerSkeleton as LedgerSkeleton,
         Skeleton as Skeleton,
         init as init,
     )

@@ -1,14 +1,23 @@
-"""Skeletons of explorers, and the C header."""
+"""Skeletons of explorers and of ledgers, and the C header."""
 
 from __future__ import annotations
 
 import shlex
+from collections.abc import Mapping
 from dataclasses import KW_ONLY
+from importlib.resources import files
 from pathlib import Path
 from typing import Annotated, Literal, overload
 
 from allworlds.document import Positive, Report, Text, about, computed, one_of
-from allworlds.explorers import INTERFACE_VERSION, LANGUAGES, Language, header_text, templates
+from allworlds.explorers import (
+    INTERFACE_VERSION,
+    LANGUAGES,
+    Language,
+    header_text,
+    templates,
+    templates_in,
+)
 from allworlds.inputs import (
     OUTPUT,
     Argument,
@@ -49,6 +58,19 @@ class Skeleton(Report):
         return LANGUAGES[self.lang]
 
 
+class LedgerSkeleton(Report):
+    """Report of 'init --ledger'.
+
+    The ledger of a paper, with two claims, that has been written.
+    """
+
+    directory: Annotated[Path, about("as it was named")]
+    files: Annotated[tuple[Text, ...], about("that were written, sorted")]
+    check: Annotated[Text, about("a shell command that checks the claims")] = computed(
+        lambda made: f"allworlds ledger {shlex.quote(str(made.directory))}"
+    )
+
+
 class Header(Report):
     """Report of 'init --header'.
 
@@ -60,7 +82,7 @@ class Header(Report):
 
 
 class InitRequest(Request, kw_only=False):
-    """Request of ``init``: a skeleton, or the header."""
+    """Request of ``init``: a skeleton of an explorer or of a ledger, or the header."""
 
     directory: Annotated[
         str | Path | None,
@@ -70,6 +92,10 @@ class InitRequest(Request, kw_only=False):
     lang: Annotated[
         str | None, Option(OUTPUT, "LANG", f"{one_of_these(LANGUAGES)} [default: python].")
     ] = None
+    ledger: Annotated[
+        bool,
+        Option(OUTPUT, "", "Write instead the ledger of a paper, with two claims that run."),
+    ] = False
     header: Annotated[
         bool,
         Option(
@@ -80,22 +106,39 @@ class InitRequest(Request, kw_only=False):
     ] = False
 
 
-def begun(request: InitRequest) -> Skeleton | Header:
+def begun(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
     """Answer a request of ``init``."""
     directory, lang = request.directory, request.lang
     if request.header:
-        if directory is not None or lang is not None:
-            given = "directory" if directory is not None else "lang"
-            raise InputError(f"init writes a skeleton or tells the header, not both: {given} given")
+        others = {"directory": directory, "lang": lang, "ledger": request.ledger or None}
+        if given := [name for name, value in others.items() if value is not None]:
+            raise InputError(
+                f"init writes a skeleton or tells the header, not both: {given[0]} given"
+            )
         return Header(header=header_text())
     if directory is None:
         raise InputError("init needs the directory of a skeleton, or --header for the C header")
+    if request.ledger:
+        if lang is not None:
+            raise InputError(f"lang {show(lang)} has no effect beside ledger")
+        folder = files("allworlds.studies") / "ledger" / "skeleton"
+        texts = dict(templates_in(folder))
+        return LedgerSkeleton(directory=_written(directory, texts), files=tuple(texts))
     if lang is None:
         lang = "python"
     if lang not in LANGUAGES:
         raise InputError(f"lang {show(lang)} is not one of {', '.join(LANGUAGES)}")
-    folder = a_path("directory", directory)
     texts = dict(templates(lang))
+    return Skeleton(directory=_written(directory, texts), lang=lang, files=tuple(texts))
+
+
+def _written(directory: str | Path, texts: Mapping[str, str]) -> Path:
+    """Write the files of a skeleton, and return its folder.
+
+    Raises:
+        InputError: if one of them is there already (then nothing is written), or cannot be written.
+    """
+    folder = a_path("directory", directory)
     there = [name for name in texts if (folder / name).exists() or (folder / name).is_symlink()]
     if there:
         raise InputError(
@@ -112,22 +155,34 @@ def begun(request: InitRequest) -> Skeleton | Header:
             raise InputError(
                 f"file {show(str(file))} cannot be written: {error.strerror}"
             ) from None
-    return Skeleton(directory=folder, lang=lang, files=tuple(texts))
+    return folder
 
 
 @overload
 def init(directory: str | Path, *, lang: str = "python") -> Skeleton: ...
 @overload
+def init(directory: str | Path, *, ledger: Literal[True]) -> LedgerSkeleton: ...
+@overload
 def init(*, header: Literal[True]) -> Header: ...
 @overload
 def init(
-    directory: str | Path | None = ..., *, lang: str | None = ..., header: bool = ...
-) -> Skeleton | Header: ...
+    directory: str | Path | None = ...,
+    *,
+    lang: str | None = ...,
+    ledger: bool = ...,
+    header: bool = ...,
+) -> Skeleton | LedgerSkeleton | Header: ...
 @takes_fields(InitRequest, answered=begun)
 def init(
-    directory: str | Path | None = None, *, lang: str | None = None, header: bool = False
-) -> Skeleton | Header:
+    directory: str | Path | None = None,
+    *,
+    lang: str | None = None,
+    ledger: bool = False,
+    header: bool = False,
+) -> Skeleton | LedgerSkeleton | Header:
     """Write a skeleton of an explorer, its test and a workflow into a directory.
+
+    With ``ledger`` it is the ledger of a paper, with two claims that run.
 
     The directory may be there already, with other files in it; no file is overwritten.
 
@@ -135,4 +190,4 @@ def init(
         InputError: if both or neither are asked for, there is no skeleton in that language, one of
             its files is there already (then nothing is written), or a file cannot be written.
     """
-    return begun(InitRequest(directory, lang=lang, header=header))
+    return begun(InitRequest(directory, lang=lang, ledger=ledger, header=header))

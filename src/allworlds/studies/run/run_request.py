@@ -9,7 +9,7 @@ from typing import Annotated, Any
 from allworlds.engines import AskedPatience
 from allworlds.inputs import RULES, InputError, Option, Taken, an_integer, show
 from allworlds.judging import AskedRules
-from allworlds.world import PREFIX, Adversary, AskedWorld, World, adversary_named
+from allworlds.world import AskedWorld, World
 
 
 def index_list(text: str) -> tuple[int, ...]:
@@ -44,24 +44,7 @@ class RunRequest(AskedRun, kw_only=False):
 
     explore: Annotated[str | Callable[..., Any], "a name or a generator function"]
     world: Annotated[
-        World | Adversary | str | None,
-        "map, lighthouse and start; or what :func:`allworlds.world.named.world_named` reads; or "
-        "``adversary:corridor:F`` (or ``FxR``), which makes a world that is bad for this explorer; "
-        "None: the one of ``family``",
+        World | str | None,
+        "map, lighthouse and start; or what :func:`allworlds.world.named.world_named` reads; None: "
+        "the one of ``family``",
     ] = None
-
-    @property
-    def adversary(self) -> Adversary | None:
-        """The adversary that makes the world, if one does.
-
-        Raises:
-            InputError: if there is none of that name, or an option has no effect on one.
-        """
-        named = isinstance(self.world, str) and self.world.startswith(PREFIX)
-        if not (named or isinstance(self.world, Adversary)):
-            return None
-        self.refuse(("family", "holes", "place"), str(self.world))
-        if isinstance(self.world, Adversary):
-            self.refuse(["seed"], f"{self.world}, which has one")
-            return self.world
-        return adversary_named(str(self.world), self.seed or 0)

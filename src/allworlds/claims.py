@@ -1,0 +1,33 @@
+"""Names for the ``claims.py`` of a paper: see ``allworlds ledger`` and ``init --ledger``.
+
+A claim is decided by a function that takes :class:`Means` and the bounds of ``ledger.toml`` as
+keywords, and returns a :class:`Found` or a :class:`NotChecked`::
+
+    def map_and_pose(means, *, edges):
+        return of_check(check("algorithm1", edges=edges, workers=means.workers))
+"""
+
+from allworlds.explorers import Algorithm1, FoldedLog
+from allworlds.studies.ledger.claim import (
+    Found,
+    Means,
+    NotChecked,
+    Picture,
+    Unfinished,
+    of_check,
+    truth,
+)
+from allworlds.studies.worst import EverySchedule
+
+__all__ = [
+    "Algorithm1",
+    "EverySchedule",
+    "FoldedLog",
+    "Found",
+    "Means",
+    "NotChecked",
+    "Picture",
+    "Unfinished",
+    "of_check",
+    "truth",
+]

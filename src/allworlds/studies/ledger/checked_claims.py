@@ -1,0 +1,387 @@
+"""The ledger of a paper: every claim is checked, the outcome compared with the expected one."""
+
+from __future__ import annotations
+
+import time
+import traceback
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import KW_ONLY
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Annotated, Any, Literal, TypeAlias, cast, get_args
+
+from msgspec import Struct
+from typing_extensions import override
+
+from allworlds.document import (
+    EXIT_CODE,
+    Aside,
+    ExitCode,
+    Natural,
+    Positive,
+    about,
+    computed,
+    one_of,
+)
+from allworlds.engines import (
+    AskedListener,
+    AskedWorkers,
+    EnginesDisagree,
+    Listener,
+    RowsReport,
+)
+from allworlds.inputs import (
+    EFFORT,
+    SCOPE,
+    Argument,
+    InputError,
+    Option,
+    Taken,
+    a_path,
+    answers,
+    show,
+)
+from allworlds.maps import Disagreement
+from allworlds.outcome import Exit, until_interrupted
+from allworlds.protocol import attribute_of, module_of_text, text_of
+from allworlds.studies.ledger.claim import (
+    Budget,
+    Check,
+    Claim,
+    Found,
+    Means,
+    NotChecked,
+    Sentence,
+    Shown,
+    Truth,
+    Unfinished,
+    claims_in,
+)
+from allworlds.world import World
+
+Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked", "error"]
+Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
+
+LEDGER, CLAIMS = "ledger.toml", "claims.py"
+"""The files of a ledger: what is claimed, and a function for each claim."""
+
+FAULTS = (Unfinished, Disagreement, EnginesDisagree)
+"""The faults of this program that refute the claim that meets them."""
+
+BUDGETS: tuple[str, ...] = get_args(Budget)
+
+
+class ProgramFault(Struct, frozen=True):
+    """The reason why no answer counts: two parts of this program disagree, or one has no answer."""
+
+    reason: str
+
+
+class InternalError(Struct, frozen=True):
+    """An error by which nothing is known of the sentence.
+
+    Attributes:
+        reason: the error in a line.
+        traceback: where it was raised.
+    """
+
+    reason: str
+    traceback: str
+
+
+Outcome: TypeAlias = Found | NotChecked | ProgramFault | InternalError
+"""The outcome of a claim, as the ledger keeps it."""
+
+
+def _verdict(one: CheckedClaim) -> Seen:
+    """The verdict in a word; ``vacuous`` if a witness is missing or zero."""
+    if one.error:
+        return "error"
+    if one.truth is None:
+        return "not-checked"
+    if one.disagreement:
+        return "refuted"
+    seen = one.witnesses
+    met = seen and all(seen.values()) and seen.keys() >= one.expected_witnesses.keys()
+    return one.truth if met else "vacuous"
+
+
+def _standing(one: CheckedClaim) -> Standing:
+    """Whether the claim passes, as a word."""
+    if one.verdict in ("not-checked", "vacuous"):
+        return one.verdict
+    return "unexpected" if _differences(one) else "as-expected"
+
+
+def _differences(one: CheckedClaim) -> tuple[str, ...]:
+    """Each difference from the expected outcome. An unchecked claim has none."""
+    if one.error:
+        return (f"an error of this program: {one.error}",)
+    if one.truth is None:
+        return ()
+    if one.disagreement:
+        return (f"a disagreement within this program: {one.disagreement}",)
+    told = []
+    if one.verdict != one.expected:
+        told.append(f"verdict: {one.expected} expected, {one.verdict} found")
+    for expected, seen in (
+        (one.expected_witnesses, one.witnesses),
+        (one.expected_figures, one.figures),
+    ):
+        told += [
+            f"{name}: {expected.get(name)} expected, {seen.get(name)} found"
+            for name in sorted({*expected, *seen})
+            if expected.get(name) != seen.get(name)
+        ]
+    return tuple(told)
+
+
+class CheckedClaim(Sentence):
+    """A sentence that can be checked, with the expected outcome and the one found.
+
+    ``truth`` is the verdict of its function, None if nothing was checked; checking took
+    ``seconds``. Each of the ``worlds`` has its caption. A ``disagreement`` within this program
+    refutes a claim, whatever is expected of it; an ``error`` of this program leaves it open.
+    """
+
+    verdict: Annotated[
+        Seen,
+        about(
+            "the verdict found; `vacuous`: a witness never occurred; `error`: this program failed"
+        ),
+    ] = computed(_verdict)
+    standing: Annotated[
+        Standing, about("whether verdict, witnesses and figures are as expected")
+    ] = computed(_standing)
+    witnesses: Annotated[
+        dict[str, Natural], about("how often each case occurred that the sentence is about")
+    ]
+    expected_witnesses: Annotated[dict[str, Positive], about("how often it must occur")]
+    figures: Annotated[dict[str, Shown], about("the numbers that the sentence names, as found")]
+    expected_figures: Annotated[dict[str, Shown], about("the expected numbers")]
+    differences: Annotated[
+        tuple[str, ...], about("the differences from the expected outcome, in words")
+    ] = computed(_differences)
+    told: Annotated[
+        str, about("the refutation, an explanation, why it was not checked, or a traceback")
+    ]
+    worlds: Annotated[tuple[World, ...], about("worlds that show it")]
+    captions: Aside[tuple[str, ...]]
+    truth: Aside[Truth | None]
+    disagreement: Aside[str]
+    error: Aside[str]
+    seconds: Aside[float]
+
+
+class LedgerReport(RowsReport):
+    """Report of 'ledger'.
+
+    The ledger, as far as it was made.
+    """
+
+    exit_code: Annotated[
+        ExitCode,
+        one_of(
+            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
+            Exit.INTERRUPTED,
+        ),
+    ] = EXIT_CODE
+    budget: Annotated[Budget, about("how much was done")]
+    required: Annotated[tuple[str, ...], about("the claims that had to be checked")]
+    claims: Annotated[tuple[CheckedClaim, ...], about("in the order of the file")]
+
+    @property
+    def _standings(self) -> set[str]:
+        return {one.standing for one in self.claims}
+
+    @property
+    @override
+    def agrees(self) -> bool:
+        return not any(one.error for one in self.claims)
+
+    @property
+    @override
+    def refuted(self) -> bool:
+        return "unexpected" in self._standings
+
+    @property
+    @override
+    def undecided(self) -> bool:
+        return bool(self.missed)
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return "vacuous" in self._standings or self._standings <= {"not-checked"}
+
+    @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"claim_seconds": [one.seconds for one in self.claims]}
+
+    @property
+    def missed(self) -> list[str]:
+        """The required claims that were not checked."""
+        return [
+            one.id
+            for one in self.claims
+            if one.id in self.required and one.standing == "not-checked"
+        ]
+
+
+def _budget(given: object) -> Budget:
+    if given not in BUDGETS:
+        raise InputError(f"budget {show(given)} is not one of {', '.join(BUDGETS)}")
+    return cast("Budget", given)
+
+
+def _names(given: Iterable[str]) -> tuple[str, ...]:
+    return (given,) if isinstance(given, str) else tuple(given)
+
+
+class LedgerRequest(AskedListener, AskedWorkers, kw_only=False):
+    """Request of ``ledger``: of which paper, which of its claims, and how much of each."""
+
+    directory: Annotated[
+        str | Path,
+        Argument("", "DIR", "The folder of a paper, with ledger.toml and claims.py."),
+    ]
+    _: KW_ONLY
+    only: Annotated[
+        Taken[Iterable[str], tuple[str, ...]],
+        Option(SCOPE, "ID", "Only this claim; may be repeated.", repeated=True),
+    ] = Taken(_names, ())
+    require: Annotated[
+        Taken[Iterable[str], tuple[str, ...]],
+        Option(
+            SCOPE,
+            "ID",
+            "A claim that must be checked, else the exit code is 3; may be repeated.",
+            repeated=True,
+        ),
+    ] = Taken(_names, ())
+    budget: Annotated[
+        Taken[str, Budget],
+        Option(
+            EFFORT,
+            "quick|full",
+            "How much is checked: the bounds of ledger.toml for quick, or for full.",
+        ),
+    ] = Taken(_budget, "quick")
+
+
+@answers(LedgerRequest)
+def ledger(request: LedgerRequest) -> LedgerReport:
+    """Check the sentences of a paper, each on its scope, and compare with what is expected.
+
+    ``claims.py`` in the folder has a function for each claim of ``ledger.toml``.  It takes
+    ``Means`` and the bounds of the claim as keywords, and returns a ``Found`` or a ``NotChecked``
+    (see ``allworlds.claims``).
+
+    Raises:
+        InputError: naming the offending value and what would be legal.
+    """
+    folder = a_path("directory", request.directory)
+    claims = claims_in(folder / LEDGER)
+    for option in ("only", "require"):
+        _ensure_named(option, getattr(request, option), [claim.id for claim in claims])
+    checks = _checks(folder / CLAIMS, claims)
+    chosen, required = request.only, request.require
+    wanted = [c for c in claims if not chosen or c.id in {*chosen, *required}]
+    means = Means(request.workers, request.budget)
+    request.listener.stage("claims", len(wanted), "claims")
+    entries, ending = until_interrupted(_entries(wanted, checks, means, request.listener))
+    return LedgerReport(ending=ending, budget=means.budget, required=required, claims=entries)
+
+
+def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, Check]:
+    """The function of each claim, by its id.
+
+    Raises:
+        InputError: if the file is not there, does not import, or lacks a function.
+    """
+    source = text_of(str(file))
+    assert source is not None
+    module = module_of_text(str(file), source)
+    return {claim.id: attribute_of(module, claim.function, str(file)) for claim in claims}
+
+
+def _entries(
+    wanted: Sequence[Claim], checks: Mapping[str, Check], means: Means, listener: Listener
+) -> Iterator[CheckedClaim]:
+    for claim in wanted:
+        yield entry_of(claim, checks[claim.id], means)
+        listener.progress(1)
+
+
+def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
+    """Check the claim and return its entry."""
+    began = time.monotonic()
+    found = found_by(check, means, claim.scopes[means.budget].bounds)
+    return entry_with(claim, means.budget, found, time.monotonic() - began)
+
+
+def found_by(check: Check, means: Means, bounds: Mapping[str, Any]) -> Outcome:
+    """The outcome of a claim's function, or the fault or error of this program that it met."""
+    try:
+        return check(means, **bounds)
+    except FAULTS as fault:
+        return ProgramFault(str(fault))
+    except Exception as error:  # noqa: BLE001  # of one claim: the others are checked all the same
+        reason = "".join(traceback.format_exception_only(error)).strip()
+        return InternalError(reason, traceback.format_exc())
+
+
+def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
+    """The claim with the outcome found on its scope."""
+    scope = claim.scopes[budget]
+    match found:
+        case Found():
+            shown = found
+        case InternalError():
+            shown = Found("refuted", {}, told=found.traceback)
+        case _:
+            shown = Found("refuted", {}, told=found.reason)
+    return CheckedClaim(
+        id=claim.id,
+        section=claim.section,
+        statement=claim.statement,
+        method=claim.method,
+        scope=claim.scope_under(budget),
+        source=claim.source,
+        expected=claim.expected,
+        witnesses=dict(shown.witnesses),
+        expected_witnesses=scope.witnesses,
+        figures=dict(shown.figures),
+        expected_figures=scope.figures,
+        told=shown.told,
+        worlds=tuple(picture.world for picture in shown.pictures),
+        captions=tuple(picture.caption for picture in shown.pictures),
+        truth=None if isinstance(found, NotChecked | InternalError) else shown.verdict,
+        disagreement=found.reason if isinstance(found, ProgramFault) else "",
+        error=found.reason if isinstance(found, InternalError) else "",
+        seconds=seconds,
+    )
+
+
+def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> None:
+    """Raise InputError unless all of these are claims.
+
+    Raises:
+        InputError: naming the first that is none.
+    """
+    for name in names:
+        if name not in legal:
+            hint = _hint(option, str(name), legal)
+            raise InputError(f"{option} {show(name)} is no claim{hint}")
+
+
+def _hint(option: str, name: str, legal: Sequence[str]) -> str:
+    """Words about a name that is no claim: several in one text, or one that is nearly right."""
+    several = [part.strip() for part in name.split(",")]
+    if len(several) > 1 and set(several) <= {*legal}:
+        return f"; claims are named one by one: {' '.join(f'--{option} {c}' for c in several)}"
+    near = get_close_matches(name, legal, 3, 0.4)
+    if near:
+        return f"; near it are {', '.join(near)}"
+    return f"; the first of {len(legal)} are {', '.join(legal[:3])}"
