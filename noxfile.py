@@ -97,6 +97,8 @@ def proofs(session: nox.Session) -> None:
         ("python", "proofs/check.py"),
         ("make", "-j2", "-C", "proofs/coq"),
         ("make", "-C", "proofs/coq", "explorer", "mutants"),
+        ("make", "-j2", "-C", "papers/lower_bounds/coq"),
+        ("make", "-C", "papers/lower_bounds/coq", "mutants"),
         ("make", "-C", "proofs/coq", "enumeration", f"PYTHON={session.bin}/python"),
         ("python", "proofs/coq/certificates.py"),
         ("python", "proofs/certified.py"),

@@ -2,6 +2,7 @@
 
 Usage: check_assumptions.py FILE.v ...   (in the folder of the compiled files)
 
+_CoqProject says under which name the folder, and others that it needs, are known to Coq.
 Statements.v must state each of these theorems: Coq has checked that it is what the theorem says.
 Every file of the folder is read besides for words that assume something or switch a check off.
 """
@@ -78,6 +79,12 @@ def stated(text: str) -> list[str]:
     return [match[1] for match in found if match]
 
 
+def libraries() -> dict[str, str]:
+    """The name in Coq of each folder in _CoqProject; ``.`` is the folder itself."""
+    lines = pathlib.Path("_CoqProject").read_text()
+    return dict(re.findall(r"^-Q (\S+) (\S+)$", lines, re.MULTILINE))
+
+
 def assumptions(source: pathlib.Path) -> list[tuple[str, str]]:
     """Each theorem of a file with what Coq prints of its assumptions.
 
@@ -85,13 +92,14 @@ def assumptions(source: pathlib.Path) -> list[tuple[str, str]]:
     """
     module = source.stem
     names = re.findall(r"^\s*Theorem (\w+)", without_comments(source.read_text()), re.MULTILINE)
-    ask = f"From Allworlds Require {module}.\n" + "".join(
+    ask = f"From {libraries()['.']} Require {module}.\n" + "".join(
         f"Print Assumptions {module}.{name}.\n" for name in names
     )
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "assumptions.v"
         file.write_text(ask)
-        command = ["coqc", "-w", "-notation-overridden", "-Q", ".", "Allworlds", str(file)]
+        folders = [word for pair in libraries().items() for word in ("-Q", *pair)]
+        command = ["coqc", "-w", "-notation-overridden", *folders, str(file)]
         run = subprocess.run(command, capture_output=True, text=True, check=False)
     answers = run.stdout.strip().split("\n")
     if run.returncode or len(answers) != len(names):

@@ -7,6 +7,8 @@ import pathlib
 import subprocess
 import sys
 
+from check_assumptions import libraries
+
 MUST_BE_NONE = (
     "Axioms",
     "Constants/Inductives relying on type-in-type",
@@ -17,9 +19,11 @@ MUST_BE_NONE = (
 
 def main() -> int:
     """The exit code."""
-    modules = [f"Allworlds.{pathlib.Path(name).stem}" for name in sys.argv[1:]]
+    own = libraries()["."]
+    modules = [f"{own}.{pathlib.Path(name).stem}" for name in sys.argv[1:]]
+    folders = [word for pair in libraries().items() for word in ("-Q", *pair)]
     # PlanarMinimality.v needs the virtual machine, which coqc has used too.
-    options = ["-silent", "-o", "-bytecode-compiler", "yes", "-Q", ".", "Allworlds"]
+    options = ["-silent", "-o", "-bytecode-compiler", "yes", *folders]
     command = ["coqchk", *options, *modules]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     report = run.stdout + run.stderr

@@ -198,7 +198,10 @@ def test_the_limit_counts_the_time_of_the_processor_and_says_when_it_was_short()
 
 
 @pytest.mark.slow
-def test_a_mutant_is_followed_to_where_it_should_die_first_and_then_to_all_that_rests_on_it():
+def test_a_mutant_is_followed_to_where_it_should_die_first_and_then_to_all_that_rests_on_it(
+    monkeypatch,
+):
+    monkeypatch.chdir(COQ)
     run = module("mutants/run")
     for mutant in json.loads((COQ / "mutants" / "mutants.json").read_text(encoding="utf-8")):
         order = run.in_order(mutant)

@@ -1,9 +1,9 @@
 """Every mutant of a definition or statement must make the development fail to compile.
 
-Usage: run.py [--workers N] [NAME ...]   (the unchanged files must have been compiled)
+Usage: run.py [--workers N] [NAME ...]   (in the folder of the compiled, unchanged files)
 
-``mutants.json`` lists them: a file, a text that stands in it exactly once, the text put in its
-place, what that breaks, and what dies of it: ``truth`` (some theorem is then false), ``script``
+``mutants/mutants.json`` lists them: a file, a text that stands in it exactly once, the text put in
+its place, what that breaks, and what dies of it: ``truth`` (some theorem is then false), ``script``
 (the statements stay true, only a proof script no longer fits) or ``statement`` (all is true, but a
 theorem no longer says what ``Statements.v`` says, or that says what is not proved).  ``dies_in``,
 if it is there, names the file that no longer compiles: what is not needed for it is compiled only
@@ -22,8 +22,8 @@ import sys
 import tempfile
 import time
 
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parent
+LIMITED = pathlib.Path(__file__).resolve().parents[1] / "limit"
+ROOT = pathlib.Path()
 LIMIT = 120  # seconds of CPU for each file
 
 
@@ -33,10 +33,16 @@ def sources() -> list[str]:
     return [n for n in names if n != "Extraction.v"]
 
 
+def libraries() -> dict[str, str]:
+    """The name in Coq of each folder in _CoqProject; ``.`` is the folder itself."""
+    lines = (ROOT / "_CoqProject").read_text()
+    return dict(re.findall(r"^-Q (\S+) (\S+)$", lines, re.MULTILINE))
+
+
 def imports(name: str) -> set[str]:
-    """The files that ``name`` requires directly."""
+    """The files of the folder that ``name`` requires directly."""
     text = (ROOT / name).read_text()
-    found = re.findall(r"From Allworlds Require(?: Import)? ([\w\s]+)\.", text)
+    found = re.findall(rf"From {libraries()['.']} Require(?: Import)? ([\w\s]+)\.", text)
     return {f"{module}.v" for line in found for module in line.split()}
 
 
@@ -71,6 +77,9 @@ def outcome(mutant: dict[str, str]) -> tuple[bool, str]:
     if text.count(mutant["old"]) != 1:
         return False, f"does not apply: its text stands {text.count(mutant['old'])} times"
     todo = in_order(mutant)
+    folders = []
+    for at, of in libraries().items():
+        folders += ["-Q", at if at == "." else str((ROOT / at).resolve()), of]
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
         for name in sources():
@@ -79,8 +88,7 @@ def outcome(mutant: dict[str, str]) -> tuple[bool, str]:
                 shutil.copy((ROOT / name).with_suffix(".vo"), place)
         (place / mutant["file"]).write_text(text.replace(mutant["old"], mutant["new"]))
         for name in todo:
-            coqc = ["coqc", "-w", "none", "-Q", ".", "Allworlds", name]
-            command = [str(ROOT / "limit"), str(LIMIT), *coqc]
+            command = [str(LIMITED), str(LIMIT), "coqc", "-w", "none", *folders, name]
             run = subprocess.run(command, cwd=place, capture_output=True, text=True, check=False)
             if run.returncode and "Error:" not in run.stderr:
                 return False, f"no verdict on {name}: {run.stderr.strip()[-200:]}"
@@ -96,7 +104,7 @@ def main() -> int:
     parser.add_argument("names", nargs="*")
     parser.add_argument("--workers", type=int, default=2)
     options = parser.parse_args()
-    mutants = json.loads((HERE / "mutants.json").read_text())
+    mutants = json.loads((ROOT / "mutants" / "mutants.json").read_text())
     if unknown := set(options.names) - {m["name"] for m in mutants}:
         parser.error(f"no mutant has the name {', '.join(sorted(unknown))}")
     chosen = [m for m in mutants if not options.names or m["name"] in options.names]

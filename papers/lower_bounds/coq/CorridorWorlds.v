@@ -19,7 +19,8 @@
      near_loops_exist, home_word_exists   such worlds, and home words in them.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Model Maps MassFormula PathWorlds Gluings Corridors.
+From Allworlds Require Import Model Maps MassFormula PathWorlds.
+From Bounds Require Import Gluings Corridors.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -21,8 +21,9 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Coq Require Import Lia.
-From Allworlds Require Import Model Maps Percepts RootedMaps Explorers MassFormula PathWorlds Gluings.
-From Allworlds Require Import Bouquets Matchings Log OpenDarts TwoSheets Corridors.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers MassFormula PathWorlds.
+From Allworlds Require Import Log OpenDarts TwoSheets.
+From Bounds Require Import Gluings Bouquets Matchings Corridors.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -14,7 +14,8 @@
      bouquet_needs        so many motions in one of the bouquets with c loops, where w = (2c-1)!!.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Model Maps Percepts RootedMaps Explorers MassFormula PathWorlds Gluings.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers MassFormula PathWorlds.
+From Bounds Require Import Gluings.
 From Allworlds Require Import Algorithm Refinement Policies.
 Set Implicit Arguments.
 Unset Strict Implicit.

@@ -17,7 +17,8 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Coq Require Import BinNat Nnat Lia.
-From Allworlds Require Import Model RootedMaps Explorers MassFormula Corridors CorridorWorlds CorridorLogs.
+From Allworlds Require Import Model RootedMaps Explorers MassFormula.
+From Bounds Require Import Corridors CorridorWorlds CorridorLogs.
 From Allworlds Require Import Algorithm Refinement Policies.
 Set Implicit Arguments.
 Unset Strict Implicit.

@@ -15,8 +15,8 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Coq Require Import Lia.
-From Allworlds Require Import Model Maps Percepts RootedMaps Explorers MassFormula PathWorlds Gluings.
-From Allworlds Require Import Corridors CorridorWorlds.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers MassFormula PathWorlds.
+From Bounds Require Import Gluings Corridors CorridorWorlds.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
