@@ -115,7 +115,6 @@ if TYPE_CHECKING:
         canonical as canonical,
     )
     from allworlds.engines.single import (
-        Decisions as Decisions,
         SingleRun as SingleRun,
         single_run as single_run,
         unused_choice as unused_choice,
