@@ -12,7 +12,7 @@ from allworlds.engines import Scope, engine_table as engines
 from allworlds.engines.compiled.agreement import AGREEMENT_EDGES
 from allworlds.engines.isolation import player
 from allworlds.engines.kernel import capabilities
-from allworlds.engines.python import tour
+from allworlds.engines.python import players
 from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS
 from allworlds.evidence.mutants.errands import WEAK_TASK_JUDGES, WRONG_ERRANDS
 from allworlds.evidence.mutants.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
@@ -63,9 +63,7 @@ def test_the_page_of_trust_says_how_many_mutants_there_are():
         ("verdicts.md", r"one line of at most (\d+) characters", output.LONGEST),
         ("verdicts.md", r"is smaller than (\d+) MB", frame.LARGEST // 1_000_000),
         ("trust.md", r"at most ([\d,]+) darts of an answer", endings.MOST_DARTS),
-        ("trust.md", r"seeds 1 to (\d) in turn", tour.SEEDS - 1),
-        ("trust.md", r"the first for (\d+) plays", tour.BEGINNING),
-        ("trust.md", r"each other for (\d+);", tour.SPELL),
+        ("trust.md", r"`PYTHONHASHSEED` 0, the second (\d)", players.OTHER_SEED),
         (
             "how-to/languages.md",
             r"law of the protocol its last (\d) KiB",

@@ -24,7 +24,6 @@ from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.stretch import RUN_NUMBER
 from allworlds.engines.kernel.writing import LogEnd, read_log
-from allworlds.engines.python.earlier_plays import KEPT, EarlierPlays
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.play import Recorded
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
@@ -311,7 +310,7 @@ IN_STRETCHES = []
 
 def engine_of(explore, edges):
     general = PythonEngine(scope_of(edges), 1)
-    return PlayedByStretches(general, "x", PairHere(explore), EarlierPlays())
+    return PlayedByStretches(general, "x", PairHere(explore))
 
 
 def first_unit(explore, edges):
@@ -365,8 +364,3 @@ def test_stretches_that_take_long_become_shorter(monkeypatch):
     monkeypatch.setattr("allworlds.engines.compiled.stretches.REPORT_EVERY", -1.0)
     _, engine = first_unit(ready_made, 4)
     assert LEAST <= engine._most < usual
-
-
-def test_there_are_plays_to_be_played_again_in_other_units():
-    tally, engine = first_unit(ready_made, 4)
-    assert len(engine._kept) == tally.runs < KEPT

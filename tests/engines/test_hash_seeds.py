@@ -1,23 +1,15 @@
 """Explorers that go by hashes: told from others, and judged so that a report is always the same."""
 
 import json
-import random
+from types import SimpleNamespace
 
 import pytest
 
-from allworlds.document import replace
-from allworlds.engines import GOES_BY_HASHES, GivenWorlds, LevelRuns, Limits, Scope, Silent
+from allworlds.engines import GOES_BY_HASHES, Limits, PythonEngine, Scope, Silent
 from allworlds.engines.isolation.confirm import repeat
 from allworlds.engines.isolation.jobs import PlayerSetup
-from allworlds.engines.python.hash_seeds import (
-    LAYOUTS,
-    GoesByHashes,
-    SeededPlays,
-    seeds_explain,
-    with_more_seeds_if_needed,
-)
-from allworlds.engines.python.other_seeds import SMALL, other_seeds
-from allworlds.engines.python.tour import SEEDS
+from allworlds.engines.python.players import OTHER_SEED, SEEDS
+from allworlds.engines.python.second_play import PlayedTwice, _Unlike
 from allworlds.explorers import load
 from allworlds.judging import Log, Over, Rules
 from allworlds.maps import Extent, MapClass
@@ -27,73 +19,60 @@ from allworlds.studies.replay import replay
 
 
 class Seeded:
-    """Players of an explorer whose one action follows from hash seed and layout."""
+    """Players of an explorer whose one action follows from its hash seed, and from what was before.
+
+    Attributes:
+        action: of a seed, and of the number of plays in its process.
+        seeds: of both players.
+        met: the seeds of the processes that were started, one after the other.
+    """
 
     def __init__(self, action):
-        self.action, self.place, self.met = action, (0, 0), []
+        self.action, self.seeds, self.met, self._plays = action, SEEDS, [], {}
 
-    def take_places(self, seed, turn, *, alike):
-        assert alike
-        self.place = seed, turn
-        self.met.append(self.place)
+    def restart(self):
+        self._plays.clear()
 
     def send_records(self, records, policy):
         assert policy == "fifo"
         self.records = records
 
     def receive_logs(self):
-        return [log(self.action(*self.place)) for _ in self.records]
+        return [self._played() for _ in self.records]
+
+    def _played(self):
+        _, seed = self.seeds
+        if seed not in self._plays:
+            self.met.append(seed)
+        self._plays[seed] = turn = self._plays.get(seed, 0) + 1
+        return log(self.action(seed, turn))
 
 
 def log(action):
     return Log((action,), (), Over())
 
 
-PLAYS = [SeededPlays(record, log(0), log(5)) for record in range(3)]
+UNLIKE = [_Unlike(SimpleNamespace(record=turn, log=log(0)), None, log(5)) for turn in range(3)]
 
 
-def test_seeds_explain_plays_that_every_layout_repeats():
-    players = Seeded(lambda seed, _: seed)
-    assert seeds_explain(players, 5, PLAYS, "fifo")
-    assert players.met == [(seed, layout) for layout in range(1, LAYOUTS + 1) for seed in (0, 5)]
+def explained(players):
+    """Whether the seeds explain that first plays are 0, and second ones 5."""
+    engine = PythonEngine(Scope(Extent(MapClass.MAPS, 1), Rules("directional")), 1)
+    answer = PlayedTwice(engine, "x", players)._seeds_explain(UNLIKE)
+    assert players.seeds == SEEDS
+    assert not players._plays  # later plays are not after these
+    return answer
 
 
-@pytest.mark.parametrize("other", [(0, 1), (5, 1), (0, LAYOUTS), (5, LAYOUTS)])
-def test_one_layout_that_repeats_a_play_not_shows_that_seeds_explain_nothing(other):
-    players = Seeded(lambda seed, layout: 7 if (seed, layout) == other else seed)
-    assert not seeds_explain(players, 5, PLAYS, "fifo")
+def test_seeds_explain_plays_that_each_of_them_repeats():
+    players = Seeded(lambda seed, _: 5 * seed)
+    assert explained(players)
+    assert players.met == [0, OTHER_SEED]
 
 
-def test_an_explorer_that_goes_by_a_bit_of_an_address_is_seldom_taken_for_one_that_goes_by_hashes():
-    draw = random.Random(1)
-    taken = sum(
-        seeds_explain(Seeded(lambda *_: 5 * draw.getrandbits(1)), 5, PLAYS[:1], "fifo")
-        for _ in range(4096)
-    )
-    assert taken / 4096 == pytest.approx(2 ** (-2 * LAYOUTS), rel=0.5)
-
-
-def test_small_units_have_every_other_seed_and_larger_ones_one_each_by_their_names():
-    every = [*range(1, SEEDS)]
-    assert [*other_seeds(LevelRuns(SMALL, (0,)))] == every
-    assert [*other_seeds(GivenWorlds(()))] == every
-    larger = [LevelRuns(SMALL + 1, (first, second)) for first in range(8) for second in range(8)]
-    seeds = [other_seeds(unit) for unit in larger]
-    assert {len(some) for some in seeds} == {1}
-    assert {seed for (seed,) in seeds} == set(every)
-    assert seeds == [other_seeds(unit) for unit in larger]
-
-
-def test_an_attempt_is_made_once_more_with_more_seeds_where_they_are_needed():
-    scope = Scope(Extent(MapClass.MAPS, 1), Rules("directional"))
-
-    def attempt(scope):
-        if not scope.more_seeds:
-            raise GoesByHashes
-        return scope
-
-    assert with_more_seeds_if_needed(attempt, scope) == replace(scope, more_seeds=True)
-    assert with_more_seeds_if_needed(lambda scope: scope, scope) == scope
+@pytest.mark.parametrize("other", [(0, 1), (0, 3), (OTHER_SEED, 2)])
+def test_one_play_that_a_seed_does_not_repeat_shows_that_seeds_explain_nothing(other):
+    assert not explained(Seeded(lambda *played: 7 if played == other else 5 * played[0]))
 
 
 WALKS_BY_HASHES = """
@@ -106,31 +85,29 @@ def explore(first):
             yield Move(step)
     return (yield from algorithm1(first))
 """
-WRONG_WITH_SOME = """
+WRONG_WITH_ONE = """
 from allworlds.explorers import algorithm1
 
 def explore(first):
     estimate = yield from algorithm1(first)
-    wrong = next(iter({"ab", "cd", "ef"})) == "cd" and len(estimate.map.sigma) > 4
+    wrong = next(iter({"ab", "cd", "ef"})) != "ab" and len(estimate.map.sigma) > 4
     return 7 if wrong else estimate
 """
+"""Right with seed 0, and wrong with seed 1."""
 CHECKS = {
     "walks": (WALKS_BY_HASHES, {"laws": ("map", "pose"), "edges": 3}),
-    "wrong": (WRONG_WITH_SOME, {"edges": 4}),
+    "wrong": (WRONG_WITH_ONE, {"edges": 4}),
 }
 
 
 class Ends(Silent):
-    """Interrupts the job when it has done so many worlds since it has begun anew."""
+    """Interrupts the job when it has done so many worlds."""
 
     def __init__(self, worlds):
-        self.left, self.anew = worlds, False
-
-    def notice(self, text):
-        self.anew |= text.startswith(GOES_BY_HASHES)
+        self.left = worlds
 
     def progress(self, worlds):
-        self.left -= worlds * self.anew
+        self.left -= worlds
         if self.left < 0:
             raise KeyboardInterrupt
 
@@ -166,16 +143,15 @@ def test_a_check_of_an_explorer_that_goes_by_hashes_is_the_same_whenever_that_is
 
 @pytest.mark.slow
 @pytest.mark.long
-def test_a_sample_of_an_explorer_that_goes_by_hashes_is_shrunk_with_every_seed(tmp_path):
+def test_a_sample_of_an_explorer_that_goes_by_hashes_is_shrunk_with_either_seed(tmp_path):
     module = tmp_path / "by_hashes.py"
-    # It is right with seed 0, and wrong with seed 1.
-    module.write_text(WRONG_WITH_SOME.replace('== "cd"', '!= "ab"'))
+    module.write_text(WRONG_WITH_ONE)
     options = {"edges": 5, "runs": 20, "seed": 1, "workers": 1}
     first, second = (fuzz(f"{module}:explore", **options) for _ in range(2))
     assert first.to_json() == second.to_json()
     (found,) = first.findings
     assert found.world.map.edge_count == 3
-    assert found.hash_seed is not None
+    assert found.hash_seed == OTHER_SEED
 
 
 EVERY_OTHER_TIME = """

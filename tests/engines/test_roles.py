@@ -274,7 +274,7 @@ def test_what_plays_in_worlds_is_loaded_before_the_explorer_where_it_is_asked_fo
     setup = PlayerSetup(f"{file}:explore", None, 2.0, None)
     with closing(process.start_guardian()) as own:
         with pytest.raises(InputError, match="AssertionError"):
-            start_player(own, setup, 3, in_worlds=False)
-        for seed in (0, 3):
-            player, _ = start_player(own, setup, seed)
+            start_player(own, setup, 3)
+        for seed in (None, 3):
+            player, _ = start_player(own, setup, seed, in_worlds=True)
             player.close()

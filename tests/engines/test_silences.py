@@ -107,8 +107,8 @@ class ManySilences(InProcessPlayers):
             self.asked += 1
             yield [(number, Log((), (), self.kind("timeout", "an action", "silent", machine=True)))]
 
-    def send_records(self, records, policy, *, plain=False):
-        del policy, plain
+    def send_records(self, records, policy):
+        del policy
         silent = Fault("timeout", "an action", "silent", machine=True)
         self._logs = [Log((), (), silent) for _ in records]
 
@@ -139,8 +139,8 @@ def test_silences_that_are_not_repeated_do_not_count():
             else:
                 yield from InProcessPlayers.play_runs(self, engine, unit, numbers, script)
 
-        def send_records(self, records, policy, *, plain=False):
-            InProcessPlayers.send_records(self, records, policy, plain=plain)
+        def send_records(self, records, policy):
+            InProcessPlayers.send_records(self, records, policy)
 
     tallies, reason = parts(Recovering(1.0, lost=False))
     assert reason == ""

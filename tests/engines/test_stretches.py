@@ -32,7 +32,6 @@ from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.engines.kernel.native import shuffle
 from allworlds.engines.kernel.rows import BrokenRun, Rows
-from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.explorers import load
 from allworlds.judging import Rules
@@ -180,7 +179,7 @@ def parts(players, edges, keep=1, units=None, scope=None):
     """The tally of a level by stretches, in this process."""
     scope = scope or scope_of(edges)
     general = PythonEngine(scope, keep)
-    engine = PlayedByStretches(general, "native:x", players, EarlierPlays())
+    engine = PlayedByStretches(general, "native:x", players)
     tally = Tally(keep)
     for unit in units or scope.units(edges):
         for _, part in engine.parts(unit):
@@ -232,8 +231,8 @@ def test_a_law_that_the_other_engine_does_not_find_broken_is_a_disagreement(monk
     map_ = next(unit.maps(scope_of(edges).extent))
     world = BrokenRun(map_.vertex_count, map_.sigma, map_.alpha, 0, "map")
 
-    def blames(self, batch, size, earlier=()):
-        rows, good = judge(self, batch, size, earlier)
+    def blames(self, batch, size):
+        rows, good = judge(self, batch, size)
         return Rows(rows.counts, {}, rows.met, rows.most_expensive, (world,)), good
 
     monkeypatch.setattr(UnitJudge, "judge", blames)
@@ -246,8 +245,8 @@ def test_a_law_that_the_other_engine_does_not_find_broken_is_a_disagreement(monk
 def test_most_expensive_runs_that_differ_are_a_disagreement(monkeypatch):
     judge = UnitJudge.judge
 
-    def misses_the_first_place(self, batch, size, earlier=()):
-        rows, good = judge(self, batch, size, earlier)
+    def misses_the_first_place(self, batch, size):
+        rows, good = judge(self, batch, size)
         others = tuple(run._replace(place=run.place + 1) for run in rows.most_expensive)
         return replace(rows, most_expensive=others), good
 
@@ -281,43 +280,6 @@ def test_a_disagreement_ends_a_check_with_70(monkeypatch):
 def test_state_that_is_kept_is_found_whatever_it_does():
     (finding,) = parts(PairHere(attack("here_is = episodes % 2")), 1).findings
     assert finding.law == "nondeterministic"
-
-
-@pytest.mark.no_cover
-def test_state_that_shows_late_is_found_by_earlier_plays():
-    # Right in each stretch, whatever the order, till so many episodes are over.
-    late = attack("", LATE="100")
-    tally = parts(PairHere(late), 5, units=[*scope_of(1).units(1)] * 60, scope=scope_of(1))
-    assert "nondeterministic" in {found.law for found in tally.findings}
-
-
-@pytest.mark.slow
-def test_a_long_run_is_played_again_later_too(monkeypatch):
-    # Its log has more than 4,096 bytes.  All plays of two units are right, and all later ones
-    # are wrong in the same way: only what is played again from the first two differs.
-    monkeypatch.setattr("allworlds.engines.compiled.stretches.AGREEMENT_EDGES", 0)
-    scope = scope_of(1, bound="none", step_budget=10_000)
-    engine = PythonEngine(scope, 9)
-    one, other = scope.units(1)
-    runs = [sum(1 for _ in engine.runs(unit)) for unit in (one, other)]
-    late = PairHere(attack("", LATE=str(2 * sum(runs) + runs[0]), STEPS="4101"))
-    engine = PlayedByStretches(engine, "native:x", late, EarlierPlays())
-    for unit in (one, other):
-        assert [part.findings for _, part in engine.parts(unit)] == [[]]
-    found = [found for _, part in engine.parts(one) for found in part.findings]
-    (map_,) = other.maps(scope.extent)
-    assert ("nondeterministic", map_) in {(finding.law, finding.world.map) for finding in found}
-
-
-@pytest.mark.no_cover
-@pytest.mark.parametrize(("steps", "kept"), [("5001", 3), ("5501", 0)])
-def test_what_takes_too_much_room_is_not_kept_to_be_played_again(steps, kept):
-    scope = scope_of(1, bound="none", step_budget=10_000)
-    players = PairHere(attack("", STEPS=steps))
-    engine = PlayedByStretches(PythonEngine(scope, 1), "native:x", players, EarlierPlays())
-    for unit in scope.units(1):
-        assert [part.findings for _, part in engine.parts(unit)] == [[]]
-    assert len(engine._kept) == kept
 
 
 def test_the_least_of_each_kind_are_those_of_the_other_engine():
@@ -368,7 +330,7 @@ def test_runs_are_played_in_an_order_that_a_seed_draws():
 def test_the_rest_of_a_unit_whose_referee_was_lost_goes_to_the_general_engine():
     players = PairHere(example("c/algorithm1.c"))
     engine = UsersEngine(PythonEngine(scope_of(2), 1))
-    bound = engine.for_users("native:x", players, EarlierPlays())
+    bound = engine.for_users("native:x", players)
     unit = next(iter(scope_of(2).units(2)))
     whole, rest = Tally(1), Tally(1)
     for _, part in bound.parts(unit):

@@ -20,7 +20,6 @@ from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.isolation.referee_jobs import RefereeSetup
 from allworlds.engines.isolation.shared_logs import StretchMemory
-from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.explorers import load
 from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
@@ -47,7 +46,7 @@ class Deaf:
 
 def answering(monkeypatch, answer):
     pair, deaf = PlayerPair(None, SETUP, Random(1)), Deaf()
-    pair._processes["first"] = deaf
+    pair._processes["first", None] = deaf
 
     def receive(*_):
         if isinstance(answer, Exception):
@@ -105,7 +104,6 @@ def test_a_referee_takes_the_engine_of_native_explorers():
             UsersEngine(PythonEngine(scope, 1)),
             RefereeSetup(subject, Limits(), 1),
             pair,
-            EarlierPlays(),
         )
         assert isinstance(engine, PlayedByStretches)
         assert engine.players is pair

@@ -152,7 +152,8 @@ def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, n
     finding = only_finding(wrong(name))
     assert finding.law == "nondeterministic"
     assert finding.world.map.loop_count == 1
-    assert "walk differs" in finding.seen
+    # What keeps a state may do the same in both plays, and something else when it is confirmed.
+    assert "walk differs" in finding.seen or "in some plays only" in finding.seen
 
 
 def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong):

@@ -84,11 +84,7 @@ if TYPE_CHECKING:
         Referee as Referee,
         name_run as name_run,
     )
-    from allworlds.engines.python.hash_seeds import (
-        GOES_BY_HASHES as GOES_BY_HASHES,
-        GoesByHashes as GoesByHashes,
-        with_more_seeds_if_needed as with_more_seeds_if_needed,
-    )
+    from allworlds.engines.python.players import GOES_BY_HASHES as GOES_BY_HASHES
     from allworlds.engines.python.python_engine import PythonEngine as PythonEngine
     from allworlds.engines.python.run_counter import EnginesDisagree as EnginesDisagree
     from allworlds.engines.python.runs_of_unit import (

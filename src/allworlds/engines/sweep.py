@@ -16,7 +16,6 @@ from allworlds.document import replace
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.isolation.failures import Unsettled
 from allworlds.engines.progress import NOBODY, Listener
-from allworlds.engines.python.hash_seeds import GOES_BY_HASHES, GoesByHashes
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.run_directory.finished_units import ENDED, Records, records_in, shelf
 from allworlds.engines.run_directory.identity import Identity
@@ -56,7 +55,6 @@ class Sweep(ABC, Generic[Total, Answer]):
         result: the class of its results, where it needs nothing but what was kept.
         portion: the part of the units that is done.
         deadline: on the monotonic clock, or None.
-        more_seeds: whether an explorer goes by hashes, and so all are tried with more hash seeds.
         records: of the job, while it goes on.
     """
 
@@ -70,7 +68,6 @@ class Sweep(ABC, Generic[Total, Answer]):
         self.listener: Listener = request.listener
         self.portion: Portion = getattr(request, "shard", WHOLE)
         self.deadline = deadline_after(request.time_limit)
-        self.more_seeds = False
 
     @classmethod
     def known(cls, identity: Identity, portion: Portion, listener: Listener) -> Sweep[Any, Any]:
@@ -147,9 +144,6 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Do what comes before the first level; an ending ends the job before it."""
         return None
 
-    def forget(self) -> None:
-        """Drop all that was taken in, to begin anew; only needed if users' explorers are played."""
-
     def leave(self, level: SweptLevel, total: Total) -> None:
         """Take in the finished units of an unfinished level: by default none."""
 
@@ -172,7 +166,6 @@ class Sweep(ABC, Generic[Total, Answer]):
         if run is None and isinstance(self.portion, Shard):
             self.listener.notice(UNMERGEABLE)
         with records_in(run, self.identity, self.listener.notice) as records:
-            self.more_seeds = bool(records.recall(GOES_BY_HASHES))
             return self._answered(records, lambda: self._guarded(self.begin) or self._swept())
 
     def merged(self, records: Records) -> Answer:
@@ -191,15 +184,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         return self.report(ending)
 
     def _swept(self) -> Ending:
-        try:
-            ending = self._guarded(self._through) or Completed()
-        except GoesByHashes:
-            self.listener.notice(f"{GOES_BY_HASHES}; all begins anew, with more of them")
-            self.forget()
-            self.records.forget()
-            self.more_seeds = True
-            self.records.note(GOES_BY_HASHES, value=True)
-            ending = self._guarded(self._through) or Completed()
+        ending = self._guarded(self._through) or Completed()
         return self._guarded(lambda: self.conclude(ending)) or ending
 
     def _guarded(self, job: Callable[[], Ending | None]) -> Ending | None:

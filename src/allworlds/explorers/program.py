@@ -102,8 +102,9 @@ class Program:
 
     def _next_message(self) -> Message:
         """The program's next message."""
+        line = self._line()
         try:
-            message = message_of(self._line())
+            message = message_of(line)
         except ExplorerFault as fault:
             raise self._fault(fault.law, fault.seen, fault.detail) from None
         if isinstance(message, EpisodeEnd) and self._out:

@@ -16,28 +16,25 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import islice
-from typing import Any, NamedTuple
 
 from allworlds.document import replace
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.shared_logs import StretchMemory
-from allworlds.engines.kernel.batches import LaidOutRuns, ReplayableRun, UnitJudge
+from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge
 from allworlds.engines.kernel.rows import BrokenRun, Rows
-from allworlds.engines.kernel.stretch import LONGEST_STRETCH, MOST_EARLIER
+from allworlds.engines.kernel.stretch import LONGEST_STRETCH
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.comparison import nondeterministic
-from allworlds.engines.python.earlier_plays import KEPT, EarlierPlays
 from allworlds.engines.python.examiner import LOST, Outcome, Referee
 from allworlds.engines.python.players import OneRun, placed_run
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
-from allworlds.engines.python.second_play import PLAYS, PlayedTwice
+from allworlds.engines.python.second_play import PlayedTwice
 from allworlds.engines.python.tally import Tally
-from allworlds.engines.python.tour import SPELL
-from allworlds.judging import Fault, Finding, Log, UncheckedAnswer, Violation, retold
+from allworlds.judging import Fault, Log, UncheckedAnswer, Violation, retold
 from allworlds.maps import Code, CombinatorialMap, rooted_code
 from allworlds.world import World
 
@@ -52,27 +49,9 @@ twice as many as the one before, or half as many, if that took long."""
 MOST_DIFFERING = 16
 """The number of runs whose plays differ that are played anew in one stretch."""
 
-ANEW = 8
-"""The number of plays of each stretch that take the place of earlier plays."""
-
 DIFFERENT = "the second walk or answer differs"
 
 THIRD = "when it was played once more, the walk or the answer was another"
-
-
-class _EarlierRun(NamedTuple):
-    """A play that was the same twice, with the number of its run in its unit."""
-
-    unit: LevelRuns
-    number: int
-    kept: ReplayableRun
-
-
-class _Differing(NamedTuple):
-    """Runs whose two plays differ: the numbers of those of the stretch, and earlier plays."""
-
-    here: list[int]
-    earlier: list[_EarlierRun]
 
 
 @dataclass(slots=True)
@@ -80,23 +59,19 @@ class PlayedByStretches:
     """The engine with a user's explorer.
 
     Attributes:
-        engine, explorer, players, earlier: as for the general engine.
+        engine, explorer, players: as for the general engine.
     """
 
     engine: PythonEngine
     explorer: str
     players: PlayerPair
-    earlier: EarlierPlays[Any]
     _general: PlayedTwice = field(init=False)
     _referee: Referee = field(init=False)
     _most: int = AT_FIRST
     _worst: Tally = field(init=False)
-    _kept: EarlierPlays[_EarlierRun] = field(default_factory=EarlierPlays)
-    _seed: int | None = None
-    _stash: list[Finding] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self._general = PlayedTwice(self.engine, self.explorer, self.players, self.earlier)
+        self._general = PlayedTwice(self.engine, self.explorer, self.players)
         self._referee = Referee(self.explorer, self.engine.scope.rules)
         self._worst = Tally(self.engine.keep)
 
@@ -120,15 +95,10 @@ class PlayedByStretches:
                 self._most = AFTER_LOSS
                 judge.skip(batch)
                 tally = self._by_the_general_engine(unit, batch)
-                for found in self._stash:
-                    tally.find(found)
-                self._stash.clear()
             else:
                 slow = time.monotonic() - began > REPORT_EVERY
                 most = self._most // 2 if slow else 2 * self._most
-                # At first the second player changes soon.
-                longest = LONGEST_STRETCH if self.players.tour.complete else SPELL
-                self._most = max(LEAST, min(most, longest))
+                self._most = max(LEAST, min(most, LONGEST_STRETCH))
                 if unit.edges <= AGREEMENT_EDGES:
                     general = self._by_the_general_engine(unit, batch)
                     tally.remarks.update(general.remarks)
@@ -146,63 +116,38 @@ class PlayedByStretches:
             if played is None:
                 return None
             size = played
-        if self._seed != self.players.tour.hash_seed:
-            self._seed = self.players.tour.hash_seed
-            self._kept.forget()
-        earlier = self._kept.draw(MOST_EARLIER) if batch.runs else []
-        again = [play.kept for play in earlier]
-        rows, readable = judge.judge(batch, size, again)
+        rows, readable = judge.judge(batch, size)
         if not readable:
             return None
         if unit.edges <= AGREEMENT_EDGES:
             self._compare(unit, batch, judge, rows)
         differing: list[int] = []
         if batch.runs:
-            played = second.play(self.players, "second", batch.runs + len(earlier), policy)
+            played = second.play(self.players, "second", batch.runs, policy)
             if played is None:
                 return None
             differing = judge.differing(played)
         tally = tally_of(rows, unit, self.engine.scope, self.engine.tally())
-        by_seed = self.players.tour.differ
-        unlike = _Differing(
-            [judge.number(row) for row in differing if row < batch.runs],
-            [earlier[row - batch.runs] for row in differing if row >= batch.runs],
-        )
-        for _ in self._finding(unit, batch, judge, rows.broken, unlike, tally):
-            if by_seed and self.players.tour.alike:
-                # The explorer goes by hashes: the stretch is played anew, with one seed.
-                self._stash += tally.findings
-                return None
         if not differing:
-            wanted = min(batch.runs, max(ANEW, KEPT - len(self._kept)))
-            for row in self.players.random.sample(range(batch.runs), wanted):
-                kept = judge.kept(row)
-                if kept.short:
-                    self._kept.keep(_EarlierRun(unit, judge.number(row), kept))
-        return tally
+            self._find_broken(unit, batch, judge, rows.broken, tally)
+            return tally
+        if not self._general.goes_by_hashes:
+            self._find_differing(unit, [judge.number(row) for row in differing], tally)
+        return None if self._general.goes_by_hashes else tally
 
-    def _finding(
+    def _find_broken(
         self,
         unit: LevelRuns,
         batch: LaidOutRuns,
         judge: UnitJudge,
         broken: Sequence[BrokenRun],
-        differing: _Differing,
         tally: Tally,
-    ) -> Iterator[None]:
-        """Find what is wrong with a stretch, part by part."""
-        if differing.here:
-            self._find_differing(unit, differing.here, tally)
-            yield
-        else:
-            for each in broken:
-                if not self._find(unit, each, tally):
-                    self._confirm(unit, batch, judge, each)
-                    self._find(unit, each, tally, otherwise=nondeterministic(THIRD))
-                yield
-        for play in differing.earlier:
-            self._find_differing(play.unit, [play.number], tally)
-            yield
+    ) -> None:
+        """Find the broken runs of a stretch."""
+        for each in broken:
+            if not self._find(unit, each, tally):
+                self._confirm(unit, batch, judge, each)
+                self._find(unit, each, tally, otherwise=nondeterministic(THIRD))
 
     def _runs(self, unit: LevelRuns, batch: LaidOutRuns) -> Iterator[NumberedRun]:
         """The runs of a stretch."""
@@ -239,7 +184,7 @@ class PlayedByStretches:
         for run in self._runs(unit, batch):
             world = self.engine.count_run(run, tally)
             if world is not None:
-                episode = retold(_log(judge.kept(row)), world)
+                episode = retold(_log(judge.log(row)), world)
                 outcome = self._referee.outcome(world, episode, ())
                 yield OneRun(run.number, run.place, world), outcome
                 row += 1
@@ -309,20 +254,10 @@ class PlayedByStretches:
         chosen = [run for run in runs if run.number in wanted]
         chosen.sort(key=lambda run: run.map.vertex_count)
         placed = {run.number: placed_run(run) for run in chosen[:MOST_DIFFERING]}
-        tour = self.players.tour
-        by_seed = tour.differ
-        # Only for these plays: a library then leaves a process without compiled code again.
-        tour.hold(PLAYS * len(placed))
-        again = [*self._general.outcomes(unit, placed)]
-        explained = by_seed and tour.alike
-        for one, outcome in again:
-            if (
-                not isinstance(outcome, Outcome)
-                or _law(outcome) == "nondeterministic"
-                or (explained and _law(outcome))
-            ):
+        for one, outcome in self._general.outcomes(unit, placed):
+            if not isinstance(outcome, Outcome) or _law(outcome) == "nondeterministic":
                 tally.find(self._general.finding(one, outcome))
-            elif not explained:
+            else:
                 settled = replace(outcome, violation=nondeterministic(DIFFERENT))
                 tally.find(self._general.finding(one, settled))
 
@@ -351,9 +286,9 @@ def _key(unit: LevelRuns, broken: BrokenRun) -> tuple[int, int, Code, int]:
     return unit.edges, broken.vertices, (broken.sigma, broken.alpha), broken.place
 
 
-def _log(kept: ReplayableRun) -> Log:
+def _log(log: bytes) -> Log:
     """A first log in the form of the general engine."""
-    motions, published, ending = read_log(kept.log.tobytes())
+    motions, published, ending = read_log(log)
     checkpoints = tuple([(steps, *parts) for steps, parts in published])
     if not isinstance(ending, LogEnd):
         return Log(motions, checkpoints, UncheckedAnswer(*ending))

@@ -6,7 +6,6 @@ No compiled code is loaded here, but in the guardian, which forks the referees.
 from __future__ import annotations
 
 from collections.abc import MutableSequence
-from typing import Any
 
 from msgspec import Struct
 
@@ -14,7 +13,6 @@ from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.process import guardian
 from allworlds.engines.job import Job
 from allworlds.engines.kernel.capabilities import COMPILING
-from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import PartwiseEngine
 from allworlds.engines.python.scope import Scope
@@ -62,11 +60,9 @@ class UsersEngine(Struct, frozen=True):
         """Return the engine with a built-in explorer, of the interface ``WorkerEngine``."""
         return self.general.for_built_in(subject, beat)
 
-    def for_users(
-        self, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
-    ) -> PartwiseEngine:
+    def for_users(self, explorer: str, players: PlayerPair) -> PartwiseEngine:
         """Return the engine with a user's explorer, of the interface ``WorkerEngine``."""
         from allworlds.engines.compiled.users_kernel import judged_by_kernel
 
         players.in_stretches = True
-        return judged_by_kernel(self.general, explorer, players, earlier)
+        return judged_by_kernel(self.general, explorer, players)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from allworlds.engines.compiled.stretches import PlayedByStretches
 from allworlds.engines.isolation.generator_player import load as load_generators
 from allworlds.engines.isolation.player_pair import PlayerPair
@@ -11,7 +9,6 @@ from allworlds.engines.kernel.batches import load_native
 from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.native import play_worlds
 from allworlds.engines.kernel.runs import examine
-from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import PartwiseEngine
 
@@ -27,8 +24,6 @@ def load() -> None:
     load_generators()
 
 
-def judged_by_kernel(
-    engine: PythonEngine, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
-) -> PartwiseEngine:
+def judged_by_kernel(engine: PythonEngine, explorer: str, players: PlayerPair) -> PartwiseEngine:
     """Return the engine in which these players play, and the kernel judges."""
-    return PlayedByStretches(engine, explorer, players, earlier)
+    return PlayedByStretches(engine, explorer, players)

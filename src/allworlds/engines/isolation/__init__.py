@@ -12,8 +12,6 @@ The **guardian** forks them all, and ends them, and all that they have started.
     messages to referees, and their answers;
 ``guardian``, ``guardian_requests``, ``roles``, ``process``, ``process_tree``
     starting, reading and ending processes;
-``layout``
-    layouts of memory, drawn for each process;
 ``memory_limit``
     the address space of a process, and a bound on it;
 ``relay``

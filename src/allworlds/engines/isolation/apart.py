@@ -15,12 +15,11 @@ from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.process import guardian
 from allworlds.engines.python.examiner import Outcome
 from allworlds.engines.python.in_process import InProcessPlayers
-from allworlds.engines.python.players import OneRun, Players
+from allworlds.engines.python.players import SEEDS, OneRun, Players
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.runs_of_unit import GivenWorlds
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.second_play import PlayedTwice
-from allworlds.engines.python.tour import Tour
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 from allworlds.judging import Episode, LostRun, Rules, Violation, canonical_world, place_of
@@ -43,9 +42,10 @@ def examine_apart(
     engine, unit = _of_these(rules, (world,))
     ((canonical, place),) = unit.worlds
     with _players(subject, limits, hash_seed) as players:
-        twice = PlayedTwice(engine, subject.name, players, alone=True)
+        twice = PlayedTwice(engine, subject.name, players)
         placed = {0: OneRun(0, place, canonical)}
-        ((_, outcome),) = twice.outcomes(unit, placed, given=script)
+        # What is wrong with another hash seed comes last.
+        *_, (_, outcome) = twice.outcomes(unit, placed, given=script)
     if isinstance(outcome, Outcome) and not subject.importable:
         record = record_of(rules, canonical, outcome.episode.transcript, outcome.choices)
         return replace(outcome, output=InProcessPlayers(subject).printed(record, rules.policy))
@@ -53,7 +53,7 @@ def examine_apart(
         setup = PlayerSetup.of(subject, limits, heard.path)
         if isinstance(outcome, Outcome):
             record = record_of(rules, canonical, outcome.episode.transcript, outcome.choices)
-            logs_of((record,), rules.policy, setup, (hash_seed or 0, 0))
+            logs_of((record,), rules.policy, setup, hash_seed)
         else:
             told = traced(Trace(rules, canonical, "one", script), setup, hash_seed)
             outcome = Outcome(
@@ -111,8 +111,8 @@ def _players(subject: Subject, limits: Limits, hash_seed: int | None) -> Iterato
         yield InProcessPlayers(subject)
         return
     order = Random(secrets.randbits(64))  # noqa: S311  # drawn from the system
-    tour = Tour() if hash_seed is None else Tour(hash_seed, alike=True, stays=True)
-    pair = PlayerPair(guardian(), PlayerSetup.of(subject, limits), order, tour=tour)
+    seeds = SEEDS if hash_seed is None else (hash_seed, hash_seed)
+    pair = PlayerPair(guardian(), PlayerSetup.of(subject, limits), order, seeds=seeds)
     try:
         yield pair
     finally:

@@ -11,10 +11,9 @@ from allworlds.engines.isolation.jobs import PlayerSetup, Trace
 from allworlds.engines.isolation.overheard import Overheard
 from allworlds.engines.python.comparison import difference_of, nondeterministic, side_by_side
 from allworlds.engines.python.examiner import LOST
-from allworlds.engines.python.hash_seeds import LAYOUTS
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.play import Record
-from allworlds.engines.python.tour import SEEDS
+from allworlds.engines.python.players import OTHER_SEED
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 from allworlds.judging import (
@@ -53,16 +52,14 @@ def played_again(
 def repeat(finding: Finding, setup: PlayerSetup) -> Finding:
     """The finding, and whether fresh processes repeat the run, from the recorded percepts alone.
 
-    A run that goes by its hash seed must be repeated on several layouts.  If a process does
-    something else, the explorer is nondeterministic; such a one is confirmed by plays that differ.
+    If a process does something else, the explorer is nondeterministic; such a one is confirmed by
+    plays that differ.
     """
     record, policy = _recorded(finding)
     if finding.law == "nondeterministic":
         return replace(finding, confirmed=_differs(finding, record, setup))
-    places = [(1, 0)]
-    if finding.hash_seed is not None:
-        places = [(finding.hash_seed, layout) for layout in range(1, LAYOUTS + 1)]
-    for logs in _plays(record, policy, setup, places):
+    seed = OTHER_SEED if finding.hash_seed is None else finding.hash_seed
+    for logs in _plays(record, policy, setup, [seed]):
         if logs is None:
             return replace(finding, confirmed=False)
         for log in logs:
@@ -90,13 +87,12 @@ def _unlike(finding: Finding, again: Log) -> Finding:
 
 
 def _differs(finding: Finding, record: Record, setup: PlayerSetup) -> bool:
-    """Whether plays of the record differ, with one hash seed, in one process or in several.
+    """Whether plays of the record differ, with one hash seed, in one process or in two.
 
-    The explorer may go by addresses, and by chance do the same in some processes.
+    The second has other addresses: a nursery forks it.
     """
     before: Log | None = None
-    places = [(0, layout) for layout in range(SEEDS)]
-    for logs in _plays(record, finding.rules.policy, setup, places):
+    for logs in _plays(record, finding.rules.policy, setup, [None, 0]):
         if logs is None:
             return False
         before = before or logs[0]
@@ -113,16 +109,16 @@ def _recorded(finding: Finding) -> tuple[Record, str]:
 
 
 def _plays(
-    record: Record, policy: str, setup: PlayerSetup, places: Sequence[tuple[int, int]]
+    record: Record, policy: str, setup: PlayerSetup, seeds: Sequence[int | None]
 ) -> Iterator[list[Log] | None]:
-    """Yield the logs of plays of a record, some in each place; None for a process that is lost.
+    """Yield the logs of plays of a record, some with each seed; None for a process that is lost.
 
     The prints of the first play alone are those of the run.
     """
-    yield logs_of((record,), policy, setup, places[0])
+    yield logs_of((record,), policy, setup, seeds[0])
     silent = replace(setup, output=os.devnull)
-    for place in places:
-        yield logs_of((record,) * REPEATED, policy, silent, place)
+    for seed in seeds:
+        yield logs_of((record,) * REPEATED, policy, silent, seed)
 
 
 def _same_walk(finding: Finding, log: Log) -> bool:

@@ -12,6 +12,7 @@ from allworlds.engines.isolation.one_player import PlayerLost, receive, start_pl
 from allworlds.engines.isolation.process import Process, guardian
 from allworlds.engines.python.examiner import name_run
 from allworlds.engines.python.play import Record
+from allworlds.engines.python.players import OTHER_SEED
 from allworlds.inputs import InputError
 from allworlds.judging import Log, Rules
 from allworlds.maps import Dart
@@ -55,11 +56,11 @@ def record_of(
 
 
 def logs_of(
-    records: tuple[Record, ...], policy: str, setup: PlayerSetup, place: tuple[int, int]
+    records: tuple[Record, ...], policy: str, setup: PlayerSetup, hash_seed: int | None
 ) -> list[Log] | None:
-    """The logs of records in a fresh process of that place; None if it is lost."""
+    """The logs of records in a fresh process with that seed; None if it is lost."""
     try:
-        with _fresh(setup, place, in_worlds=False) as player:
+        with _fresh(setup, hash_seed, in_worlds=False) as player:
             player.send(PlayRecords(records, policy, 0))
             message = receive(player, setup)
     except (InputError, PlayerLost):  # an explorer may not be importable any more
@@ -76,8 +77,8 @@ def traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
     settled = 0
     lost: PlayerLost | None = None
     try:
-        place = 1 if hash_seed is None else hash_seed, 0
-        with _fresh(setup, place, in_worlds=True) as player:
+        seed = OTHER_SEED if hash_seed is None else hash_seed
+        with _fresh(setup, seed, in_worlds=True) as player:
             player.send(job)
             while isinstance(message := receive(player, setup), TraceEvent):
                 match message.what:
@@ -100,8 +101,8 @@ def traced(job: Trace, setup: PlayerSetup, hash_seed: int | None) -> Traced:
 
 
 @contextmanager
-def _fresh(setup: PlayerSetup, place: tuple[int, int], *, in_worlds: bool) -> Iterator[Process]:
-    player, _ = start_player(guardian(), setup, *place, in_worlds=in_worlds)
+def _fresh(setup: PlayerSetup, hash_seed: int | None, *, in_worlds: bool) -> Iterator[Process]:
+    player, _ = start_player(guardian(), setup, hash_seed, in_worlds=in_worlds)
     try:
         yield player
     finally:

@@ -1,9 +1,9 @@
 """The process that starts all others, and that ends them when its owner is gone.
 
 The guardian holds imported modules only: no world, no user's code.  Its children are therefore
-clean, and start in milliseconds.  All of them share its address layout and its hash seed; so a
-player that is to have others is forked by a **nursery**: another guardian, which this one starts
-when it is asked for, in an interpreter of its own.
+clean, and start in milliseconds.  All of them share its addresses and its hash seed; so a player
+that is to have others is forked by a **nursery**: another guardian, which this one starts when it
+is asked for, in an interpreter of its own.
 
 The guardian is the reaper of its descendants: a process that an explorer leaves behind, in any
 session, becomes its child when its own parent is gone, and is killed.  When its owner ends, however
@@ -25,7 +25,6 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from importlib import import_module
-from pathlib import Path
 from selectors import EVENT_READ, DefaultSelector
 from typing import NoReturn
 
@@ -72,7 +71,10 @@ LOOK = 1.0
 MOST_REAPED = 64
 """The number of children that are looked at in one go: some may be stopped again and again."""
 
-_START = str(Path(__file__).with_name("layout.py"))
+_START = """import json, sys
+sys.path[:] = json.loads(sys.argv[1])
+from allworlds.engines.isolation.roles import guard
+guard(int(sys.argv[2]), sys.argv[3])"""
 """The script of a guardian."""
 
 
@@ -88,7 +90,7 @@ def launch(
     """
     ours, theirs = socket.socketpair()
     process = subprocess.Popen(  # noqa: S603  # our own module
-        [sys.executable, "-P", _START, json.dumps(path), str(theirs.fileno()), kind],
+        [sys.executable, "-P", "-c", _START, json.dumps(path), str(theirs.fileno()), kind],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         pass_fds=(theirs.fileno(),),
@@ -191,9 +193,6 @@ class _Guardian:
             nursery.returncode = 0  # it is reaped here
             self._known.add(nursery.pid)
             self._nurseries[request] = ours, nursery.pid
-            for prepared in self._prepared if request.alike else ():
-                # Its answer is not waited for: a request that comes later is served later.
-                send(ours, prepared, [])
         ours, pid = self._nurseries[request]
         theirs, way = socket.socketpair()
         with theirs, suppress(BrokenPipeError, ConnectionResetError):

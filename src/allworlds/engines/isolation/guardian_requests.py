@@ -56,17 +56,9 @@ class Prepare(Struct, frozen=True):
 
 
 class ReachNursery(Struct, frozen=True):
-    """Ask for a socket to a nursery; it is started if there is none.
-
-    Attributes:
-        seed: its hash seed.
-        copy: the number of a nursery with this seed; each has an address layout of its own.
-        alike: whether the nursery calls all functions at its start that were called here.
-    """
+    """Ask for a socket to the nursery with that hash seed; it is started if there is none."""
 
     seed: int
-    copy: int
-    alike: bool = False
 
 
 class ServeAnother(Struct, frozen=True):

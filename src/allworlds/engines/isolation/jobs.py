@@ -91,7 +91,6 @@ class PlayStretch(Struct, frozen=True):
         order: seed of the order in which they are played.
         policy: answers the explorer's choices.
         again: whether the runs are played against the recorded percepts there, not in worlds.
-        compiled: whether compiled code plays; then the explorer is a shared library, loaded there.
     """
 
     memory: str
@@ -100,7 +99,6 @@ class PlayStretch(Struct, frozen=True):
     order: int
     policy: str
     again: bool
-    compiled: bool = True
 
 
 class Trace(Struct, frozen=True):

@@ -18,12 +18,8 @@ def address_space() -> int:
     return 0
 
 
-def limit_memory(megabytes: int, besides: int = 0) -> None:
+def limit_memory(megabytes: int) -> None:
     """Bound the address space of this process.
-
-    Args:
-        megabytes: the bound.
-        besides: MB that do not count.
 
     Raises:
         InputError: if it is larger already; the limit would then act only on further growth.
@@ -31,7 +27,7 @@ def limit_memory(megabytes: int, besides: int = 0) -> None:
     import resource
 
     _, most = resource.getrlimit(resource.RLIMIT_AS)
-    size = min(megabytes + besides << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
+    size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
     # With such a limit the process would come to its end when its stack grows.
     too_small = size < address_space() << 20
     if not too_small:

@@ -49,28 +49,29 @@ class PlayerLost(Exception):
 def start_player(
     guardian: Guardian,
     setup: PlayerSetup,
-    hash_seed: int = 0,
-    copy: int = 0,
+    hash_seed: int | None = None,
     *,
-    in_worlds: bool = True,
+    in_worlds: bool = False,
 ) -> tuple[Process, ExplorerDescription]:
     """Start a player, and load its explorer.
 
     Args:
         guardian: of this process.
         setup: the explorer.
-        hash_seed: of the process, and of programs that it starts.
-        copy: the number of the process with that seed that forks it.
+        hash_seed: of the nursery that forks it, and of programs that it starts; None: the guardian
+            forks it, whose seed is 0.
         in_worlds: whether it is to play in worlds.
 
     Raises:
         InputError: if the explorer cannot be loaded.
     """
     # A program is started anew, with addresses of its own.
-    parent = guardian if is_program(setup.name) else guardian.nursery(hash_seed, copy)
-    if in_worlds and parent is not guardian:
-        parent.prepare(WORLDS, "load")
-    process = Process(parent, "player", setup, hash_seed)
+    parent = guardian
+    if hash_seed is not None and not is_program(setup.name):
+        parent = guardian.nursery(hash_seed)
+        if in_worlds:
+            parent.prepare(WORLDS, "load")
+    process = Process(parent, "player", setup, hash_seed or 0)
     try:
         return process, _description(process, setup)
     except BaseException:

@@ -21,7 +21,6 @@ from allworlds.engines.isolation.jobs import (
     PlayStretch,
     Trace,
 )
-from allworlds.engines.isolation.layout import run_deeper, scatter_memory, scatter_objects
 from allworlds.engines.isolation.memory_limit import address_space, limit_memory
 from allworlds.engines.isolation.messages import (
     ExplorerDescription,
@@ -33,7 +32,7 @@ from allworlds.engines.isolation.messages import (
     write_message,
 )
 from allworlds.engines.python.play import ExplorerRunner
-from allworlds.explorers import Shield, Subject, is_program, load
+from allworlds.explorers import Shield, Subject, load
 from allworlds.inputs import InputError
 from allworlds.protocol import limit_calls
 
@@ -72,28 +71,13 @@ class PlayerProcess:
     def run(self) -> None:
         """Serve until the owner hangs up."""
         setup: PlayerSetup = self._connection.recv()
-        before = address_space()
-        if is_program(setup.name):  # it is started with addresses of its own
-            self._load_and_serve(setup, before)
-            return
-        scatter_objects()
-        scatter_memory()
-        run_deeper(lambda: self._load_and_serve(setup, before))
-
-    def _load_and_serve(self, setup: PlayerSetup, before: int) -> None:
-        """Load the explorer, describe it, and do jobs.
-
-        Args:
-            setup: the explorer.
-            before: the MB that were in use before the layout was drawn.
-        """
         # A silent model is given up before it looks like a silent explorer.
         limit_calls(SHARE_OF_MODELS * setup.answer_timeout)
         if setup.output:
             _print_to(os.devnull)
         try:
             if setup.memory is not None:
-                limit_memory(setup.memory, address_space() - before)
+                limit_memory(setup.memory)
             subject = load(setup.name, setup.answer_timeout, setup.source)
             if subject.innermost.native is not None and setup.memory is None:
                 limit_memory(address_space() + NATIVE_MEMORY)
@@ -154,7 +138,7 @@ class PlayerProcess:
         from allworlds.engines.isolation.library_player import LibraryPlayer
 
         if self._stretches is None:
-            if subject.native is not None and job.compiled:
+            if subject.native is not None:
                 self._stretches = LibraryPlayer(subject.native, self._beat)
             else:
                 self._stretches = GeneratorPlayer(subject.player(), self._beat, self._intact)

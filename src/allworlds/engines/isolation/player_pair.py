@@ -31,9 +31,9 @@ from allworlds.engines.isolation.one_player import (
 )
 from allworlds.engines.isolation.process import NO_RUN, Guardian, Process, close_all
 from allworlds.engines.python.play import Record
+from allworlds.engines.python.players import SEEDS, Seeds
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.python.tour import BEHIND, Tour
 from allworlds.explorers import is_library, is_program
 from allworlds.judging import Fault, Log, LostRun
 
@@ -55,10 +55,9 @@ class PlayerPair(Struct):
         random: from which every order is drawn.
         alive: called while a player is waited for.
         remark: takes the text of an event that refutes nothing.
-        tour: the places of both.
+        seeds: the hash seeds of both; a library has none, and the guardian forks both its players.
         in_stretches: whether compiled code judges, so that runs are played in shared memory, those
-            of a library in compiled code, too.  Only the guardian has loaded compiled code, and in
-            the end one more process.
+            of a library in compiled code, too.  Only the guardian has loaded compiled code.
     """
 
     guardian: Guardian
@@ -66,11 +65,15 @@ class PlayerPair(Struct):
     random: Random
     alive: Callable[[], None] = lambda: None
     remark: Callable[[str], None] = lambda _: None
-    tour: Tour = field(default_factory=Tour)
+    seeds: Seeds = SEEDS
     in_stretches: bool = False
-    _processes: dict[str, Process] = field(default_factory=dict)
+    _processes: dict[tuple[str, int | None], Process] = field(default_factory=dict)
     _losses: int = 0
     _sent: PlayRecords = field(default_factory=lambda: PlayRecords((), "fifo", 0))
+
+    def __post_init__(self) -> None:
+        if is_library(self.setup.name):
+            self.seeds = None, None
 
     @property
     def answer_timeout(self) -> float:
@@ -78,19 +81,13 @@ class PlayerPair(Struct):
         return self.setup.answer_timeout
 
     def close(self) -> None:
-        """End both processes."""
+        """End all processes."""
         close_all(*self._processes.values())
         self._processes.clear()
 
     def restart(self) -> None:
         """Go on in fresh processes."""
         self.close()
-
-    def take_places(self, seed: int, turn: int, *, alike: bool) -> None:
-        """Go on in fresh processes; see the attributes of :class:`Tour`."""
-        self.close()
-        self.tour.seed, self.tour.turn, self.tour.alike = seed, turn, alike
-        self.tour.hold()
 
     def play_runs(
         self,
@@ -199,12 +196,9 @@ class PlayerPair(Struct):
 
     def play_stretch(self, which: str, job: PlayStretch) -> StretchResult | None:
         """Let a player, ``first`` or ``second``, play a stretch; return None if it was lost."""
-        if which == "second":
-            self._change_second(job.runs, may_visit=True)
         try:
             player = self._player(which)
-            home = self._has_compiled_code(*self._place(which))
-            player.send(replace(job, compiled=home))
+            player.send(job)
             message = receive(player, self.setup, self.alive)
         except (PlayerLost, HarnessError):
             self._end(which)
@@ -218,7 +212,6 @@ class PlayerPair(Struct):
         """Begin to play these once more."""
         self._sent = PlayRecords(tuple(records), policy, self.random.getrandbits(64))
         if records:
-            self._change_second(len(records))
             self._player("second").send(self._sent)
 
     def receive_logs(self) -> list[Log]:
@@ -278,42 +271,23 @@ class PlayerPair(Struct):
             )
 
     def _player(self, which: str) -> Process:
-        if which not in self._processes:
-            place, in_worlds = self._place(which), which == "first"
-            self._processes[which] = self._start(*place, in_worlds=in_worlds)
-        return self._processes[which]
+        key = which, self._seed(which)
+        if key not in self._processes:
+            self._processes[key] = self._start(which)
+        return self._processes[key]
 
-    def _place(self, which: str) -> tuple[int, int]:
-        """The hash seed of a player, and the number of the process with that seed that forks it."""
-        first, second = self.tour.places
+    def _seed(self, which: str) -> int | None:
+        first, second = self.seeds
         return first if which == "first" else second
 
-    @staticmethod
-    def _has_compiled_code(seed: int, copy: int) -> bool:
-        """Whether the process at a place has loaded compiled code, if any has."""
-        return seed == 0 and copy in (0, BEHIND)
-
-    def _start(self, seed: int, copy: int, *, in_worlds: bool) -> Process:
-        if self.in_stretches and not is_program(self.setup.name):
-            if not self._has_compiled_code(seed, copy):
-                self.guardian.nursery(seed, copy).prepare(GENERATORS, "load")
-            elif copy:
-                self.guardian.nursery(seed, copy, alike=True)
-        player, _ = start_player(self.guardian, self.setup, seed, copy, in_worlds=in_worlds)
+    def _start(self, which: str) -> Process:
+        seed = self._seed(which)
+        if self.in_stretches and seed is not None and not is_program(self.setup.name):
+            self.guardian.nursery(seed).prepare(GENERATORS, "load")
+        player, _ = start_player(self.guardian, self.setup, seed, in_worlds=which == "first")
         return player
 
-    def _change_second(self, plays: int, *, may_visit: bool = False) -> None:
-        """Count plays of the second player, and replace it if it is time for that."""
-        tour = self.tour
-        tour.at_home = self.in_stretches and is_library(self.setup.name)
-        place, changed = tour.places[1], tour.change(plays, may_visit=may_visit)
-        tour.count(plays)
-        if changed or tour.places[1] != place:
-            self._end("second")
-        if tour.upcoming is not None and not is_program(self.setup.name):
-            self.guardian.nursery(*tour.upcoming)
-
     def _end(self, which: str) -> None:
-        process = self._processes.pop(which, None)
+        process = self._processes.pop((which, self._seed(which)), None)
         if process is not None:
             process.close()

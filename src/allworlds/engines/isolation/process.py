@@ -89,7 +89,7 @@ class Guardian:
         sock.settimeout(ANSWERS)
         self._sock, self._pid, self._process = sock, pid, process
         self._turn = threading.Lock()
-        self._nurseries: dict[tuple[int, int], Guardian] = {}
+        self._nurseries: dict[int, Guardian] = {}
 
     def spawn(self, role: str, descriptors: list[int], hash_seed: int = 0) -> int:
         """The number of a new process that has copies of these descriptors.
@@ -120,24 +120,17 @@ class Guardian:
         """
         return self._ask(Prepare(module, function))[0]
 
-    def nursery(self, seed: int, copy: int = 0, *, alike: bool = False) -> Guardian:
-        """A guardian that forks processes with another hash seed and address layout.
+    def nursery(self, seed: int) -> Guardian:
+        """A guardian that forks processes with this hash seed, and addresses of their own.
 
-        It starts at the first call, which does not wait for it.  The first with seed 0 is this one.
-
-        Args:
-            seed: its hash seed.
-            copy: the number of a guardian with this seed.
-            alike: whether it loads at its start the modules that this one has been asked to load.
+        It starts at the first call, which does not wait for it.
         """
-        if (seed, copy) == (0, 0):
-            return self
-        if (seed, copy) not in self._nurseries:
-            pid, descriptors = self._ask(ReachNursery(seed, copy, alike))
+        if seed not in self._nurseries:
+            pid, descriptors = self._ask(ReachNursery(seed))
             assert pid is not None
             way = socket.socket(fileno=descriptors[0])
-            self._nurseries[seed, copy] = Guardian(way, pid)
-        return self._nurseries[seed, copy]
+            self._nurseries[seed] = Guardian(way, pid)
+        return self._nurseries[seed]
 
     def wake(self) -> None:
         """Let the process go on, if it was stopped."""

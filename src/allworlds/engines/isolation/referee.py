@@ -6,7 +6,6 @@ import traceback
 from collections.abc import MutableSequence
 from multiprocessing.connection import Connection
 from random import Random
-from typing import Any
 
 from allworlds.engines.isolation.failures import HarnessError, Unsettled
 from allworlds.engines.isolation.jobs import PlayerSetup
@@ -15,12 +14,7 @@ from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.process import Guardian
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.isolation.worker_engine import WorkerEngine
-from allworlds.engines.python.earlier_plays import SPARE, EarlierPlays
-from allworlds.engines.python.hash_seeds import GoesByHashes
-from allworlds.engines.python.other_seeds import WithOtherSeeds
-from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import EnginesDisagree, PartwiseEngine
-from allworlds.engines.python.second_play import PlayedTwice
 from allworlds.engines.transports.inline import with_last
 from allworlds.explorers import built_in
 from allworlds.inputs import InputError
@@ -48,7 +42,6 @@ class RefereeProcess:
                 self._connection.send(error)
                 return
         players = self._players(setup)
-        earlier = EarlierPlays[Any](spare=SPARE // setup.limits.workers)
         # One engine as long as the same is asked for: it learns how long runs take.
         bound: tuple[WorkerEngine, PartwiseEngine] | None = None
         try:
@@ -56,7 +49,7 @@ class RefereeProcess:
                 job: UnitJob = self._connection.recv()
                 self._alive()
                 if bound is None or bound[0] != job.engine:
-                    bound = job.engine, self._bind(job.engine, setup, players, earlier)
+                    bound = job.engine, self._bind(job.engine, setup, players)
                 self._do(bound[1], job)
                 self._beat[1] = 0
         except EOFError:
@@ -68,23 +61,13 @@ class RefereeProcess:
         return PlayerPair(self._guardian, each, order, self._alive, self._remarks.append)
 
     def _bind(
-        self,
-        engine: WorkerEngine,
-        setup: RefereeSetup,
-        players: PlayerPair,
-        earlier: EarlierPlays[Any],
+        self, engine: WorkerEngine, setup: RefereeSetup, players: PlayerPair
     ) -> PartwiseEngine:
         """The engine with its explorer: a built-in one is played here, a user's by players."""
         subject = setup.subject
         if not subject.from_user:
             return engine.for_built_in(built_in(subject.name), self._beat)
-        inside = engine.for_users(subject.name, players, earlier)
-        if not engine.scope.more_seeds:
-            return inside
-        players.take_places(0, 1, alike=True)
-        counter = PythonEngine(engine.scope, engine.keep)
-        plays = PlayedTwice(counter, subject.name, players)
-        return WithOtherSeeds(inside, plays, engine.tally)
+        return engine.for_users(subject.name, players)
 
     def _do(self, engine: PartwiseEngine, job: UnitJob) -> None:
         try:
@@ -94,7 +77,7 @@ class RefereeProcess:
                     result.remark(remark)
                 self._remarks.clear()
                 self._connection.send(UnitProgress(next_run, result, last))
-        except (InputError, Unsettled, EnginesDisagree, GoesByHashes) as error:
+        except (InputError, Unsettled, EnginesDisagree) as error:
             self._connection.send(error)
         except OSError:
             raise

@@ -6,7 +6,6 @@ from collections.abc import MutableSequence
 from typing import Any, Protocol
 
 from allworlds.engines.isolation.player_pair import PlayerPair
-from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.run_counter import PartwiseEngine
 from allworlds.engines.python.scope import Scope
 from allworlds.explorers import Subject
@@ -36,7 +35,5 @@ class WorkerEngine(Protocol):
             beat: see :func:`allworlds.judging.episode.play`.
         """
 
-    def for_users(
-        self, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
-    ) -> PartwiseEngine:
+    def for_users(self, explorer: str, players: PlayerPair) -> PartwiseEngine:
         """The engine with the user's explorer of that name, in these two processes."""

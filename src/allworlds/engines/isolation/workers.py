@@ -25,8 +25,6 @@ from allworlds.engines.isolation.process import (
 from allworlds.engines.isolation.process_tree import Stops
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.isolation.worker_engine import WorkerEngine
-from allworlds.engines.python.earlier_plays import EarlierPlays
-from allworlds.engines.python.hash_seeds import GoesByHashes
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import EnginesDisagree
@@ -93,7 +91,6 @@ class Workers(Struct):
             InputError: if the explorer cannot be loaded in a player.
             Unsettled: if processes are lost again and again.
             EnginesDisagree: if two engines disagree about a native explorer.
-            GoesByHashes: if it is not yet known that the explorer does.
         """
         # An explorer that counts its runs is not to know of which unit they are.
         order = in_any_order(units) if self.subject.from_user else units
@@ -141,7 +138,7 @@ class Workers(Struct):
             message = referee.receive()
         except EOFError:
             return self._replace(referee, engine, referee.death()[0])
-        if isinstance(message, Unsettled | EnginesDisagree | GoesByHashes):
+        if isinstance(message, Unsettled | EnginesDisagree):
             raise message
         assert isinstance(message, UnitProgress)
         task.start = message.next_run
@@ -185,10 +182,7 @@ class ThisProcess(Struct, frozen=True):
         bound = engine.for_built_in(subject)
         if subject.from_user:
             players = InProcessPlayers(subject)
-            bound, units = (
-                engine.for_users(subject.name, players, EarlierPlays()),
-                in_any_order(units),
-            )
+            bound, units = engine.for_users(subject.name, players), in_any_order(units)
         for unit in units:
             for (_, tally), last in with_last(bound.parts(unit)):
                 yield PartialResult(unit, tally, last)

@@ -25,9 +25,7 @@ from allworlds.engines.kernel.records import ASKED, JOB, READER, ROBOT, new
 from allworlds.engines.kernel.rows import Level, LevelBounds, Rows
 from allworlds.engines.kernel.stretch import (
     LOG_BYTES,
-    LONGEST_EARLIER,
     LONGEST_STRETCH,
-    MOST_EARLIER,
     ROWS,
     RUN_MOTIONS,
     RUN_NUMBER,
@@ -90,9 +88,7 @@ class UnitJudge:
         if self._job.number < batch.until:
             self.judge(batch, 0)
 
-    def judge(
-        self, batch: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
-    ) -> tuple[Rows, bool]:
+    def judge(self, batch: LaidOutRuns, size: int) -> tuple[Rows, bool]:
         """Judge the logs in the memory; return the rows, and whether all logs could be judged.
 
         The percepts for the second play are written to its memory.
@@ -100,7 +96,6 @@ class UnitJudge:
         Args:
             batch: the stretch.
             size: of the logs, in bytes.
-            earlier: runs that are played again among them.
         """
         reader, job, asked = self._reader, self._job, self._asked
         size = max(0, min(size, LOG_BYTES))
@@ -109,7 +104,7 @@ class UnitJudge:
         reader.logs, reader.size = kept.ctypes.data, size
         reader.begins, reader.ends = _BEGINS.ctypes.data, _ENDS.ctypes.data
         reader.percepts, reader.starts = _PERCEPTS.ctypes.data, _STARTS.ctypes.data
-        reader.room = LOG_BYTES - sum(len(each.percepts) for each in earlier)
+        reader.room = LOG_BYTES
         reader.noted = reader.run = reader.strange = 0
         job.until = batch.until
         asked.clear()
@@ -118,38 +113,25 @@ class UnitJudge:
         runs.examine(job, reader, *asked.arguments, _NEVER)
         _STARTS[count] = reader.noted
         self._heads[:, RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
-        begins, ends = (each[: count + len(earlier)] for each in (_BEGINS, _ENDS))
-        for row, play in enumerate(earlier, count):
-            begins[row], ends[row] = size, size + len(play.log)
-            kept[size : ends[row]] = play.log
-            size += len(play.log)
-        self._first = _Logs(self._heads, _PERCEPTS, _STARTS[: count + 1], kept[:size], begins, ends)
-        self._hand_over(earlier)
+        bounds = _BEGINS[:count], _ENDS[:count]
+        self._first = _Logs(self._heads, _STARTS[: count + 1], kept[:size], *bounds)
+        self._hand_over()
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
         return rows_of(asked, job, self._robot), good
 
-    def _hand_over(self, earlier: Sequence[ReplayableRun]) -> None:
-        """Hand the percepts of these and of earlier runs to the second player."""
+    def _hand_over(self) -> None:
+        """Hand the percepts of these runs to the second player."""
         records, first = self._records, self._first
         count = len(first.heads)
-        end = min(int(first.starts[count]), int(self._reader.room))
-        records.percepts[:end] = first.percepts[:end]
+        end = min(int(first.starts[count]), LOG_BYTES)
+        records.percepts[:end] = _PERCEPTS[:end]
         records.starts[:count] = first.starts[:count]
         records.heads[:count] = first.heads
-        for row, kept in enumerate(earlier, count):
-            length = len(kept.percepts)
-            records.percepts[end : end + length] = kept.percepts
-            records.starts[row], records.heads[row] = end, kept.head
-            end += length
         # Who plays again is not to know which runs these are.
-        records.heads[: count + len(earlier), RUN_NUMBER] = 0
+        records.heads[:count, RUN_NUMBER] = 0
 
     def differing(self, size: int) -> list[int]:
-        """The numbers of the logs whose second ones differ from them.
-
-        Those of the stretch, and behind them those of earlier runs, are numbered as they were
-        judged.
-        """
+        """The numbers of the logs whose second ones differ from them, as they were judged."""
         records, first = self._records, self._first
         count = len(first.begins)
         size = max(0, min(size, LOG_BYTES))
@@ -164,40 +146,25 @@ class UnitJudge:
         """The number of the run of a log in its unit."""
         return int(self._first.heads[row, RUN_NUMBER])
 
-    def kept(self, row: int) -> ReplayableRun:
-        """The data that are needed to play a run again."""
+    def log(self, row: int) -> bytes:
+        """A log."""
         first = self._first
-        start, end, begin = int(first.starts[row]), int(first.starts[row + 1]), first.begins[row]
-        log = first.logs[begin : first.ends[row]].copy()
-        return ReplayableRun(first.heads[row].copy(), first.percepts[start:end].copy(), log)
-
-
-class ReplayableRun(NamedTuple):
-    """A run that can be played again: its head, its percepts, and its log."""
-
-    head: Any
-    percepts: Any
-    log: Any
-
-    @property
-    def short(self) -> bool:
-        """Whether it has room among the runs of any stretch."""
-        return max(len(self.log), len(self.percepts)) <= LONGEST_EARLIER
+        log: bytes = first.logs[first.begins[row] : first.ends[row]].tobytes()
+        return log
 
 
 class _Logs(NamedTuple):
-    """A stretch as it was played first; the logs are followed by those of earlier runs."""
+    """A stretch as it was played first."""
 
     heads: Any
-    percepts: Any
     starts: Any
     logs: Any
     begins: Any
     ends: Any
 
 
-_FIRST_LOGS = zeros(LOG_BYTES + MOST_EARLIER * LONGEST_EARLIER + logs.SLACK, uint8)
-"""This process's copy of the logs of a stretch, and behind them those of earlier runs."""
+_FIRST_LOGS = zeros(LOG_BYTES + logs.SLACK, uint8)
+"""This process's copy of the logs of a stretch."""
 
 _SECOND_LOGS = zeros(LOG_BYTES, uint8)
 """This process's copy of the logs of the second play."""

@@ -30,18 +30,11 @@ WIDE = 5
 LONGEST_STRETCH = 2048
 """The largest number of runs in a stretch, but for those of its last world."""
 
-ROWS = LONGEST_STRETCH + 2 * MOST_PLACES
-"""Room for the runs of a stretch, of its last world, and for earlier ones."""
-
-MOST_EARLIER = 16
-"""The largest number of earlier runs that are played again among those of a stretch."""
+ROWS = LONGEST_STRETCH + MOST_PLACES
+"""Room for the runs of a stretch, and of its last world."""
 
 LOG_BYTES = 1 << 20
 """Room for the logs of a stretch, and as much for its percepts: 512 bytes a run."""
-
-LONGEST_EARLIER = LOG_BYTES // (4 * MOST_EARLIER)
-"""The largest number of bytes in the log of a run that is played again later: all of them together
-leave room for a stretch."""
 
 
 class Stretch:

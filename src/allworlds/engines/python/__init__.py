@@ -10,15 +10,10 @@
     the runs of a unit, and their counting in all engines;
 ``python_engine``
     all runs of a unit; **the** loop of the exhaustive check;
-``play``, ``world_runner``, ``players``, ``second_play``, ``earlier_plays``, ``comparison``,
-``in_process``
-    a user's explorer, which plays every run twice, earlier ones again, and the comparison of plays;
+``play``, ``world_runner``, ``players``, ``second_play``, ``comparison``, ``in_process``
+    a user's explorer, which plays every run twice, and the comparison of plays;
 ``prints``
     what the explorer prints in one run, escaped and limited;
-``tour``
-    hash seeds and address layouts of the players of both plays, in turn;
-``hash_seeds``, ``other_seeds``
-    explorers that go by hashes, noticed, and played with other hash seeds, too;
 ``tally``
     counts that can be added up in any order, and the smallest findings;
 ``costs``

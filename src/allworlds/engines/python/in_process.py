@@ -12,10 +12,10 @@ from itertools import islice
 from math import inf
 
 from allworlds.engines.python.play import ExplorerRunner, Record
+from allworlds.engines.python.players import Seeds
 from allworlds.engines.python.prints import Prints, Silence, printing_to
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.python.tour import Tour
 from allworlds.engines.python.world_runner import WorldRunner
 from allworlds.explorers import Subject
 from allworlds.judging import Log
@@ -29,7 +29,7 @@ class InProcessPlayers:
     """Players in this process, each with its own order; a silent explorer cannot be stopped."""
 
     subject: Subject
-    tour: Tour = field(default_factory=lambda: Tour(None, alike=True, stays=True))
+    seeds: Seeds = (None, None)
     _runner: ExplorerRunner = field(init=False)
     _in_worlds: WorldRunner = field(init=False)
     _logs: list[Log] = field(default_factory=list)
@@ -79,6 +79,3 @@ class InProcessPlayers:
 
     def restart(self) -> None:
         """Go on in this process, which cannot be replaced."""
-
-    def take_places(self, seed: int, turn: int, *, alike: bool) -> None:
-        """Go on in this process, which keeps its hash seed."""

@@ -3,21 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 from msgspec import Struct
 
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
-from allworlds.engines.python.tour import Tour
 from allworlds.judging import Log, LostRun
 from allworlds.protocol import are_due, next_script
 from allworlds.world import World
 
+Seeds: TypeAlias = tuple[int | None, int | None]
+"""The hash seeds of the first and of the second player, each of which a nursery with that seed
+forks; None: the guardian forks it, whose seed is 0."""
+
+OTHER_SEED = 1
+"""The hash seed of second players."""
+
+SEEDS: Seeds = (None, OTHER_SEED)
+"""The hash seeds in a check."""
+
+GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
+"""The remark on an explorer whose plays with one seed are always the same."""
+
 
 class Players(Protocol):
-    """The two players of an explorer: in this process, or in others that may be lost."""
+    """The two players of an explorer: in this process, or in others that may be lost.
+
+    Attributes:
+        seeds: the hash seeds of both; other ones are those of other processes.
+    """
+
+    seeds: Seeds
 
     def play_runs(
         self,
@@ -43,13 +61,6 @@ class Players(Protocol):
 
     def restart(self) -> None:
         """Go on in fresh processes."""
-
-    @property
-    def tour(self) -> Tour:
-        """The hash seeds of both."""
-
-    def take_places(self, seed: int, turn: int, *, alike: bool) -> None:
-        """Go on in fresh processes; see the attributes of :class:`Tour`."""
 
 
 class OneRun(Struct, frozen=True):

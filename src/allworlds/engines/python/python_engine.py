@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, MutableSequence
-from typing import Any
 
 from msgspec import Struct
 
-from allworlds.engines.python.earlier_plays import EarlierPlays
 from allworlds.engines.python.examiner import Examiner, name_run
 from allworlds.engines.python.players import Players
 from allworlds.engines.python.run_counter import REPORT_EVERY, PartwiseEngine, RunCounter
@@ -32,17 +30,9 @@ class PythonEngine(RunCounter, frozen=True):
         """
         return BoundPythonEngine(self, subject, beat)
 
-    def for_users(
-        self, explorer: str, players: Players, earlier: EarlierPlays[Any]
-    ) -> PartwiseEngine:
-        """The engine with the user's explorer of that name, which plays every run twice.
-
-        Args:
-            explorer: its name.
-            players: its players.
-            earlier: plays of other units, which are played again.
-        """
-        return PlayedTwice(self, explorer, players, earlier)
+    def for_users(self, explorer: str, players: Players) -> PartwiseEngine:
+        """The engine with the user's explorer of that name, which plays every run twice."""
+        return PlayedTwice(self, explorer, players)
 
 
 class BoundPythonEngine(Struct, frozen=True):

@@ -79,15 +79,12 @@ class Scope(Struct, frozen=True):
         rules: the rules by which each run is played and judged.
         schedules: ``one`` (the policy's) or ``all`` (every sequence of choices).
         coverage: the part of these worlds that is tried.
-        more_seeds: whether the explorer is known to go by hashes, and so is tried with more than
-            one hash seed.
     """
 
     extent: Extent
     rules: Rules
     schedules: Schedule = "one"
     coverage: Coverage = WHOLE
-    more_seeds: bool = False
 
     @property
     def whole(self) -> bool:

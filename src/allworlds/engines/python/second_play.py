@@ -3,17 +3,16 @@
 The second play is not in the order of the first, and, where the explorer can be played in other
 processes, not in the process of the first nor in one that holds any world.  An explorer that
 keeps a memory from one run to the next, or reads more than its percepts, plays differently the
-second time.  The orders are drawn anew for each check, and among the second plays are
-some of worlds that came long before, so that only its percepts tell an explorer which world it
-is in.
+second time.  The orders are drawn anew for each check.
 
 A player's messages are believed of its runs alone.  The referee knows by itself which runs and
 which choices are due, and that none is left out; the second play gets the choices that were due,
 and not those that the first play reported.
 
 Where the second player has another hash seed than the first, plays that differ are repeated with
-either seed (:mod:`allworlds.engines.python.hash_seeds`).  If that explains the difference, the
-explorer goes by hashes, and is right if it is right with each seed.
+each seed in a fresh process.  If each gives the same plays again, the seeds explain the difference:
+Python allows an explorer to go by the order of a set of strings.  It is right if it is right with
+each seed, so runs whose plays differ are also played in their worlds with the other one.
 
 A failure that the machine may have caused is tried once more in fresh processes before it is
 believed: a run that has killed its process, or that crashed, or was silent, in one of its plays
@@ -48,33 +47,29 @@ from allworlds.engines.python.comparison import (
     nondeterministic,
     overruled,
 )
-from allworlds.engines.python.earlier_plays import BEGINNING, FEW, EarlierPlays
 from allworlds.engines.python.examiner import Outcome, Referee, name_run
-from allworlds.engines.python.hash_seeds import (
-    GOES_BY_HASHES,
-    GoesByHashes,
-    SeededPlays,
-    seeds_explain,
-)
 from allworlds.engines.python.play import Record
-from allworlds.engines.python.players import OneRun, Players, ScriptTracker, placed_run
+from allworlds.engines.python.players import (
+    GOES_BY_HASHES,
+    OTHER_SEED,
+    OneRun,
+    Players,
+    ScriptTracker,
+    placed_run,
+)
 from allworlds.engines.python.run_counter import REPORT_EVERY, RunCounter
-from allworlds.engines.python.runs_of_unit import GivenWorlds, NumberedRun, UnitOfRuns
+from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
 from allworlds.engines.python.tally import Tally
-from allworlds.explorers import is_library
 from allworlds.judging import Episode, Fault, Finding, Log, LostRun, Over, retold
 from allworlds.protocol import DEFAULT_POLICY
 from allworlds.world import IllegalAction
 
-MANY = 1024
-"""The greatest number of runs among which the order is drawn."""
+FEW, MANY = 16, 1024
+"""The least and the greatest number of runs among which the order is drawn."""
 
-ENOUGH = 32
-"""The number of second plays that catches an explorer which goes by their number."""
-
-PLAYS = 3
-"""The largest number of plays of a run, on the average; those that are repeated where something
-was wrong are not counted."""
+ENOUGH = 8
+"""The number of plays that do not agree by chance: a few runs are played more than once, at the
+beginning of a check, and to tell whether seeds explain a difference."""
 
 MOST_WAITED, WAITS = 60.0, 2
 """The seconds after which silent runs have taken too long, and how often each is waited for; the
@@ -98,28 +93,12 @@ class _Play(NamedTuple):
     fits: bool
 
 
-class _Due(NamedTuple):
-    """Plays that have been sent to the second player.
-
-    ``plays``: their number; ``order``: of their plays, by index; ``earlier``: those behind them.
-    """
-
-    plays: int
-    order: list[int]
-    earlier: list[_Play]
-
-
 class _Unlike(NamedTuple):
-    """A first play with hash seed 0, a second one that differs, and the second one's hash seed.
-
-    ``belated``: whether the first play has been counted before.
-    """
+    """A first play with hash seed 0, its outcome, and a second play that differs."""
 
     play: _Play
-    second: Log
-    seed: int
     outcome: Outcome
-    belated: bool = False
+    second: Log
 
 
 @dataclass(slots=True)
@@ -130,23 +109,18 @@ class PlayedTwice:
         engine: the scope, with its rules.
         explorer: its name.
         players: its players.
-        earlier: plays that are played again among later ones.
-        alone: whether there is this one run alone; else an explorer that goes by hashes raises
-            :class:`GoesByHashes`.
         given_up: why too much is silent to go on; empty where it is not.
+        goes_by_hashes: whether seeds explain that plays differ; None: none has differed yet.
     """
 
     engine: RunCounter
     explorer: str
     players: Players
-    earlier: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
-    alone: bool = False
-    _belated: list[tuple[OneRun, Outcome | LostRun]] = field(default_factory=list)
     given_up: str = field(default="", init=False)
+    goes_by_hashes: bool | None = field(default=None, init=False)
     _silences: int = 0
     _window: int = FEW
-    _again: int = 0
-    _seeds_explain: bool = True
+    _repeated: int = ENOUGH
     _referee: Referee = field(init=False)
 
     def __post_init__(self) -> None:
@@ -187,7 +161,7 @@ class PlayedTwice:
             return tally.wants(one.world.map.edge_count, one.world.map.vertex_count)
 
         for one, outcome in self.outcomes(unit, placed, matters, tally.remark):
-            if isinstance(outcome, Outcome):
+            if isinstance(outcome, Outcome) and not outcome.hash_seed:
                 self.engine.count_outcome(self._referee, one.world, one.place, outcome, tally)
                 best[one.number] = min(outcome.cost, best.get(one.number, outcome.cost))
             elif matters(one):
@@ -197,10 +171,6 @@ class PlayedTwice:
                 break
         for number, cost in best.items():
             self.engine.count_best(placed[number].world, cost, tally)
-        for one, outcome in self._belated:
-            if matters(one):
-                tally.find(self.finding(one, outcome))
-        self._belated.clear()
         return tally
 
     def outcomes(
@@ -212,6 +182,8 @@ class PlayedTwice:
         given: tuple[int, ...] | None = None,
     ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
         """The outcomes of these runs of a unit, in any order.
+
+        Those that are wrong with another hash seed alone come besides, and last.
 
         Args:
             unit: the unit.
@@ -232,27 +204,24 @@ class PlayedTwice:
                     yield placed[number], log.ending
                 else:
                     whole.append(self._play(placed[number], log, script, fits))
-            due = self._send(whole)
+            due = [play.record for play in whole] * self._rounds(whole)
+            self.players.send_records(due, self._policy)
             # Judged while they are played once more.
             outcomes = [
                 self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 for play in whole
             ]
-            seconds = self._receive(due, unlike)
-            seed = self.players.tour.turn
-            for play, outcome, again in zip(whole, outcomes, seconds, strict=True):
-                second = differing_or_first(play.log, again)
+            again = self.players.receive_logs()
+            for place, (play, outcome) in enumerate(zip(whole, outcomes, strict=True)):
+                second = differing_or_first(play.log, again[place :: len(whole)])
                 if not play.fits:
                     yield play.one, replace(outcome, violation=nondeterministic(OTHER_CHOICES))
                 elif may_be_the_machine(play.log, second) and matters(play.one):
                     doubtful.append(play)
                 elif self._may_go_by_seed and difference_of(play.log, second):
-                    unlike.append(_Unlike(play, second, seed, outcome))
+                    unlike.append(_Unlike(play, outcome, second))
                 else:
-                    settled = overruled(outcome, play.log, second)
-                    if settled.violation is None:
-                        self.earlier.keep(play)
-                    yield play.one, self._seeded(settled)
+                    yield play.one, self._seeded(overruled(outcome, play.log, second))
             if self._waited_enough():
                 break
         else:
@@ -260,29 +229,65 @@ class PlayedTwice:
         # The players are at rest: now they may be ended.
         yield from self._settle(unit, doubtful, remark)
         if unlike:
-            yield from self._by_seed(unlike, remark)
+            yield from self._by_seed(unit, unlike, remark, given)
 
-    def _send(self, plays: list[_Play]) -> _Due:
-        """Send these plays to the second player, some of them more than once, and earlier ones."""
-        self.earlier.spare += (PLAYS - 2) * len(plays)
-        earlier = self.earlier.draw_for(len(plays))
-        # A run that ended in a fault is played again once: a silence is not waited out often.
-        lively = [i for i, play in enumerate(plays) if not isinstance(play.log.ending, Fault)]
-        rounds = self._rounds(len(lively), len(earlier))
-        self.earlier.spare -= len(earlier) + (rounds - 1) * len(lively)
-        order = [*range(len(plays)), *lively * (rounds - 1)]
-        due = [*(plays[i] for i in order), *earlier]
-        self.players.send_records([play.record for play in due], self._policy)
-        return _Due(len(plays), order, earlier)
+    def _rounds(self, plays: Sequence[_Play]) -> int:
+        """How often each of these is played again; once if one is silent, which takes long."""
+        if not plays or any(isinstance(play.log.ending, Fault) for play in plays):
+            return 1
+        rounds = max(1, self._repeated // len(plays))
+        self._repeated -= rounds * len(plays)
+        return rounds
 
-    def _receive(self, due: _Due, unlike: list[_Unlike]) -> list[list[Log]]:
-        """The logs of each play that was sent; earlier plays that differ now are noted."""
-        logs = self.players.receive_logs()
-        self._look_back(due.earlier, logs[len(due.order) :], unlike)
-        seconds: list[list[Log]] = [[] for _ in range(due.plays)]
-        for i, log in zip(due.order, logs, strict=False):
-            seconds[i].append(log)
-        return seconds
+    def _seeds_explain(self, unlike: list[_Unlike]) -> bool:
+        """Whether each seed gives the same plays as before, in fresh processes."""
+        usual, plays = self.players.seeds, unlike * -(-ENOUGH // len(unlike))
+        records = [each.play.record for each in plays]
+
+        def repeats(seed: int, before: Iterable[Log]) -> bool:
+            self.players.seeds = seed, seed
+            self.players.send_records(records, self._policy)
+            return not any(map(difference_of, before, self.players.receive_logs()))
+
+        self.players.restart()
+        explained = repeats(0, [each.play.log for each in plays])
+        explained = explained and repeats(OTHER_SEED, [each.second for each in plays])
+        self.players.restart()
+        self.players.seeds = usual
+        return explained
+
+    def _by_seed(
+        self,
+        unit: UnitOfRuns,
+        unlike: list[_Unlike],
+        remark: Callable[[str], None],
+        given: tuple[int, ...] | None,
+    ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
+        """The outcomes of runs whose two plays differ, where the players had different seeds.
+
+        If the seeds explain it, these are those with seed 0, and all wrong ones with the other.
+        """
+        if self.goes_by_hashes is None:
+            self.goes_by_hashes = self._seeds_explain(unlike)
+        if not self.goes_by_hashes:
+            for each in unlike:
+                yield each.play.one, overruled(each.outcome, each.play.log, each.second)
+            return
+        remark(GOES_BY_HASHES)
+        for each in unlike:
+            wrong = each.outcome.violation is not None
+            yield each.play.one, replace(each.outcome, hash_seed=0) if wrong else each.outcome
+        runs = sorted((each.play.one for each in unlike), key=lambda one: one.number)
+        placed = {one.number: one for one in runs}
+        usual, self.players.seeds = self.players.seeds, (OTHER_SEED, OTHER_SEED)
+        try:
+            for one, outcome in self.outcomes(unit, placed, remark=remark, given=given):
+                if isinstance(outcome, LostRun):
+                    yield one, outcome
+                elif outcome.violation is not None:
+                    yield one, replace(outcome, hash_seed=OTHER_SEED)
+        finally:
+            self.players.seeds = usual
 
     def _waited_enough(self) -> bool:
         """Give the unit up if silences have taken too long; return whether they have."""
@@ -331,48 +336,7 @@ class PlayedTwice:
         if isinstance(outcome, Outcome):
             return self._referee.finding(one.world, one.place, outcome)
         lost = self._referee.lost(one.world, one.place, outcome)
-        return replace(lost, hash_seed=self.players.tour.hash_seed)
-
-    def _by_seed(
-        self, unlike: list[_Unlike], remark: Callable[[str], None]
-    ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
-        """The outcomes of runs whose two plays differ, where the players had different seeds.
-
-        Raises:
-            GoesByHashes: if the seeds explain it, and there are more runs than this one.
-        """
-        seed = unlike[0].seed
-        known = [
-            SeededPlays(one.play.record, one.play.log, one.second)
-            for one in unlike
-            if one.seed == seed
-        ]
-        self._seeds_explain = seeds_explain(self.players, seed, known, self._policy)
-        if self._seeds_explain and not self.alone:
-            raise GoesByHashes(self.explorer)
-        self.players.take_places(0, seed, alike=False)
-        for each in unlike:
-            settled: Outcome | LostRun
-            if not self._seeds_explain:
-                settled = overruled(each.outcome, each.play.log, each.second)
-            elif each.outcome.violation is not None:
-                settled = replace(each.outcome, hash_seed=0)
-            else:
-                settled = self._with_seed(each, remark)
-            if not each.belated:
-                yield each.play.one, settled
-            elif isinstance(settled, LostRun) or settled.violation is not None:
-                self._belated.append((each.play.one, settled))
-
-    def _with_seed(self, unlike: _Unlike, remark: Callable[[str], None]) -> Outcome | LostRun:
-        """The outcome of a run with the other seed if it is wrong, or else that with seed 0."""
-        remark(GOES_BY_HASHES)
-        self.players.take_places(unlike.seed, 1, alike=True)
-        unit, one = _by_itself(unlike.play.one)
-        given = self._script(unlike.play)
-        ((_, outcome),) = self.outcomes(unit, {one.number: one}, remark=remark, given=given)
-        wrong = isinstance(outcome, LostRun) or outcome.violation
-        return outcome if wrong else unlike.outcome
+        return replace(lost, hash_seed=self._hash_seed)
 
     def _script(self, play: _Play) -> tuple[int, ...]:
         """The script of a play: all of its choices if every schedule is due, else the given ones.
@@ -382,17 +346,23 @@ class PlayedTwice:
         return play.log.choices if self._every else play.record.choices
 
     @property
+    def _hash_seed(self) -> int | None:
+        """The seed of both players, if they have one; else None."""
+        first, second = self.players.seeds
+        return first if first == second else None
+
+    @property
     def _may_go_by_seed(self) -> bool:
-        """Whether a difference of two plays may be one of their hash seeds: C has none."""
-        differ = self.players.tour.differ and not is_library(self.explorer)
-        return differ and self._seeds_explain
+        """Whether a difference of two plays may be one of their hash seeds."""
+        first, second = self.players.seeds
+        return first != second and self.goes_by_hashes is not False
 
     def _seeded(self, outcome: Outcome) -> Outcome:
         """The outcome with the hash seed, if it makes a difference."""
         broken = outcome.violation
         if broken is None or broken.law == "nondeterministic":
             return outcome
-        return replace(outcome, hash_seed=self.players.tour.hash_seed)
+        return replace(outcome, hash_seed=self._hash_seed)
 
     @property
     def _every(self) -> bool:
@@ -402,28 +372,6 @@ class PlayedTwice:
     def _policy(self) -> str:
         """The policy that answers the choices that no script answers."""
         return DEFAULT_POLICY if self._every else self.engine.scope.rules.policy
-
-    def _look_back(self, plays: list[_Play], again: list[Log], unlike: list[_Unlike]) -> None:
-        """Note the earlier plays that differ now, unless the machine may be the cause."""
-        for play, log in zip(plays, again, strict=True):
-            if difference_of(play.log, log) and not may_be_the_machine(play.log, log):
-                outcome = self._referee.outcome(play.one.world, play.episode, play.log.choices)
-                if self._may_go_by_seed:
-                    seed = self.players.tour.turn
-                    unlike.append(_Unlike(play, log, seed, outcome, belated=True))
-                else:
-                    self._belated.append((play.one, overruled(outcome, play.log, log)))
-
-    def _rounds(self, records: int, others: int) -> int:
-        """The number of plays of these records: a few may agree by chance in one order."""
-        if not records:
-            return 1
-        wanted = max(ENOUGH - self._again - others, FEW if self._again < BEGINNING else 1)
-        # Half of what may be played is left for later.
-        spare = max(0, self.earlier.spare - others) // 2
-        rounds = min(-(-wanted // records), 1 + spare // records)
-        self._again += rounds * records
-        return rounds
 
     def _play(self, one: OneRun, log: Log, script: tuple[int, ...], fits: bool = True) -> _Play:
         rules, world = self.engine.scope.rules, one.world
@@ -469,8 +417,3 @@ def _law_of(outcome: Outcome | LostRun) -> str:
     if isinstance(outcome, LostRun):
         return outcome.law
     return outcome.violation.law if outcome.violation else ""
-
-
-def _by_itself(one: OneRun) -> tuple[UnitOfRuns, OneRun]:
-    """A unit of that run alone, and the run in it."""
-    return GivenWorlds(((one.world, one.place),)), replace(one, number=0)

@@ -136,14 +136,6 @@ class Database:
         row = self._sealed(name, in_order(value))
         self._connection.execute("INSERT OR REPLACE INTO meta VALUES (?, ?, ?)", row)
 
-    def forget(self) -> None:
-        """Remove all units.
-
-        Raises:
-            sqlite3.OperationalError: if it cannot be written.
-        """
-        self._connection.execute("DELETE FROM units")
-
     def begin_session(self, now: float) -> None:
         """Note the time at which a process begins to add to it."""
         with saying_where(self.path):

@@ -53,9 +53,6 @@ class Records(Protocol):
     def note(self, name: str, value: Any) -> None:
         """Note a JSON value under a name."""
 
-    def forget(self) -> None:
-        """Drop all units, which are to be done in another way."""
-
 
 class NoRecords(Records):
     """Records that keep no units."""
@@ -74,10 +71,6 @@ class NoRecords(Records):
 
     @override
     def note(self, name: str, value: Any) -> None:
-        pass
-
-    @override
-    def forget(self) -> None:
         pass
 
 
@@ -118,11 +111,6 @@ class RunDirectory(Records):
     @override
     def note(self, name: str, value: Any) -> None:
         self._write(lambda: self.database.note(name, value))
-
-    @override
-    def forget(self) -> None:
-        self.found = frozenset()
-        self._write(self.database.forget)
 
     def _write(self, write: Callable[[], None]) -> None:
         if self._full:
@@ -185,10 +173,6 @@ class Merged(Records):
 
     @override
     def note(self, name: str, value: Any) -> None:
-        pass
-
-    @override
-    def forget(self) -> None:
         pass
 
     def _unfinished(self) -> str:

@@ -29,7 +29,6 @@ from allworlds.engines import (
 )
 from allworlds.explorers import Subject
 from allworlds.inputs import InputError, a_path, answers, show
-from allworlds.judging import Finding
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, Verdict
 from allworlds.studies.check.confirmation import UNREPEATED
 from allworlds.studies.check.gate import GateCell, count_gate, missing_witnesses
@@ -136,7 +135,6 @@ class CheckSweep(TallySweep[CheckReport]):
         self._engine = engine
         named = request.corpus
         self._corpus = None if named is None else UserCorpus(a_path("corpus", named))
-        self._past: list[Finding] = []
         self._tally = self.empty()
         self._levels: list[int] = []
         self._gate: list[GateCell] = []
@@ -158,7 +156,7 @@ class CheckSweep(TallySweep[CheckReport]):
 
     @override
     def ready(self) -> ReadyEngine:
-        return self._engine.ready(self.seeded)
+        return self._engine.ready(self.job)
 
     @override
     def begin(self) -> Ending | None:
@@ -170,8 +168,8 @@ class CheckSweep(TallySweep[CheckReport]):
                 said = f"this will take about {duration(seconds)}: a guess from a sample"
                 self.listener.notice(said)
         if corpus is not None:
-            self._past = corpus.retry(job.subject, job.limits, self.scope)[: job.keep]
-            self._tally.findings = [*self._past]
+            past = corpus.retry(job.subject, job.limits, self.scope)
+            self._tally.findings = past[: job.keep]
             if len(self._tally.findings) >= job.keep:
                 return Stopped("past findings stand")
         return None
@@ -193,13 +191,6 @@ class CheckSweep(TallySweep[CheckReport]):
         if (found := len(self._tally.findings)) >= self.job.keep:
             return Stopped(f"{found} findings in finished levels", final=True)
         return None
-
-    @override
-    def forget(self) -> None:
-        past, self._tally = self._past, self.empty()
-        self._tally.findings = [*past]
-        self._levels.clear()
-        self._gate.clear()
 
     @override
     def leave(self, level: SweptLevel, total: Tally) -> None:

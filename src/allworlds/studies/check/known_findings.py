@@ -15,7 +15,6 @@ from allworlds.engines import (
     PythonEngine,
     Scope,
     confirmed,
-    with_more_seeds_if_needed,
     workers_for,
 )
 from allworlds.explorers import Subject
@@ -126,12 +125,9 @@ def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None
     extent = Extent(MapClass.MAPS, finding.world.map.edge_count)
     scope = Scope(extent, finding.rules, "all" if every else "one")
 
-    def found_in(scope: Scope) -> Finding | None:
-        with workers_for(subject, limits, limits.deadline()) as workers:
-            world = GivenWorlds(((finding.world, finding.place),))
-            for part in workers.map(PythonEngine(scope, keep=1), [world]):
-                for found in part.result.findings:
-                    return confirmed(found, subject, limits, scope.schedules)
-        return None
-
-    return with_more_seeds_if_needed(found_in, scope)
+    with workers_for(subject, limits, limits.deadline()) as workers:
+        world = GivenWorlds(((finding.world, finding.place),))
+        for part in workers.map(PythonEngine(scope, keep=1), [world]):
+            for found in part.result.findings:
+                return confirmed(found, subject, limits, scope.schedules)
+    return None

@@ -7,7 +7,6 @@ from typing import Any, TypeVar
 
 from typing_extensions import override
 
-from allworlds.document import replace
 from allworlds.engines import Job, Scope, Sweep, SweptLevel, Tally, from_kept
 from allworlds.explorers import Subject
 from allworlds.maps import Extent
@@ -51,12 +50,6 @@ class TallySweep(Sweep[Tally, Answer]):
     @override
     def explorer(self) -> dict[str, Any]:
         return record_of(self.job.subject)
-
-    @property
-    def seeded(self) -> Job:
-        """The job, with more hash seeds if that is needed."""
-        scope = replace(self.scope, more_seeds=self.more_seeds)
-        return replace(self.job, scope=scope)
 
     @override
     def levels(self) -> Iterable[SweptLevel]:

@@ -27,7 +27,6 @@ from allworlds.engines import (
     EngineName,
     EnginesDisagree,
     Given,
-    GoesByHashes,
     Job,
     LevelRuns,
     TimeIsUp,
@@ -158,8 +157,6 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
                 sampled, ended = sampled + part.result.worlds, now
                 if now > began + SECONDS:
                     break
-    except GoesByHashes:
-        return estimated(replace(job, scope=replace(job.scope, more_seeds=True)), engine)
     except (TimeIsUp, EnginesDisagree, ClusterLost, Unsettled):
         pass  # the check itself will say so
     rate = sampled / (ended - began) if ended > began and sampled else None

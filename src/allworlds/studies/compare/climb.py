@@ -182,12 +182,6 @@ class GrowingWorlds(Contest[Growth]):
         return size.number
 
     @override
-    def forget(self) -> None:
-        super().forget()
-        self._rows.clear()
-        self._left_out = 0
-
-    @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> None:
         self._rows += self._rows_of(level.of, total)
         for one in self.contestants:

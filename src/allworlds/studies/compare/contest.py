@@ -199,14 +199,6 @@ class SameWorlds(Contest[Comparison]):
         return tuple((World(self._map, lighthouse, 0), place) for place, lighthouse in places)
 
     @override
-    def forget(self) -> None:
-        super().forget()
-        self._rows.clear()
-        self._gate.clear()
-        self._in_worlds.clear()
-        self._most = None
-
-    @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:
         if self._map is None and self.portion == WHOLE:
             self._gate += count_gate(self.bounds, level.edges, total.one(0))

@@ -128,19 +128,13 @@ class Contest(Sweep[CostsOfAll, Answer]):
     @override
     def ready(self) -> ReadyEngine:
         limits, cluster, notice = self.request.limits, self.request.cluster, self.listener.notice
-        scopes = [
-            replace(one.scope(self.bounds), more_seeds=self.more_seeds) for one in self.contestants
-        ]
+        scopes = [one.scope(self.bounds) for one in self.contestants]
         jobs = [
             Job(scope, one.subject, limits, 1, self.deadline, notice, cluster)
             for one, scope in zip(self.contestants, scopes, strict=True)
         ]
         engines = [CostEngine(scope, 1) for scope in scopes]
         return ReadyEngine(SideBySide([players_for(job) for job in jobs]), engines)
-
-    @override
-    def forget(self) -> None:
-        self._found.clear()
 
     @override
     def empty(self) -> CostsOfAll:

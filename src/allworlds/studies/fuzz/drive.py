@@ -122,12 +122,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def ready(self) -> ReadyEngine:
-        job = self.seeded
-        return ReadyEngine(players_for(job), PythonEngine(job.scope, job.keep))
-
-    @override
-    def forget(self) -> None:
-        self._tally = self.empty()
+        return ReadyEngine(players_for(self.job), PythonEngine(self.scope, self.job.keep))
 
     @override
     def finish(self, level: SweptLevel, total: Tally) -> None:
@@ -151,7 +146,7 @@ class FuzzSweep(TallySweep[CheckReport]):
     def _shrunk(self, found: Finding) -> Finding:
         job = self.job
         with workers_for(job.subject, job.limits, self.deadline) as workers:
-            return smallest_from(found, workers, self.seeded.scope)
+            return smallest_from(found, workers, self.scope)
 
     @override
     def report(self, ending: Ending) -> CheckReport:

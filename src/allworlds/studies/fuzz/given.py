@@ -12,7 +12,6 @@ from allworlds.engines import (
     confirmed,
     gather,
     subject_of,
-    with_more_seeds_if_needed,
     workers_for,
 )
 from allworlds.judging import Finding
@@ -49,17 +48,13 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
     given = [*_rooted(met, scope)]
     if not given:
         return None
-
-    def smallest_in(scope: Scope) -> Finding | None:
-        tally = Tally(keep=1)
-        with workers_for(subject, limits, limits.deadline()) as workers:
-            gather(workers, PythonEngine(scope, tally.keep), in_chunks(given), tally, Silent())
-            for found in tally.findings:
-                smallest = smallest_from(found, workers, scope)
-                return confirmed(smallest, subject, limits, scope.schedules)
-        return None
-
-    return with_more_seeds_if_needed(smallest_in, scope)
+    tally = Tally(keep=1)
+    with workers_for(subject, limits, limits.deadline()) as workers:
+        gather(workers, PythonEngine(scope, tally.keep), in_chunks(given), tally, Silent())
+        for found in tally.findings:
+            smallest = smallest_from(found, workers, scope)
+            return confirmed(smallest, subject, limits, scope.schedules)
+    return None
 
 
 def _rooted(maps: Iterable[CombinatorialMap], scope: Scope) -> Iterator[tuple[World, int]]:

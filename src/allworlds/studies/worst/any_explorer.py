@@ -88,16 +88,11 @@ class RunsSweep(TallySweep[WorstReport]):
     @override
     def ready(self) -> ReadyEngine:
         """The engine of a check, which for all schedules also tells the cheapest ones."""
-        job, subject, scope = self.seeded, self.job.subject, self.seeded.scope
-        job = replace(job, costs=scope.schedules == "all")
+        subject, scope = self.job.subject, self.scope
+        job = replace(self.job, costs=scope.schedules == "all")
         if why := why_not_compiled(scope, subject):
             self.listener.notice(why)
         return engine_for("auto", scope, subject, job.limits.memory).ready(job)
-
-    @override
-    def forget(self) -> None:
-        self._rows.clear()
-        self._findings.clear()
 
     @override
     def empty(self) -> _MostExpensive:
