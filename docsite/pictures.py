@@ -230,8 +230,7 @@ def walks() -> list[Live]:
         Live(
             "genus-2",
             f"run algorithm1 '{json.dumps(GENUS_2.to_json())}'",
-            "Four loops on a surface of genus 2: with crossings, or as a polygon whose sides are "
-            "glued.",
+            "Four loops on a surface of genus 2: edges that cross do not meet.",
         ),
         Live(
             "figure-1",

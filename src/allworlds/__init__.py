@@ -59,4 +59,4 @@ if TYPE_CHECKING:
     from allworlds.version import __version__ as __version__
     from allworlds.world import Lighthouse as Lighthouse, World as World, worlds as worlds
 else:
-    open_door(__name__, gone="verbs:GONE")
+    open_door(__name__)

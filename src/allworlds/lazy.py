@@ -9,7 +9,7 @@ from importlib import import_module
 from typing import Any
 
 
-def open_door(package: str, gone: str = "") -> None:
+def open_door(package: str) -> None:
     """Give a package its names: ``__getattr__``, ``__dir__`` and ``__all__``.
 
     The names are those that the ``__init__`` of the package imports under ``if TYPE_CHECKING``,
@@ -19,7 +19,6 @@ def open_door(package: str, gone: str = "") -> None:
 
     Args:
         package: its name; it is being imported.
-        gone: the table of what stands for names that are no longer there, as ``module:name``.
 
     Cost: the ``__init__`` is parsed, in less than a millisecond; each module is loaded with the
     first of its names.
@@ -30,8 +29,6 @@ def open_door(package: str, gone: str = "") -> None:
 
     def load(name: str) -> Any:
         if name not in homes:
-            if gone and name in (replaced := loaded(gone)):
-                return replaced[name]
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         module, original = homes[name]
         if module == package:  # one of its own modules

@@ -7,11 +7,7 @@ function in ``reports.tellings``; one that does more than answer a request has o
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
-
-from allworlds.inputs import InputError
 
 ROWS, CASES, FINDINGS, GROWTH = "rows or a walk", "cases", "findings", "costs that grow"
 """Parts that the telling of a result can have."""
@@ -348,34 +344,3 @@ GROUPS = {
     ),
 }
 """The groups of verbs of two words, by the first."""
-
-RENAMED = {
-    "twins": "ambiguity twins",
-    "search": "ambiguity search",
-    "claims": "paper claims",
-    "figure": "paper figure",
-    "mutants": "self mutants",
-    "bench": "self bench",
-    "grow": "compare EXPLORER... --family F,F --to M",
-    "native": "init --header",
-}
-"""Verbs as they were called once; they are refused with the name that they have now."""
-
-REPLACED = {
-    "grow": "compare(*explorers, family=..., to=M)",
-    "native": "init(header=True)",
-}
-"""Functions of the package that are gone, and what does the same."""
-
-
-def _gone(name: str, instead: str) -> Callable[..., Any]:
-    """Return a function that refuses to be called, and names what does the same."""
-
-    def refuse(*_: Any, **__: Any) -> Any:
-        raise InputError(f"{name} is gone: call {instead}")
-
-    return refuse
-
-
-GONE = {name: _gone(f"allworlds.{name}", f"allworlds.{new}") for name, new in REPLACED.items()}
-"""Functions of Python that refuse to be called, and name what does the same."""

@@ -55,7 +55,7 @@ from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growing_families import GROWING
 from allworlds.studies.fuzz.sample import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
-from allworlds.verbs import BY_NAME, GROUPS, RENAMED, REPLACED, VERBS
+from allworlds.verbs import BY_NAME, GROUPS, VERBS
 from allworlds.world import (
     LIGHTHOUSES,
     Lighthouse,
@@ -128,21 +128,6 @@ def test_the_help_has_at_most_sixteen_entries_each_under_a_panel_that_issues_nam
         *("Everyday", "Long runs", "Costs", "Worlds"),
         *("What no robot can tell apart", "The paper and this program"),
     ]
-
-
-@pytest.mark.parametrize("name", RENAMED)
-def test_a_verb_as_it_was_called_once_is_refused_with_its_new_name(name, cli):
-    assert name not in BY_NAME
-    code, out, err = cli(name, "--edges", "2")
-    assert (code, out) == (2, "")
-    assert err == f"allworlds: No such command: {name}; it is 'allworlds {RENAMED[name]}'\n"
-
-
-@pytest.mark.parametrize("name", REPLACED)
-def test_a_function_that_is_gone_names_what_does_the_same(name):
-    assert name not in allworlds.__all__
-    with pytest.raises(InputError, match=re.escape(f"call allworlds.{REPLACED[name]}")):
-        getattr(allworlds, name)("greedy")
 
 
 @pytest.mark.parametrize("name", BY_NAME)

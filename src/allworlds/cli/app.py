@@ -26,19 +26,12 @@ from allworlds.cli.output import abandon_stdout, complain, prepare_streams, prin
 from allworlds.cli.plain_command import plain_command
 from allworlds.inputs import InputError, keep_exit_code, show
 from allworlds.outcome import Exit
-from allworlds.verbs import GROUPS, RENAMED, VERBS, Verb
+from allworlds.verbs import GROUPS, VERBS, Verb
 
 # Typer has its own copy of click, or uses click itself, depending on its version.
 _ClickError: type[Exception] = next(
     kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException"
 )
-
-RENAMED_OPTIONS = {
-    "--info": "--lighthouse",
-    "--max-edges": "--edges",
-    "--max-vertices": "--vertices",
-}
-"""Options as they were called once; they are refused with the name that they have now."""
 
 COMPLETION = "_ALLWORLDS_COMPLETE"
 """The variable by which a shell asks how a command line can go on."""
@@ -197,12 +190,6 @@ def _invoked(arguments: list[str]) -> int:
 def _complaint(error: Exception, arguments: list[str]) -> str:
     """Click's message, with the value where click leaves it out."""
     said: str = error.format_message() if hasattr(error, "format_message") else str(error)
-    words = [word for word in arguments if not word.startswith("-")]
-    if said.startswith("No such command") and words and words[0] in RENAMED:
-        return f"No such command: {words[0]}; it is 'allworlds {RENAMED[words[0]]}'"
-    renamed = RENAMED_OPTIONS.get(getattr(error, "option_name", ""))
-    if renamed:
-        return f"No such option: {error.option_name}; it is {renamed}"  # type: ignore[attr-defined]
     options = getattr(getattr(error, "param", None), "opts", ())
     for option, value in pairwise(arguments):
         if option in options and show(value) not in said:

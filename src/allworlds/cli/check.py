@@ -6,10 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Annotated, Any
 
 import allworlds
-from allworlds.cli.events import answered
 from allworlds.cli.files import Files, ensure_directory
-from allworlds.cli.options import LongOutputGroup
-from allworlds.cli.output import emit
+from allworlds.cli.options import OutputGroup
+from allworlds.cli.output import answered, emit
 from allworlds.cli.watch import kept_in, watched
 from allworlds.document import replace
 from allworlds.inputs import EFFORT, InputError, Option, fields_of, show
@@ -38,7 +37,7 @@ def check(
         ),
     ] = False,
     files: Files,
-    output: LongOutputGroup,
+    output: OutputGroup,
 ) -> int:
     """Example: allworlds check my_explorer.py:explore --edges 4
 
@@ -82,7 +81,7 @@ def _models(request: CheckRequest) -> Iterator[tuple[str, Sequence[Any]]]:
         yield each.name, getattr(getattr(request, each.name), "codes", ())
 
 
-def _estimate(request: CheckRequest, output: LongOutputGroup) -> int:
+def _estimate(request: CheckRequest, output: OutputGroup) -> int:
     from allworlds.studies.check import estimate
 
     guess = answered(estimate, request, output)

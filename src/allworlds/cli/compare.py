@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from allworlds.cli.events import answered
 from allworlds.cli.files import Files
-from allworlds.cli.options import LongOutputGroup
-from allworlds.cli.output import emit
+from allworlds.cli.options import OutputGroup
+from allworlds.cli.output import answered, emit
 from allworlds.inputs import InputError
 from allworlds.studies.compare import CompareRequest
 
@@ -14,7 +13,7 @@ def compare(
     request: CompareRequest,
     *,
     files: Files,
-    output: LongOutputGroup,
+    output: OutputGroup,
 ) -> int:
     """Example: allworlds compare algorithm1 greedy --edges 4
 

@@ -16,13 +16,3 @@ class OutputGroup:
     quiet: Annotated[
         bool, Option(OUTPUT, "", "Show no progress; tell a verdict in one line.", "quiet", "q")
     ] = False
-
-
-@dataclass(frozen=True, slots=True)
-class LongOutputGroup(OutputGroup):
-    """Options for the output of a verb that may take long, and for its events."""
-
-    events: Annotated[
-        str | None,
-        Option(OUTPUT, "FILE", "Write each event as it happens, as a line of JSON."),
-    ] = None

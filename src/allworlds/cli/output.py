@@ -8,19 +8,23 @@ import os
 import re
 import shutil
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from allworlds.cli.made_by import made_by
 from allworlds.cli.options import OutputGroup
-from allworlds.engines import patient_stderr
-from allworlds.outcome import Exit
+from allworlds.document import replace
+from allworlds.engines import AskedListener, Listener, patient_stderr
+from allworlds.inputs import answer
+from allworlds.outcome import Exit, Result
 from allworlds.reports import brief, text
 from allworlds.words import harmless, harmless_json
 
 if TYPE_CHECKING:
     from allworlds.document import Report
+
+Answer = TypeVar("Answer", bound=Result)
 
 NARROWEST = 40
 
@@ -105,6 +109,14 @@ def say(text: Callable[[], str]) -> None:
         abandon_stdout()
 
 
+def answered(function: Callable[..., Answer], request: Any, output: OutputGroup) -> Answer:
+    """Answer a request by a function of the package; there is progress if it names a listener."""
+    if not isinstance(request, AskedListener):
+        return answer(function, request)
+    with Progress(quiet=output.quiet) as listener:
+        return answer(function, replace(request, listener=listener))
+
+
 def abandon_stdout() -> None:
     """Give up stdout, so that the rest of its buffer does not cause a second error."""
     with suppress(io.UnsupportedOperation):  # it may be a stand-in without a file
@@ -148,7 +160,7 @@ def prepare_streams() -> None:
     sys.stderr = patient_stderr()
 
 
-class Progress:
+class Progress(Listener):
     """Progress bar on stderr with the exact total and the time left; only on a terminal."""
 
     def __init__(self, *, quiet: bool) -> None:
@@ -179,12 +191,6 @@ class Progress:
         """Move the bar on by this many."""
         if self._bar:
             self._bar.advance(self._task, count)
-
-    def unit(self, key: str, worlds: int) -> None:
-        """Ignore the unit, whose worlds were reported by ``progress``."""
-
-    def finding(self, document: Mapping[str, Any]) -> None:
-        """Ignore the finding, which the report will show."""
 
     def notice(self, text: str) -> None:
         """Print the message as a line on stderr."""

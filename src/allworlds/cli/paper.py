@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import allworlds
-from allworlds.cli.events import answered
 from allworlds.cli.files import ensure_writable
-from allworlds.cli.options import LongOutputGroup
-from allworlds.cli.output import emit
+from allworlds.cli.options import OutputGroup
+from allworlds.cli.output import answered, emit
 from allworlds.evidence.figures import FigureRequest
 
 
-def figure(request: FigureRequest, *, output: LongOutputGroup) -> int:
+def figure(request: FigureRequest, *, output: OutputGroup) -> int:
     """Example: allworlds paper figure 2 --out pass.svg
 
     A figure of the paper, drawn from runs that were judged or from a proof that was checked, and

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from allworlds.cli.events import answered
 from allworlds.cli.files import Files
-from allworlds.cli.options import LongOutputGroup, OutputGroup
-from allworlds.cli.output import emit
-from allworlds.engines import AskedListener
+from allworlds.cli.options import OutputGroup
+from allworlds.cli.output import answered, emit
 from allworlds.lazy import loaded
 from allworlds.verbs import Verb
 
@@ -24,8 +22,7 @@ def plain_command(verb: Verb) -> Callable[..., int]:
         files.write(verb.name, report)
         return emit(report, verb.name, output, getattr(request, "workers", None))
 
-    output = LongOutputGroup if issubclass(function.request, AskedListener) else OutputGroup
-    hints = {"request": function.request, "files": Files, "output": output, "return": int}
+    hints = {"request": function.request, "files": Files, "output": OutputGroup, "return": int}
     command.__annotations__ = hints
     command.__doc__ = f"Example: allworlds {verb.name} {verb.example}".rstrip() + f"\n\n{verb.help}"
     return command

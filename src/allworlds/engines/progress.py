@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 
@@ -18,12 +17,6 @@ class Listener:
 
     def progress(self, count: int) -> None:
         """Hear how many more worlds, or other units of the stage, are done."""
-
-    def unit(self, key: str, worlds: int) -> None:
-        """Hear that the unit of that name is finished, with its number of worlds."""
-
-    def finding(self, document: Mapping[str, Any]) -> None:
-        """Hear of a refuting run in a finished unit, which is not confirmed yet."""
 
     def notice(self, text: str) -> None:
         """Hear a message to the user."""

@@ -16,8 +16,8 @@
     pictures of maps, of walks and of costs, and walks to show worlds by;
 ``text_layout``, ``markup``, ``project``
     what forms share: laws in a line each, tables and paragraphs, elements, the folder of files;
-``event_lines``, ``schemas``
-    the lines of a file of events, and the schemas of all documents;
+``schemas``
+    the schemas of all documents;
 ``notebook``
     results as notebooks and ``print`` show them;
 ``play``
@@ -32,16 +32,6 @@ if TYPE_CHECKING:
     from allworlds.reports.drawing.layout import Layout as Layout, layout as layout
     from allworlds.reports.drawing.scene import scene_of as scene_of
     from allworlds.reports.drawing.standalone import Drawing as Drawing, draw as draw
-    from allworlds.reports.event_lines import (
-        Event as Event,
-        FindingEvent as FindingEvent,
-        LevelEvent as LevelEvent,
-        NoticeEvent as NoticeEvent,
-        ProgressEvent as ProgressEvent,
-        StageEvent as StageEvent,
-        UnitEvent as UnitEvent,
-        VerdictEvent as VerdictEvent,
-    )
     from allworlds.reports.format_table import (
         FORMATS as FORMATS,
         content_of as content_of,

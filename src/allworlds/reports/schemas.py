@@ -45,7 +45,6 @@ from allworlds.protocol import (
     Transcript,
     Wrote,
 )
-from allworlds.reports.event_lines import Event
 from allworlds.studies.check import TimeEstimate
 from allworlds.studies.run import WorldNames
 from allworlds.verbs import VERBS, Verb
@@ -109,7 +108,6 @@ def pages() -> dict[str, Any]:
         "finding": Finding,
         "world": WorldDocument,
         "transcript": Transcript,
-        "event": Event,
         "made-by": MadeBy,
         "manifest": Manifest,
     }

@@ -45,6 +45,3 @@ def gather(
         if part.last:
             whole = begun.pop(key)
             kept.keep(part.unit, whole)
-            listener.unit(key, whole.worlds)
-            for found in getattr(whole, "findings", ()):
-                listener.finding(found.to_json())

@@ -13,8 +13,6 @@
     where its vertices, darts and edges lie: the edges that have to cross, a triangulation that
     gives every dart room, the drawing in pixels, the directions in which edges leave a point,
     and their curves;
-``polygon``, ``polygon_svg``
-    a map of genus above 0 as a polygon with glued sides, and that as a drawing in a page;
 ``svg_parts``
     what both kinds of drawings are made of;
 ``alike``

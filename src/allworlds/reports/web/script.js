@@ -19,7 +19,6 @@ function makePicture(frame) {
   const svg = frame.querySelector("svg");
   const arrows = svg.querySelector(".arrows");
   const { follows } = frame.dataset;
-  const cutOpen = svg.classList.contains("polygon");
   const fit = fitting(frame, SMALLEST);
   const edges = new Map();
   for (const edge of svg.querySelectorAll("[data-darts]")) {
@@ -40,9 +39,7 @@ function makePicture(frame) {
     const inner = element(svg, "g", { class: "fixed" });
     const turn = `rotate(${(angle * 180) / Math.PI})`;
     inner.append(element(svg, "path", { d: "M10 0 L-7 -7 L-7 7 Z", transform: turn }));
-    // Beside the edge; inside of a polygon, whose letters stand outside.
-    const far = cutOpen && at.y * Math.cos(angle) > at.x * Math.sin(angle) ? -18 : 18;
-    const away = { x: -far * Math.sin(angle), y: far * Math.cos(angle) };
+    const away = { x: -18 * Math.sin(angle), y: 18 * Math.cos(angle) }; // Beside the edge.
     inner.append(element(svg, "text", away, step));
     outer.append(inner);
     arrows.append(outer);
@@ -208,34 +205,6 @@ function makeViewer(viewer) {
 
 const viewers = [...document.querySelectorAll(".viewer")].map(makeViewer);
 let latest = viewers[0];
-
-// A surface that is no sphere has two views, with crossings and cut open: one switch for the page,
-// which stands at every walk with such a surface.
-function makeViews() {
-  const figures = [...document.querySelectorAll("figure")].filter((one) => one.querySelector(".cut"));
-  const names = ["Crossing edges", "Glued polygon"];
-  const buttons = [];
-  function choose(chosen) {
-    for (const figure of figures) figure.classList.toggle("cut-open", chosen === 1);
-    for (const [button, view] of buttons) button.setAttribute("aria-pressed", view === chosen);
-    for (const { fit } of viewers) fit();
-  }
-  for (const { viewer } of viewers.filter(({ viewer }) => viewer.querySelector(".cut"))) {
-    const views = viewer.querySelector(".views");
-    views.hidden = false;
-    for (const [view, name] of names.entries()) {
-      const button = document.createElement("button");
-      button.type = "button";
-      button.textContent = name;
-      button.addEventListener("click", () => choose(view));
-      views.append(button);
-      buttons.push([button, view]);
-    }
-  }
-  for (const figure of figures) figure.classList.add("two-views");
-  choose(0);
-}
-makeViews();
 
 document.addEventListener("keydown", (event) => {
   const where = KEYS[event.key];

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from xml.etree import ElementTree as ET
 
 from allworlds.reports.drawing.layout import Layout
-from allworlds.reports.drawing.polygon_svg import has_polygon, polygon_picture
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import picture
 from allworlds.reports.markup import tag
@@ -15,14 +14,6 @@ KEYS = (
     "Left and right arrow, Home and End step along the walk, the space bar plays it, "
     "plus and minus zoom."
 )
-
-READING = (
-    "The surface, cut open; nothing crosses. Two sides with the same letter are one edge: glue "
-    "them so that their arrows agree. Corners with the same name are one vertex. A side bears the "
-    "number of the dart by which a walk round the polygon, counterclockwise, leaves along it. At "
-    "each corner the darts follow clockwise from the side that ends there to the side that begins."
-)
-"""How the polygon is read."""
 
 SPEEDS = {"slow": 1600, "medium": 800, "fast": 250}
 """Milliseconds from step to step."""
@@ -39,7 +30,6 @@ def viewer(
         "div",
         *about,
         tag("div", class_="tabs", role="group", aria_label="Picture", hidden="hidden"),
-        tag("div", class_="views", role="group", aria_label="View", hidden="hidden"),
         tag("div", *figures, class_="pictures"),
         _controls(),
         tag("p", KEYS, class_="keys", hidden="hidden"),
@@ -116,19 +106,12 @@ def figure(
     legend.append(tag("span", "faced at the start", class_="key start-key"))
     if scene.ringed is not None:
         legend.append(tag("span", "the first difference", class_="key ring-key"))
-    genus, cut = scene.map.genus, []
-    if follows and has_polygon(scene):
-        other = f"{title}, cut open"
-        drawing = polygon_picture(scene, f"{name}-polygon", other)
-        name_of_it = tag("p", "The same surface as a glued polygon", class_="legend view-name")
-        reading = tag("p", READING, class_="legend reading")
-        cut = [tag("div", name_of_it, _frame(drawing, other, follows), reading, class_="cut")]
+    genus = scene.map.genus
     about = f"genus {genus}" + ("; edges that cross do not meet" if genus else "")
     return tag(
         "figure",
         tag("figcaption", tag("b", title), f", {about}"),
         _frame(picture(scene, name, title, drawn), title, follows),
-        *cut,
         tag("p", *legend, class_="legend"),
         data_title=title,
     )

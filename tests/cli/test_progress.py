@@ -1,0 +1,88 @@
+"""Progress: how far a long job is, and how long it would take."""
+
+import json
+import sys
+
+import pytest
+
+from allworlds import ambiguity, bench, count, mutants, search
+from allworlds.cli import output
+from allworlds.engines import Silent
+from schemas.validating import complaints
+from small import long
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+
+class Adds(Silent):
+    """A listener that notes each stage with its announced total, and adds up the work done."""
+
+    def __init__(self):
+        self.stages, self.done = [], []
+
+    def level(self, edges, worlds):
+        self.stage(edges, worlds, "worlds")
+
+    def stage(self, name, total, of):
+        self.stages.append((name, total, of))
+        self.done.append(0)
+
+    def progress(self, count):
+        self.done[-1] += count
+
+
+HEARD = {
+    "count": lambda listener: count(edges=4, listener=listener),
+    "count compiled": lambda listener: count(edges=7, listener=listener),
+    "count simple": lambda listener: count(vertices=4, map_class="simple", listener=listener),
+    "census": lambda listener: ambiguity.census(edges=3, listener=listener),
+    "mutants": lambda listener: mutants(edges=1, listener=listener),
+    "bench": lambda listener: bench(edges=4, rounds=2, listener=listener),
+}
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize(
+    "name", [long(name) if name == "count compiled" else name for name in HEARD]
+)
+def test_what_is_promised_is_done(name):
+    heard = Adds()
+    HEARD[name](heard)
+    assert heard.done == [total for _, total, _ in heard.stages]
+    assert all(total > 0 for _, total, of in heard.stages if of == "worlds")
+
+
+def test_a_search_says_that_its_time_is_a_guess(tmp_path):
+    heard = Adds()
+    search(lighthouse="position", vertices=1, edges=2, out=tmp_path, listener=heard)
+    ((name, total, of),) = heard.stages
+    assert (name, 0 < heard.done[0] <= total) == ("search", True)
+    assert "a guess" in of
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_an_estimate_is_a_document(cli, monkeypatch):
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.SECONDS", 0.01)
+    asked = ("check", "--edges", 3, "--engine", "python", "--shard", "0/1", "--estimate")
+    code, out, _ = cli(*asked, "--json")
+    document = json.loads(out)
+    assert complaints("estimate.schema.json", document) == []
+    assert [guess["edges"] for guess in document["larger"]] == [4, 5]
+    assert (code, document["worlds"], document["engine"]) == (0, 86, "python")
+    assert document["rate"] > 0
+    assert document["seconds"] == round(86 / document["rate"], 1)
+
+
+def test_a_terminal_sees_a_bar_with_its_rate(capsys, monkeypatch):
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+    monkeypatch.setenv("TERM", "xterm")
+    with output.Progress(quiet=False) as progress:
+        progress.level(3, 20)
+        for _ in range(3):
+            progress.progress(5)
+            progress._bar.refresh()
+        progress.stage("bench", 2, "turns")
+    said = capsys.readouterr().err
+    assert "edges 3" in said
+    assert "worlds" in said
+    assert "turns" in said
