@@ -90,7 +90,7 @@ class RunsSweep(TallySweep[WorstReport]):
         """The engine of a check, which for all schedules also tells the cheapest ones."""
         job, subject, scope = self.seeded, self.job.subject, self.seeded.scope
         job = replace(job, costs=scope.schedules == "all")
-        if why := why_not_compiled(scope, subject):
+        if why := why_not_compiled(scope, subject, job.limits.memory):
             self.listener.notice(why)
         return engine_for("auto", scope, subject, job.limits.memory).ready(job)
 
