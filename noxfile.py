@@ -101,12 +101,12 @@ def proofs(session: nox.Session) -> None:
         ("python", "proofs/coq/certificates.py"),
         ("python", "proofs/certified.py"),
         ("python", "proofs/certified.py", "--certificate", certificate, "algorithm1"),
-        ("coqc", "-Q", "proofs/coq", "Allworlds", certificate),
+        ("python", "proofs/certified.py", "--check", certificate, "algorithm1"),
         ("python", "proofs/certified_trees.py"),
     )
     for step in steps:
         start = time.monotonic()
-        session.run(*step, external=step[0] in ("make", "coqc"))
+        session.run(*step, external=step[0] == "make")
         session.log(f"{' '.join(step)}: {time.monotonic() - start:.0f} s")
 
 

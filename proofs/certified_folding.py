@@ -28,6 +28,7 @@ from allworlds.explorers import Algorithm1, in_process_subject, load
 from allworlds.judging import fold, paper_bound, play
 from allworlds.protocol import Choices, Move, Percept, Transcript, policy_named
 from allworlds.world import World, worlds
+from certified_checker import agreement
 
 FOLDING = Path(__file__).resolve().parent / "coq" / "folding"
 POLICIES = ("fifo", "lifo", "nearest")
@@ -119,5 +120,5 @@ def foldings_agree(edges: int) -> bool:
     )
     for name, log in differ[:3]:
         print(f"  {name}: {line_of(log)}")
-    # Agreement says nothing if no log, or every log, has an open dart.
-    return not differ and 0 < open_logs < len(found)
+    tried = 0 < open_logs < len(found)
+    return agreement(not differ, tried, "no log, or every log, has an open dart")

@@ -129,8 +129,8 @@ def optimum(request: OptimumRequest) -> OptimumReport:
         InputError: for a number of edges or loops, a family, or a limit, that is not legal; or if
             the compiler is not installed.
     """
-    ensure_installed(*COMPILER, "optimum")
     assert request.largest
+    ensure_installed(*COMPILER, "optimum")
     return OptimumSweep(request).answer(request.run)
 
 

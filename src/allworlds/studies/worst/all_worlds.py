@@ -74,13 +74,13 @@ def worst(request: WorstRequest) -> WorstReport:
         edges = _edges(request, OTHERS_EDGES)
         extent = Extent(request.map_class, edges, where=request.where)
         return runs_asked(request, extent).answer(request.run)
-    ensure_installed(*COMPILER, "worst of algorithm1")
     extent = Extent(request.map_class, _edges(request, DEFAULT_EDGES))
     if not extent.map_class.plain:
         raise InputError(
             f"class {show(extent.map_class.value)} is none of those whose maps the compiled search "
             f"makes: {', '.join(known for known in MapClass if known.plain)}"
         )
+    ensure_installed(*COMPILER, "worst of algorithm1")
     return SchedulesSweep(request, extent, request.transit or "simple").answer(request.run)
 
 
