@@ -23,7 +23,6 @@ if TYPE_CHECKING:
         testing as testing,
         world as world,
     )
-    from allworlds.evidence.bench import bench as bench
     from allworlds.evidence.claims import claims as claims
     from allworlds.evidence.figures import figure as figure
     from allworlds.evidence.mutants import mutants as mutants

@@ -298,18 +298,6 @@ VERBS = (
             "kills which at which smallest world. Exit code 1: one survived."
         ),
     ),
-    Verb(
-        "self bench",
-        "evidence.bench:bench",
-        "bench",
-        "Measure this program and others side by side.",
-        telling="evidence.bench.bench_telling:bench_telling",
-        example="--edges 7 --peer 'lazy=./lazy 1 7'",
-        help=(
-            "Measure this program's engines and others side by side, in turns; ratios with their "
-            "spread."
-        ),
-    ),
 )
 """Every verb, in the order of the help."""
 
@@ -339,7 +327,7 @@ GROUPS = {
     ),
     "self": Group(
         "allworlds self mutants",
-        "This program: the mistakes that it catches, and its speed.",
+        "This program: the mistakes that it catches.",
         EVIDENCE,
     ),
 }

@@ -21,7 +21,6 @@ ROWS = {
     "worst": ("allworlds.engines.sweep.gather", "--edges 4", "rows"),
     "self mutants": ("allworlds.evidence.mutants.matrix._explorer", "--edges 1", "kill_matrix"),
     "optimum": ("allworlds.studies.optimum.optimum_table.minimax", "--edges 3", "rows"),
-    "self bench": ("allworlds.evidence.bench.rounds._round", "--edges 4 --rounds 4", "contenders"),
 }
 
 
@@ -60,8 +59,7 @@ def test_the_rows_before_an_interrupt_are_told(cli, interrupt, verb):
     document = json.loads(out)
     assert (code, err) == (130, "allworlds: interrupted; the report tells what was finished\n")
     assert document["complete"] is False
-    finished = document["rounds"] if verb == "self bench" else len(document[rows])
-    assert finished == (5 if verb == "worst" else 2)  # of 1 edge 2 sizes, of 2 edges 3
+    assert len(document[rows]) == (5 if verb == "worst" else 2)  # of 1 edge 2 sizes, of 2 edges 3
 
 
 @pytest.mark.usefixtures("compiled")
@@ -77,11 +75,6 @@ def test_the_text_of_what_was_interrupted_says_so(cli, interrupt, verb):
         assert head.endswith("interrupted, and the rest was not tried")
     else:
         assert head.startswith("INCONCLUSIVE: interrupted; finished before: ")
-
-
-def test_before_the_first_round_there_is_nothing_to_tell(cli, interrupt):
-    interrupt("allworlds.evidence.bench.rounds._round", 0)
-    assert cli("self", "bench", "--edges", 4) == (130, "", "allworlds: interrupted\n")
 
 
 SEARCH = "ambiguity search --lighthouse position --class simple --vertices 4 --edges 6 --json --out"

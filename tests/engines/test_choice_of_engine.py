@@ -3,7 +3,7 @@ from functools import partial
 
 import pytest
 
-from allworlds import bench, check, claims, count, optimum, worlds, worst
+from allworlds import check, claims, count, optimum, worlds, worst
 from allworlds.engines import ENGINES, Job, Limits, Scope, Silent, engine_for, why_not_compiled
 from allworlds.engines.compiled.agreement import AGREED
 from allworlds.engines.kernel.capabilities import COMPILING
@@ -170,7 +170,7 @@ def test_without_a_compiler_the_python_engine_does_what_it_can():
 
 
 @pytest.mark.usefixtures("no_compiler")
-@pytest.mark.parametrize("asked", [worst, bench, claims, optimum, partial(check, engine="kernel")])
+@pytest.mark.parametrize("asked", [worst, claims, optimum, partial(check, engine="kernel")])
 def test_what_needs_the_compiler_says_how_to_install_it(asked):
     with pytest.raises(InputError, match=r"needs numba: .*pip install '\.\[fast\]'"):
         asked()

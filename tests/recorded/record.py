@@ -50,7 +50,6 @@ LEAST = {
     "paper claims": "--only fig1",
     "paper figure": "1 --out {tmp}/least.svg",
     "self mutants": "--edges 1",
-    "self bench": "--edges 4 --rounds 1",
 }
 
 # What every command says is recorded under a name.

@@ -10,7 +10,6 @@ from jsonschema import Draft202012Validator
 
 from allworlds import Move
 from allworlds.document import replace
-from allworlds.evidence.bench import bench
 from allworlds.evidence.claims import claims
 from allworlds.evidence.figures import figure
 from allworlds.evidence.mutants import mutants
@@ -83,11 +82,6 @@ def manifest():
     return json.loads((own_corpus().directory / "manifest.json").read_text(encoding="utf-8"))
 
 
-@functools.cache
-def benched():
-    return bench(edges=4, rounds=1)
-
-
 def kept(verb):
     """The document that a verb makes of a run directory."""
     with tempfile.TemporaryDirectory() as directory:
@@ -135,7 +129,6 @@ DOCUMENTS = {
             "worst": lambda: worst(edges=2),
             "mutants": lambda: mutants(edges=1),
             "optimum": lambda: optimum(edges=1),
-            "bench": benched,
             "ambiguity-census": lambda: census(edges=2),
         }.items()
     },
@@ -205,7 +198,6 @@ DOCUMENTS = {
         whole("worst"),
         lambda: worst(edges=2, map_class="simple", transit="shortest").to_json(),
     ),
-    "bench": (whole("bench"), lambda: benched().to_json()),
     "twins told apart": (
         whole("twins"),
         lambda: twins(marked("cycle-3"), marked("cycle-4")).to_json(),
@@ -372,8 +364,6 @@ WRONG_VALUES = [
     ("worst", {"gate": {"source": "a table", "agrees": False}}, "70 is a disagreement"),
     ("worst", {"rows": []}, "4 is no row"),
     ("worst", {"rows": "one not replayed"}, "0 is no wrong test, and every row replayed"),
-    ("bench", {"edges": 3}, ""),
-    ("bench", {"contenders": []}, ""),
     ("twins told apart", {"distinguishable": False}, "motions tell apart what is distinguishable"),
     ("twins told apart", {"twins": True}, "twins are different and not distinguishable"),
     ("twins told apart", {"relation": "same"}, "one world is not told from itself"),

@@ -2,6 +2,6 @@
 
 ``claims``, ``figures``
     the sentences of the paper, and its figures, from runs of this program;
-``mutants``, ``bench``
-    what the checks catch, and what they cost.
+``mutants``
+    what the checks catch.
 """
