@@ -108,8 +108,12 @@ def bench(edges: int, rounds: int, peers: Sequence[str]) -> dict[str, Any]:
     ]
     machine = {key: value for key, value in host().to_json().items() if key != "name"}
     return {
-        **{"schema": 1, "version": __version__, "commit": commit(), "machine": machine},
-        **{"edges": edges, "rounds": rounds},
+        "schema": 1,
+        "version": __version__,
+        "commit": commit(),
+        "machine": machine,
+        "edges": edges,
+        "rounds": rounds,
         "peak_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024,
         "contenders": [each.measured(seconds) for each, seconds in taken],
         "ratios": ratios,

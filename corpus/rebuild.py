@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 
 import allworlds
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import from_cycles, from_rotation, lattice, named_map
 from allworlds.studies.ambiguity import twins
 from allworlds.studies.check import check
@@ -251,7 +251,7 @@ def finding_entries() -> list[dict[str, object]]:
     """The smallest finding of every mutant."""
     entries = []
     for mutant in WRONG_EXPLORERS:
-        name = f"allworlds.evidence.mutants.explorers:{mutant.name.replace('-', '_')}"
+        name = f"allworlds.corpus.explorers:{mutant.name.replace('-', '_')}"
         finding = check(name, edges=4).uninterrupted().findings[0]
         entries.append(
             {

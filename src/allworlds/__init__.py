@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     )
     from allworlds.evidence.claims import claims as claims
     from allworlds.evidence.figures import figure as figure
-    from allworlds.evidence.mutants import mutants as mutants
     from allworlds.judging import Finding as Finding
     from allworlds.maps import CombinatorialMap as CombinatorialMap, InvalidMap as InvalidMap
     from allworlds.protocol import (

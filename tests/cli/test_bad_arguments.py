@@ -78,7 +78,6 @@ BAD = [
     (lambda: allworlds.worst(edges=2.0), "edges = 2.0"),
     (lambda: allworlds.worst(edges=1, workers="2"), "workers = '2'"),
     (lambda: allworlds.worst(edges=1, transit=""), "transit ''"),
-    (lambda: allworlds.mutants(edges="4"), "edges = '4'"),
     (lambda: allworlds.optimum(edges=0), "edges = 0"),
     (lambda: allworlds.optimum(edges=7), "edges = 7"),
     (lambda: allworlds.optimum(family="bouquet", to=7), "to = 7"),

@@ -27,7 +27,6 @@ DEFAULTS = {
     allworlds.run: {**RULES, "choices": ()},
     allworlds.compare: MANY,
     allworlds.replay: PATIENCE,
-    allworlds.mutants: {"edges": 4},
     allworlds.optimum: {},
     allworlds.count: {"map_class": "maps", **CLUSTER},
     allworlds.worst: {

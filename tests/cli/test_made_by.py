@@ -19,9 +19,9 @@ from small import long
 NAMES = [verb.name for verb in VERBS]
 # What takes a number of workers, with more to do than one of them does at a time.
 WORKING = {
-    "check": "check allworlds.evidence.mutants.explorers:pose_lost --edges 3 --max-findings 3",
+    "check": "check allworlds.corpus.explorers:pose_lost --edges 3 --max-findings 3",
     "check, compiled": "check --engine kernel --edges 4",
-    "fuzz": "fuzz allworlds.evidence.mutants.explorers:pose_lost --edges 8 --runs 130",
+    "fuzz": "fuzz allworlds.corpus.explorers:pose_lost --edges 8 --runs 130",
     "worst": "worst --edges 4",
     "compare": "compare algorithm1 greedy --edges 3",
     "paper claims": "paper claims --only fig1 --only cycles",

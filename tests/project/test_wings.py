@@ -71,7 +71,6 @@ HOMES = {
         "maps.networks",
         "maps.counting.atlas",
         "judging.laws.second_opinion",
-        "evidence.mutants.judges",
     ],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from typing import Any
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.moved import present_name
 from allworlds.explorers.names import (
     command_of,
     convention_in,
@@ -113,7 +112,7 @@ def load(
         return _subject(name, imported(plain, point.load), arguments)
     source = source or source_of(name)
     place, _, attribute = plain.rpartition(":")
-    module = module_of_text(place, source) if source else _module(place)
+    module = module_of_text(place, source) if source else module_named(place)
     return _subject(name, _attribute(module, attribute, place), arguments, source)
 
 
@@ -124,10 +123,6 @@ def _subject(
         # It is called once for each run.
         return subject_of(name, found, source, **arguments)
     return subject_of(name, called(name, found, arguments), source)
-
-
-def _module(name: str) -> Any:
-    return module_named(present_name(name))
 
 
 def _attribute(module: Any, attribute: str, place: str) -> Any:
