@@ -472,13 +472,11 @@ def test_what_is_said_of_a_new_thing_is_so(row):
     new, files, number, _, noticed = row
     places = [place for place in re.findall(r"`([^`]+)`", files) if place != "Report"]
     assert len(places) + sum(map(files.count, NOT_NAMED)) == int(number)
-    assert all((PACKAGE / place).exists() or (ROOT / place).exists() for place in places)
-    assert all((PACKAGE / place).is_dir() == place.endswith("/") for place in places)
-    sources = [
-        source.read_text(encoding="utf-8")
-        for place in places
-        for source in ([PACKAGE / place / "__init__.py"] if place[-1] == "/" else [PACKAGE / place])
-    ]
+    paths = [(ROOT if place.startswith("tests/") else PACKAGE) / place for place in places]
+    assert all(path.exists() for path in paths)
+    assert [path.is_dir() for path in paths] == [place.endswith("/") for place in places]
+    files = [path / "__init__.py" if path.is_dir() else path for path in paths]
+    sources = [file.read_text(encoding="utf-8") for file in files]
     for name in re.findall(r"`(\w+)`", new):
         assert any(re.search(rf"\b{name}\b", source) for source in sources), name
     tests = "".join(
