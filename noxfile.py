@@ -89,6 +89,13 @@ def bench(session: nox.Session) -> None:
 
 
 @nox.session
+def mutants(session: nox.Session) -> None:
+    """Try known mistakes, and show which check catches each."""
+    session.install(".")
+    session.run("python", "tests/support/mutants/matrix.py", *session.posargs)
+
+
+@nox.session
 def proofs(session: nox.Session) -> None:
     """Check every certificate and the Coq development, with times."""
     session.install(".[proofs]")

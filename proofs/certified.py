@@ -40,7 +40,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from allworlds.evidence.mutants.explorers import (
+from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
     WrongExplorer,

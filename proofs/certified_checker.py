@@ -10,7 +10,7 @@ Trusted is what the README of ``proofs/coq`` says of all extracted programs, the
 would answer the same percepts in the same way again; where it is seen not to, the verdict is ``no
 function``.
 
-``checkers_agree`` compares: Algorithm 1 and every wrong explorer of ``allworlds.evidence.mutants``
+``checkers_agree`` compares: Algorithm 1 and every wrong explorer of ``corpus/explorers.py``
 get the same verdict from both, and are refuted by the same smallest world.
 """
 
@@ -30,7 +30,7 @@ from pathlib import Path
 from typing import Any
 
 from allworlds.cli.output import abandon_stdout
-from allworlds.evidence.mutants.explorers import (
+from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
     WrongExplorer,

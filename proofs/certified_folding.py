@@ -17,13 +17,13 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from allworlds.engines.kernel.folding import folds
-from allworlds.engines.kernel.records import FOLD, LOG, WORLD
-from allworlds.evidence.mutants.explorers import (
+from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
     WrongExplorer,
 )
+from allworlds.engines.kernel.folding import folds
+from allworlds.engines.kernel.records import FOLD, LOG, WORLD
 from allworlds.explorers import Algorithm1, in_process_subject, load
 from allworlds.judging import fold, paper_bound, play
 from allworlds.protocol import Choices, Move, Percept, Transcript, policy_named

@@ -45,8 +45,8 @@ from itertools import zip_longest
 from pathlib import Path
 from typing import Literal, TypeAlias
 
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.engines import Limits, Unsettled, subject_of
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import Subject, built_in, in_process_subject
 from allworlds.inputs import InputError
 from allworlds.judging import Answered, Fault, bound_named, default_step_budget, paper_bound

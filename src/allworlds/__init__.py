@@ -23,10 +23,8 @@ if TYPE_CHECKING:
         testing as testing,
         world as world,
     )
-    from allworlds.evidence.bench import bench as bench
     from allworlds.evidence.claims import claims as claims
     from allworlds.evidence.figures import figure as figure
-    from allworlds.evidence.mutants import mutants as mutants
     from allworlds.judging import Finding as Finding
     from allworlds.maps import CombinatorialMap as CombinatorialMap, InvalidMap as InvalidMap
     from allworlds.protocol import (

@@ -286,30 +286,6 @@ VERBS = (
         telling="evidence.figures.figure_telling:figure_telling",
         has=(),
     ),
-    Verb(
-        "self mutants",
-        "evidence.mutants:mutants",
-        "mutants",
-        "Try known mistakes, and show which check catches each.",
-        telling="evidence.mutants.mutants_telling:mutants_telling",
-        example="--edges 3",
-        help=(
-            "Try wrong explorers, weakened judges and broken enumerators, and say which check "
-            "kills which at which smallest world. Exit code 1: one survived."
-        ),
-    ),
-    Verb(
-        "self bench",
-        "evidence.bench:bench",
-        "bench",
-        "Measure this program and others side by side.",
-        telling="evidence.bench.bench_telling:bench_telling",
-        example="--edges 7 --peer 'lazy=./lazy 1 7'",
-        help=(
-            "Measure this program's engines and others side by side, in turns; ratios with their "
-            "spread."
-        ),
-    ),
 )
 """Every verb, in the order of the help."""
 
@@ -335,11 +311,6 @@ GROUPS = {
     "paper": Group(
         "allworlds paper claims",
         "The paper's claims and figures, checked and drawn anew.",
-        EVIDENCE,
-    ),
-    "self": Group(
-        "allworlds self mutants",
-        "This program: the mistakes that it catches, and its speed.",
         EVIDENCE,
     ),
 }

@@ -27,7 +27,6 @@ DEFAULTS = {
     allworlds.run: {**RULES, "choices": ()},
     allworlds.compare: MANY,
     allworlds.replay: PATIENCE,
-    allworlds.mutants: {"edges": 4},
     allworlds.optimum: {},
     allworlds.count: {"map_class": "maps", **CLUSTER},
     allworlds.worst: {
@@ -41,7 +40,6 @@ DEFAULTS = {
     allworlds.worlds: {"map_class": "maps", "lighthouse": "directional", "places": "first"},
     allworlds.twins: {"lighthouse": "position"},
     allworlds.search: {"map_class": "maps", "motions": (), "percepts": ()},
-    allworlds.bench: {"edges": 7, "rounds": 3, "peers": ()},
     ambiguity.census: {"map_class": "maps", "lighthouse": "position", **CLUSTER},
     ambiguity.class_of: {"limit": 1000, "map_class": "maps", "lighthouse": "position"},
     Limits: {"workers": 1, **PATIENCE},

@@ -3,7 +3,7 @@ from functools import partial
 
 import pytest
 
-from allworlds import bench, check, claims, count, optimum, worlds, worst
+from allworlds import check, claims, count, optimum, worlds, worst
 from allworlds.engines import (
     ENGINES,
     Job,
@@ -220,7 +220,7 @@ def test_the_compiler_is_not_asked_for_where_there_is_no_room(asked):
 
 
 @pytest.mark.usefixtures("no_compiler")
-@pytest.mark.parametrize("asked", [worst, bench, claims, optimum, partial(check, engine="kernel")])
+@pytest.mark.parametrize("asked", [worst, claims, optimum, partial(check, engine="kernel")])
 def test_what_needs_the_compiler_says_how_to_install_it(asked):
     with pytest.raises(InputError, match=r"needs numba: .*pip install '\.\[fast\]'"):
         asked()

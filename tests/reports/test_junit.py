@@ -6,8 +6,8 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
 from allworlds.reports import file_of, finding_in_words as finding_text
 from allworlds.studies.check import GateCell, check

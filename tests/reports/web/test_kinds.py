@@ -6,7 +6,7 @@ import re
 import pytest
 
 from allworlds import Estimate, Move, explain, replay, run, search, twins, worst
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import named_map
 from allworlds.reports import file_of
 from allworlds.reports.telling import SizeCost

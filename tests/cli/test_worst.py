@@ -52,23 +52,6 @@ def test_check_refuses_what_the_kernel_cannot_do(refused):
     assert "'random:1'" in refused("check", "--edges", 3, *options)
 
 
-@pytest.mark.slow
-def test_bench_prints_a_table_or_one_document(cli):
-    arguments = ["self", "bench", "--edges", 4, "--rounds", 1, "--peer", "nothing=true"]
-    code, out, _ = cli(*arguments)
-    assert code == 0
-    assert "nothing" in out
-    code, out, _ = cli(*arguments, "--json")
-    assert code == 0
-    assert [row["to"] for row in json.loads(out)["ratios"]][-1] == "nothing"
-
-
-@pytest.mark.slow
-def test_bench_refuses_a_peer_that_fails(refused):
-    peer = ["--peer", "culprit=false"]
-    assert "'culprit'" in refused("self", "bench", "--edges", 4, "--rounds", 1, *peer)
-
-
 @pytest.mark.usefixtures("without_workers")
 def test_engines_that_disagree_end_worst_with_70(monkeypatch, cli):
     def parts(*_):
