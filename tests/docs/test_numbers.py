@@ -37,7 +37,7 @@ TABLES = (
     WEAK_JUDGES,
     BROKEN_ENUMERATORS,
 )
-"""The mutants that ``self mutants`` tries."""
+"""The mutants that the kill matrix tries."""
 
 
 def told(page, pattern):
