@@ -86,7 +86,6 @@ if TYPE_CHECKING:
     from allworlds.judging.findings.rules import (
         Among as Among,
         AskedRules as AskedRules,
-        AskedTask as AskedTask,
         RecordedRules as RecordedRules,
         Rules as Rules,
     )
