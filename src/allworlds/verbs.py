@@ -173,14 +173,14 @@ VERBS = (
         "worst",
         "studies.worst:worst",
         "worst",
-        "Find the worst and best cost of an explorer, over every schedule.",
+        "Find the worst and best cost of Algorithm 1, over every schedule.",
         telling="reports.tellings.worst:worst_telling",
         sweep="studies.worst:SchedulesSweep",
         panel=COSTS,
         example="--edges 5",
         help=(
-            "The exact worst and best cost of an explorer over all worlds and over every "
-            "schedule; of Algorithm 1 every choice of edge, order of hypotheses and path. "
+            "The exact worst and best cost of Algorithm 1 over all worlds and over every "
+            "schedule: every choice of edge, order of hypotheses and path. "
             "Exit code 0: answered, 1: a schedule breaks a law, 70: counts, replays or "
             "engines disagree."
         ),

@@ -32,9 +32,9 @@ DEFAULTS = {
     allworlds.worst: {
         "explore": "algorithm1",
         "map_class": "maps",
-        "task": "map",
+        "edges": 5,
+        "transit": "simple",
         "workers": 1,
-        **PATIENCE,
         **CLUSTER,
     },
     allworlds.worlds: {"map_class": "maps", "lighthouse": "directional", "places": "first"},

@@ -24,9 +24,7 @@ SWEEPS = {
         f"{WRONG}:here_of_another", edges=3, max_findings=3, **more
     ),
     "worst": lambda **more: worst(edges=4, **more),
-    "worst of runs": lambda **more: worst("greedy", edges=3, **more),
-    "worst of schedules": lambda **more: worst("remembering", edges=2, **more),
-    "worst refuted": lambda **more: worst(f"{WRONG}:here_of_another", edges=3, **more),
+    "check all": lambda **more: check("remembering", edges=2, schedules="all", **more),
     "compare": lambda **more: compare("algorithm1", "greedy", edges=3, **more),
     "compare refuted": lambda **more: compare(
         "algorithm1", f"{WRONG}:here_of_another", edges=3, **more
@@ -210,7 +208,7 @@ def test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name):
     assert cut.exit_code == (1 if refuted else 3)
 
 
-@pytest.mark.parametrize("name", ["optimum", "fuzz", "compare --to", "count", "worst of runs"])
+@pytest.mark.parametrize("name", ["optimum", "fuzz", "compare --to", "count", "check all"])
 def test_the_status_of_every_verb_is_told(name, cli, tmp_path):
     SWEEPS[name](run=tmp_path)
     code, out, _ = cli("status", tmp_path)

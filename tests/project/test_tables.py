@@ -175,7 +175,6 @@ def test_what_every_verb_says_is_recorded():
 # other words.  What a function takes alone: who listens, and values in place of their names.
 PRINTED = {"as_json", "quiet", "events", "help", *FORMATS}
 ONLY_CLI = {
-    "worst": {"explorer", "command", "native"},
     "check": {"estimate", "explorer", "command", "native", "watch"},
     "fuzz": {"explorer", "command", "native"},
     "run": {"arguments", "command", "native", "listed", "without_walk"},
@@ -184,7 +183,6 @@ ONLY_CLI = {
     "compare": {"command", "native"},
 }
 ONLY_PYTHON = {
-    "worst": {"explore"},
     "check": {"explore", "worlds"},
     "fuzz": {"explore"},
     "run": {"explore", "world"},

@@ -183,7 +183,10 @@ DOCUMENTS = {
     ),
     "manifest": (whole("manifest"), manifest),
     "worst": (whole("worst"), lambda: worst(edges=2).to_json()),
-    "worst of another": (whole("worst"), lambda: worst("remembering", edges=2).to_json()),
+    "every schedule": (
+        whole("check"),
+        lambda: check("remembering", edges=2, schedules="all").to_json(),
+    ),
     "worst of a shard": (whole("worst"), lambda: worst(edges=2, shard=(0, 2)).to_json()),
     "census of a shard": (
         whole("ambiguity-census"),

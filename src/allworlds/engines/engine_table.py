@@ -11,7 +11,6 @@ from allworlds.document import one_of, replace
 from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER
 from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
-from allworlds.engines.python.costs import CostEngine
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.transports.split import Split
@@ -63,7 +62,7 @@ class General:
 
     def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
-        return ReadyEngine(players_for(job), _python_engine(job))
+        return ReadyEngine(players_for(job), PythonEngine(job.scope, job.keep))
 
 
 class Compiled:
@@ -111,11 +110,6 @@ class Compiled:
 
         far = Dask(job.cluster, workers, job.deadline)
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
-
-
-def _python_engine(job: Job) -> PythonEngine:
-    kind = CostEngine if job.costs else PythonEngine
-    return kind(job.scope, job.keep)
 
 
 def players_for(job: Job) -> Transport[Any]:

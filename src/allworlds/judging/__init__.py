@@ -87,7 +87,6 @@ if TYPE_CHECKING:
     from allworlds.judging.findings.rules import (
         Among as Among,
         AskedRules as AskedRules,
-        AskedTask as AskedTask,
         RecordedRules as RecordedRules,
         Rules as Rules,
     )

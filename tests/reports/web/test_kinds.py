@@ -57,7 +57,7 @@ def results(finding, tmp_path_factory):
             edges=6,
             out=str(tmp_path_factory.mktemp("search")),
         ),
-        "worst": worst("dfs", edges=2),
+        "worst": worst(edges=2),
         "compare": compare("algorithm1", "greedy", edges=2),
     }
 
