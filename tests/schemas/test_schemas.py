@@ -254,7 +254,7 @@ DOCUMENTS = {
     ),
 }
 # Keys that may be missing, and objects whose keys are data.
-OPTIONAL = {"detail", "distinct", "labelled", "step", "stopped", "wrong_checkpoint"}
+OPTIONAL = {"best_cost", "detail", "distinct", "labelled", "step", "stopped", "wrong_checkpoint"}
 # What a percept that is read may leave out, or call by another name.
 LEFT_OUT = {f"without {key}" for key in ("marks", "bearing")}
 LEFT_OUT |= {f"{key} misspelt" for key in ("marks", "bearing")}
