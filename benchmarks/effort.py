@@ -57,9 +57,10 @@ def measured(explorer: list[str]) -> dict[str, Any]:
 
 
 def commit() -> str:
-    """The commit of the sources."""
+    """The commit of the sources; ``unknown`` in a copy without its history."""
     line = ["git", "-C", str(HERE), "describe", "--always", "--dirty"]
-    return subprocess.run(line, check=True, capture_output=True, text=True).stdout.strip()
+    told = subprocess.run(line, check=False, capture_output=True, text=True).stdout.strip()
+    return told or "unknown"
 
 
 def measure() -> dict[str, Any]:
