@@ -19,7 +19,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from allworlds.evidence.bench.rounds import commit
 from allworlds.maps.counting.any_genus import rooted_maps
 from allworlds.version import __version__, host
 
@@ -55,6 +54,13 @@ def measured(explorer: list[str]) -> dict[str, Any]:
         took = seconds(explorer, edges)
     told = {"edges": edges, "worlds": worlds(edges)}
     return {**told, "seconds": round(took, 3), "smallest": round(least, 3)}
+
+
+def commit() -> str:
+    """The commit of the sources; ``unknown`` in a copy without its history."""
+    line = ["git", "-C", str(HERE), "describe", "--always", "--dirty"]
+    told = subprocess.run(line, check=False, capture_output=True, text=True).stdout.strip()
+    return told or "unknown"
 
 
 def measure() -> dict[str, Any]:

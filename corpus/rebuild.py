@@ -3,9 +3,10 @@
 import hashlib
 import json
 from pathlib import Path
+from typing import Any
 
 import allworlds
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import from_cycles, from_rotation, lattice, named_map
 from allworlds.studies.ambiguity import twins
 from allworlds.studies.check import check
@@ -240,7 +241,7 @@ def world_entries() -> list[dict[str, object]]:
     ]
 
 
-def elsewhere(document: dict[str, object]) -> dict[str, object]:
+def elsewhere(document: dict[str, Any]) -> dict[str, Any]:
     """The document without the place of this checkout in its traceback."""
     here = str(Path(allworlds.__file__).parents[1])
     detail = document.get("detail")
@@ -249,9 +250,9 @@ def elsewhere(document: dict[str, object]) -> dict[str, object]:
 
 def finding_entries() -> list[dict[str, object]]:
     """The smallest finding of every mutant."""
-    entries = []
+    entries = list[dict[str, object]]()
     for mutant in WRONG_EXPLORERS:
-        name = f"allworlds.evidence.mutants.explorers:{mutant.name.replace('-', '_')}"
+        name = f"allworlds.corpus.explorers:{mutant.name.replace('-', '_')}"
         finding = check(name, edges=4).uninterrupted().findings[0]
         entries.append(
             {
@@ -267,7 +268,7 @@ def finding_entries() -> list[dict[str, object]]:
 
 def pair_entries() -> list[dict[str, object]]:
     """Pairs that no motion tells apart under position, with their bisimulations."""
-    entries = []
+    entries = list[dict[str, object]]()
     for name, (left, right, provenance) in PAIRS.items():
         worlds = [World(map_, Position(0)) for map_ in (left, right)]
         document = {

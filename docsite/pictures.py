@@ -26,7 +26,7 @@ from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
 import allworlds
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import CombinatorialMap, Mismatch, isomorphism
 from allworlds.reports import scene_of
 from allworlds.reports.drawing.scene import Scene
@@ -187,7 +187,7 @@ def lives() -> list[Live]:
     wrong = [
         Live(
             name,
-            f"check allworlds.evidence.mutants.explorers:{name.replace('-', '_')} --edges 4",
+            f"check allworlds.corpus.explorers:{name.replace('-', '_')} --edges 4",
             _about(name),
         )
         for name in (

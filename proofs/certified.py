@@ -12,8 +12,9 @@ compares the extracted programs with the package.
     python proofs/certified.py --certificate FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4]
                                [--limit paper] [--universe all]
 
-writes what a program does into a file that Coq's kernel checks (``certified_trees.py``).  The first
-two need the programs that ``make -C proofs/coq explorer`` builds, and the package.
+writes what a program does into a file that Coq's kernel checks; ``--check FILE.v`` has ``coqc``
+check a file that was written so (``certified_trees.py``).  The first two need the programs that
+``make -C proofs/coq explorer`` builds, and the package.
 
 The certified explorers, one for each lighthouse, are checked as any explorer is.  The traversals of
 each must equal, row by row, those of the built-in Algorithm 1 in the Python engine and, if the
@@ -22,7 +23,8 @@ answers must equal those of the built-in one: motion by motion, percept by perce
 The certified judge gets the answer of every mutant and of Algorithm 1 on every world, and must give
 the Python judge's verdict.  The certified checker gets all of these explorers, and the certified
 folding their logs (``certified_checker.py``, ``certified_folding.py``).  ``nox -s full`` goes to 5
-edges for the costs and to 4 for the rest.  Exit code 1: they disagree; 2: a program is missing.
+edges for the costs and to 4 for the rest.  Exit code 1: they disagree; 2: a program is missing; 3:
+they have not disagreed, and a comparison could not be made: a program has not ended well.
 """
 
 from __future__ import annotations
@@ -33,23 +35,32 @@ import subprocess
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from allworlds.evidence.mutants.explorers import (
+from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
     WrongExplorer,
 )
 from allworlds.explorers import Algorithm1, in_process_subject, load
 from allworlds.judging import Answered, Case, paper_bound, play
+from allworlds.outcome import Verdict
 from allworlds.protocol import Choices, policy_named
 from allworlds.studies.check import check
 from allworlds.studies.check.report import CheckRow
 from allworlds.world import worlds
-from certified_checker import CHECKER, checkers_agree, judge_program
+from certified_checker import (
+    CHECKER,
+    NoVerdict,
+    agreement,
+    checkers_agree,
+    finished,
+    judge_program,
+    outcome,
+)
 from certified_folding import FOLDING, foldings_agree
 from certified_shield import shields_agree
 from certified_trees import write_certificate
@@ -97,20 +108,20 @@ def explorers_agree(pair: Pair, edges: int, workers: int) -> bool:
         workers=workers,
     )
     start = time.monotonic()
-    certified = checked(f"exec:{EXPLORER} fifo {pair.name}").uninterrupted()
+    certified = finished(checked(f"exec:{EXPLORER} fifo {pair.name}").uninterrupted())
     seconds = time.monotonic() - start
-    # A verdict about no run at all says nothing.
-    agree = certified.verdict.value == "holds" and certified.runs > 0
+    agree = certified.verdict in (Verdict.HOLDS, Verdict.VACUOUS)
     print(
         f"certified explorer, {pair.name} lighthouse: {certified.verdict.value}, "
         f"{certified.runs:,} runs, {seconds:.0f} s"
     )
     for engine in pair.engines:
-        built_in = checked(pair.built_in, engine=engine).uninterrupted()
+        built_in = finished(checked(pair.built_in, engine=engine).uninterrupted())
         same = _rows(certified.rows) == _rows(built_in.rows)
         agree = agree and same
         print(f"  traversals equal the {engine} engine's in every row: {'yes' if same else 'NO'}")
-    return agree
+    tried = certified.verdict is not Verdict.VACUOUS and certified.runs > 0
+    return agreement(agree, tried, f"the check of {certified.explorer} is vacuous")
 
 
 def transcripts_agree(pair: Pair, policy: str, edges: int) -> bool:
@@ -140,7 +151,7 @@ def transcripts_agree(pair: Pair, policy: str, edges: int) -> bool:
     print(f"  {policy}: {runs:,} transcripts and answers, {len(apart)} of them different")
     for world in apart[:3]:
         print(f"    {json.dumps(world.to_json())}")
-    return runs > 0 and not apart
+    return agreement(not apart, runs > 0, "there is no run")
 
 
 def _rows(rows: Sequence[CheckRow]) -> list[tuple[int, ...]]:
@@ -167,8 +178,7 @@ def judges_agree(edges: int) -> bool:
     )
     verdicts = [json.loads(line)["verdict"] for line in answered.stdout.splitlines()]
     if len(verdicts) != len(cases):
-        print(f"certified judge: {len(verdicts)} verdicts on {len(cases)} answers")
-        return False
+        raise NoVerdict(f"certified judge: {len(verdicts)} verdicts on {len(cases)} answers")
     told: Counter[str] = Counter(verdicts)
     wrong = [
         (name, case, verdict)
@@ -179,8 +189,8 @@ def judges_agree(edges: int) -> bool:
     print(f"certified judge: {len(cases):,} answers ({summary}), {len(wrong)} disagreements")
     for name, case, verdict in wrong[:3]:
         print(f"  {name}: certified {verdict}, Python {case.answer}: {case.map.to_json()}")
-    # Agreement says nothing if one of the three verdicts was never called for.
-    return not wrong and set(told) == {"right", "pose", "map"}
+    tried = set(told) == {"right", "pose", "map"}
+    return agreement(not wrong, tried, "one of the three verdicts did not come up")
 
 
 def _cases(edges: int) -> Iterator[tuple[str, Case]]:
@@ -213,8 +223,8 @@ def missing() -> list[Path]:
 
 
 def main() -> int:
-    """Judge a program, write a certificate, or compare."""
-    if any(word.split("=")[0] == "--certificate" for word in sys.argv[1:]):
+    """Judge a program, write or check a certificate, or compare."""
+    if any(word.split("=")[0] in ("--certificate", "--check") for word in sys.argv[1:]):
         return write_certificate(sys.argv[1:])
     if any(word == "--exec" or word.startswith("--exec=") for word in sys.argv[1:]):
         return 2 if missing() else judge_program(sys.argv[1:])
@@ -229,15 +239,19 @@ def main() -> int:
     options = parser.parse_args()
     if missing():
         return 2
-    answers = []
+    comparisons: list[Callable[[], bool]] = []
     for pair in PAIRS:
-        answers.append(explorers_agree(pair, options.edges, options.workers))
-        answers += [transcripts_agree(pair, policy, options.walked_edges) for policy in POLICIES]
-    answers += [judges_agree(options.judged_edges), checkers_agree(options.checked_edges)]
-    answers += [foldings_agree(options.folded_edges), shields_agree(options.shielded_edges)]
-    agree = all(answers)
-    print("AGREE" if agree else "DISAGREE")
-    return 0 if agree else 1
+        comparisons.append(partial(explorers_agree, pair, options.edges, options.workers))
+        comparisons += [
+            partial(transcripts_agree, pair, policy, options.walked_edges) for policy in POLICIES
+        ]
+    return outcome(
+        *comparisons,
+        partial(judges_agree, options.judged_edges),
+        partial(checkers_agree, options.checked_edges),
+        partial(foldings_agree, options.folded_edges),
+        partial(shields_agree, options.shielded_edges),
+    )
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ Trusted is what the README of ``proofs/coq`` says of all extracted programs, the
 would answer the same percepts in the same way again; where it is seen not to, the verdict is ``no
 function``.
 
-``checkers_agree`` compares: Algorithm 1 and every wrong explorer of ``allworlds.evidence.mutants``
+``checkers_agree`` compares: Algorithm 1 and every wrong explorer of ``corpus/explorers.py``
 get the same verdict from both, and are refuted by the same smallest world.
 """
 
@@ -23,13 +23,14 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Sequence
+import traceback
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from allworlds.cli.output import abandon_stdout
-from allworlds.evidence.mutants.explorers import (
+from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
     WrongExplorer,
@@ -37,7 +38,8 @@ from allworlds.evidence.mutants.explorers import (
 from allworlds.inputs import InputError
 from allworlds.judging import bound_named
 from allworlds.maps import rooted_code
-from allworlds.studies.check import check
+from allworlds.outcome import Verdict
+from allworlds.studies.check import CheckReport, check
 from allworlds.words import plural
 
 HERE = Path(__file__).resolve().parent
@@ -55,7 +57,7 @@ Key = tuple[int, tuple[int, ...], tuple[int, ...], int]
 
 
 class NoVerdict(Exception):
-    """The certified checker has given none; the message says why, unless it has said so itself."""
+    """A program has come to none; the message says why."""
 
 
 def asked(
@@ -64,16 +66,18 @@ def asked(
     """The certified checker's answer; what it and the program say on stderr goes there.
 
     Raises:
-        NoVerdict: if it refuses the options, or the program cannot be run, or it does not end well.
+        allworlds.InputError: if it refuses the options, or the program cannot be run; the message
+            says why, unless it has said so itself.
+        NoVerdict: if it does not end well.
     """
     named = [word for name, value in options.items() for word in (f"--{name}", str(value))]
     command = [str(CHECKER), str(edges), *named, *explorer]
     try:
         run = subprocess.run(command, stdout=subprocess.PIPE, stderr=stderr, text=True, check=False)
     except OSError as error:
-        raise NoVerdict(f"{error.filename}: {error.strerror}") from None
+        raise InputError(f"{error.filename}: {error.strerror}") from None
     if run.returncode == REFUSED:
-        raise NoVerdict("")
+        raise InputError("")
     if run.returncode < 0:
         name = signal.Signals(-run.returncode).name
         raise NoVerdict(f"the certified checker has ended with {name}: there is no verdict")
@@ -116,7 +120,7 @@ def limits(text: str, edges: int) -> str:
 
 
 def judge_program(arguments: Sequence[str]) -> int:
-    """The exit code: 0 holds, 1 refuted or no function, 2 bad arguments."""
+    """The exit code: 0 holds, 1 refuted or no function, 2 bad arguments, 3 no verdict."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--exec", required=True, metavar="COMMAND")
     parser.add_argument("--edges", type=int, default=4)
@@ -144,7 +148,7 @@ def judge_program(arguments: Sequence[str]) -> int:
     except (InputError, ValueError, NoVerdict) as error:
         if why := str(error):
             print(why, file=sys.stderr)
-        return 2
+        return 3 if isinstance(error, NoVerdict) else 2
     tell(*told(answer, options.limit))
     return 0 if answer["verdict"] == "holds" else 1
 
@@ -217,6 +221,42 @@ def _vertices(sigma: tuple[int, ...]) -> int:
 # ---- Compared with the package's ----
 
 
+def outcome(*comparisons: Callable[[], bool]) -> int:
+    """The exit code: 0 if all agree, 1 if one does not, else 3, for one could not be made."""
+    agree, undecided = True, False
+    for compare in comparisons:
+        try:
+            agree = compare() and agree
+        except Exception:  # noqa: BLE001  # whatever ends it, nothing has been compared
+            undecided = True
+            traceback.print_exc()
+    code = 1 if not agree else 3 if undecided else 0
+    print({0: "AGREE", 1: "DISAGREE", 3: "UNDECIDED"}[code])
+    return code
+
+
+def agreement(agree: bool, tried: bool, missing: str) -> bool:
+    """Whether both agree.
+
+    Raises:
+        NoVerdict: if they do, and it says nothing, for what could differ was not tried.
+    """
+    if agree and not tried:
+        raise NoVerdict(f"nothing differs, and that says nothing: {missing}")
+    return agree
+
+
+def finished(report: CheckReport) -> CheckReport:
+    """The report of a check.
+
+    Raises:
+        NoVerdict: if the check has come to none.
+    """
+    if report.verdict in (Verdict.INCONCLUSIVE, Verdict.ERROR):
+        raise NoVerdict(f"allworlds check {report.explorer}: {report.verdict}")
+    return report
+
+
 @dataclass(frozen=True, slots=True)
 class Outcome:
     """The verdict of a checker on an explorer.
@@ -241,7 +281,7 @@ def certified_outcome(answer: dict[str, Any]) -> Outcome:
 
 def package_outcome(mutant: WrongExplorer, edges: int) -> Outcome:
     """The outcome of ``allworlds check`` for a mutant, with the laws that both checkers decide."""
-    findings = check(mutant.explorer(), edges=edges, laws=LAWS).uninterrupted().findings
+    findings = finished(check(mutant.explorer(), edges=edges, laws=LAWS).uninterrupted()).findings
     if not findings:
         return Outcome("holds")
     finding = findings[0]
@@ -286,8 +326,7 @@ def checkers_agree(edges: int) -> bool:
             print(f"  {mutant.name}: certified {certified}, allworlds check {package}")
     summary = ", ".join(f"{verdict} {count}" for verdict, count in sorted(verdicts.items()))
     print(f"certified checker, mutants: {summary}; the same from allworlds check: {_yes(agree)}")
-    # Agreement says nothing if one of the verdicts was never called for.
-    return agree and set(verdicts) == {"holds", "refuted", "no function"}
+    return agreement(agree, set(verdicts) == set(VERDICTS), "one of the verdicts did not come up")
 
 
 def _yes(agree: bool) -> str:

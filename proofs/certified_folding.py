@@ -17,17 +17,18 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from allworlds.engines.kernel.folding import folds
-from allworlds.engines.kernel.records import FOLD, LOG, WORLD
-from allworlds.evidence.mutants.explorers import (
+from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
     WrongExplorer,
 )
+from allworlds.engines.kernel.folding import folds
+from allworlds.engines.kernel.records import FOLD, LOG, WORLD
 from allworlds.explorers import Algorithm1, in_process_subject, load
 from allworlds.judging import fold, paper_bound, play
 from allworlds.protocol import Choices, Move, Percept, Transcript, policy_named
 from allworlds.world import World, worlds
+from certified_checker import agreement
 
 FOLDING = Path(__file__).resolve().parent / "coq" / "folding"
 POLICIES = ("fifo", "lifo", "nearest")
@@ -119,5 +120,5 @@ def foldings_agree(edges: int) -> bool:
     )
     for name, log in differ[:3]:
         print(f"  {name}: {line_of(log)}")
-    # Agreement says nothing if no log, or every log, has an open dart.
-    return not differ and 0 < open_logs < len(found)
+    tried = 0 < open_logs < len(found)
+    return agreement(not differ, tried, "no log, or every log, has an open dart")

@@ -5,7 +5,7 @@
 has both judge every program of ``odd_program.py``: the verdict must be the one that
 stands there, with the law that is broken, from both.  Where the extracted checker reads more
 strictly than Python does, that stands there, too.  Exit code 1: another verdict; 2: there is no
-program of a name.
+program of a name; 3: undecided.
 """
 
 from __future__ import annotations
@@ -14,10 +14,11 @@ import shlex
 import subprocess
 import sys
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from certified_checker import LAWS, asked, check
+from certified_checker import LAWS, asked, check, finished, outcome
 from odd_program import ODD, Odd
 
 HERE = Path(__file__).resolve().parent
@@ -34,7 +35,9 @@ def command(name: str) -> list[str]:
 def by_the_package(name: str, seconds: float) -> str:
     """The law that ``allworlds check`` finds broken; '' if it holds."""
     subject = f"exec:{shlex.join(command(name))}"
-    found = check(subject, edges=1, laws=LAWS, workers=1, answer_timeout=seconds).uninterrupted()
+    found = finished(
+        check(subject, edges=1, laws=LAWS, workers=1, answer_timeout=seconds).uninterrupted()
+    )
     return found.findings[0].law if found.findings else ""
 
 
@@ -75,7 +78,7 @@ def main() -> int:
     if unknown := [name for name in names if name not in ODD]:
         print(f"there is no odd program {unknown[0]!r}", file=sys.stderr)
         return 2
-    return 0 if lines_agree({name: ODD[name] for name in names}) else 1
+    return outcome(partial(lines_agree, {name: ODD[name] for name in names}))
 
 
 if __name__ == "__main__":

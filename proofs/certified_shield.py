@@ -22,6 +22,7 @@ from allworlds.judging import Answered, Ending, paper_bound, play
 from allworlds.maps import Code, rooted_code
 from allworlds.protocol import Checkpoint, Choices, Estimate, Move, Percept, Player, policy_named
 from allworlds.world import worlds
+from certified_checker import agreement
 
 EXPLORER = Path(__file__).resolve().parent / "coq" / "explorer"
 
@@ -108,7 +109,7 @@ def _code(ending: Ending) -> Code | None:
 
 def shields_agree(edges: int) -> bool:
     """Whether the certified shield walks as proved, and the package's never more."""
-    agree = True
+    agree = tried = True
     for name, explorer in INSIDE.items():
         certified = load(f"exec:{EXPLORER} fifo shield:{name}")
         players = [certified.player(), _player(walks_all(explorer)), _player(Shield(explorer))]
@@ -132,6 +133,6 @@ def shields_agree(edges: int) -> bool:
             f"otherwise; {walked:,} traversals, of which the package's saves {saved:,}, and walks "
             f"more in {more}"
         )
-        # Nothing saved would say that the package's was not asked.
-        agree = agree and runs > 0 and not differ and not more and saved > 0
-    return agree
+        agree = agree and not differ and not more
+        tried = tried and saved > 0
+    return agreement(agree, tried, "the package's shield has saved nothing")

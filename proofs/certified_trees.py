@@ -12,14 +12,20 @@ EXPLORER is a name that ``allworlds check`` takes: a built-in one, MODULE:FUNCTI
 FILE.py:FUNCTION, native:LIBRARY.  The file is the same, byte by byte, whenever the explorer does
 the same.
 
-Exit code 0: written; 1: a run without an answer, or no function of the percepts; 2: bad arguments;
-3: processes are lost again and again, and no fresh one is.
+    python proofs/certified.py --check FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4] ...
+
+has ``coqc`` judge FILE.v as the certificate of this explorer.  What ``coqc`` accepts is the theorem
+that stands in the file, whatever it says: so first every byte is compared with what is written now.
+
+Exit code 0: written, or accepted; 1: a run without an answer, no function of the percepts, another
+file than is claimed, or one that coqc refuses; 2: bad arguments, or no Coq; 3: undecided, for
+processes are lost again and again, or coqc has come to no verdict.
 
     python proofs/certified_trees.py [--edges 3] [--all | WRONG ...]
 
 has ``coqc`` accept the certificate of Algorithm 1, and those of wrong explorers exactly where
 ``allworlds check`` finds nothing wrong.  It needs what ``make -C proofs/coq`` builds.  Exit code 1:
-coqc says otherwise; 2: bad arguments, or no Coq.
+coqc says otherwise; 2: bad arguments, or no Coq; 3: undecided.
 """
 
 from __future__ import annotations
@@ -34,18 +40,20 @@ import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import partial
+from itertools import zip_longest
 from pathlib import Path
 from typing import Literal, TypeAlias
 
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.engines import Limits, Unsettled, subject_of
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import Subject, built_in, in_process_subject
 from allworlds.inputs import InputError
 from allworlds.judging import Answered, Fault, bound_named, default_step_budget, paper_bound
 from allworlds.protocol import Move, Percept
 from allworlds.words import plural
 from allworlds.world import worlds
-from certified_checker import package_outcome, tell
+from certified_checker import NoVerdict, agreement, outcome, package_outcome, tell
 from certified_runs import NoAnswer, episodes
 
 HERE = Path(__file__).resolve().parent
@@ -285,7 +293,7 @@ def asked_of_coq(file: Path) -> Literal["accepted", "refused"]:
     """Whether coqc accepts a certificate, or has computed that its tree is not right.
 
     Raises:
-        RuntimeError: if it refuses the file for another reason, or finds an assumption.
+        NoVerdict: if it refuses the file for another reason, or finds an assumption.
     """
     command = ["coqc", "-Q", str(COQ), "Allworlds", str(file)]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -293,7 +301,34 @@ def asked_of_coq(file: Path) -> Literal["accepted", "refused"]:
         return "accepted"
     if run.returncode == 1 and REFUSAL in run.stderr:
         return "refused"
-    raise RuntimeError(f"coqc {file}: {run.returncode} {run.stdout}{run.stderr}")
+    raise NoVerdict(f"coqc {file}: {run.returncode} {run.stdout}{run.stderr}")
+
+
+def is_built() -> bool:
+    """Whether there is Coq, and the theorems are compiled; if not, stderr says so."""
+    there = shutil.which("coqc") is not None and (COQ / "DecisionTrees.vo").exists()
+    if not there:
+        print("not built: make -C proofs/coq", file=sys.stderr)
+    return there
+
+
+def judge_certificate(file: Path, claimed: bytes) -> int:
+    """The exit code: whether coqc accepts a certificate, if the file is the one that is claimed."""
+    lines = zip_longest(file.read_bytes().split(b"\n"), claimed.split(b"\n"), fillvalue=b"")
+    for number, (found, wanted) in enumerate(lines, 1):
+        if found != wanted:
+            said, due = (line[:100].decode("ascii", "backslashreplace") for line in (found, wanted))
+            tell(f"DIFFERS    {file}, line {number}: {said!r}; claimed is {due!r}")
+            return 1
+    if not is_built():
+        return 2
+    try:
+        said = asked_of_coq(file)
+    except NoVerdict as error:
+        tell(f"UNDECIDED  {error}")
+        return 3
+    tell(f"{said.upper():10} {file}, by coqc")
+    return 0 if said == "accepted" else 1
 
 
 # ---- Programs ----
@@ -302,7 +337,9 @@ def asked_of_coq(file: Path) -> Literal["accepted", "refused"]:
 def write_certificate(arguments: Sequence[str]) -> int:
     """The exit code: see the head of this file."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--certificate", required=True, type=Path, metavar="FILE.v")
+    of_file = parser.add_mutually_exclusive_group(required=True)
+    of_file.add_argument("--certificate", type=Path, metavar="FILE.v", help="to be written")
+    of_file.add_argument("--check", type=Path, metavar="FILE.v", help="to be judged by coqc")
     parser.add_argument("explorer", nargs="?", help="a name that allworlds check takes")
     parser.add_argument("--exec", metavar="COMMAND")
     parser.add_argument("--edges", type=int, default=4)
@@ -311,7 +348,7 @@ def write_certificate(arguments: Sequence[str]) -> int:
     parser.add_argument("--answer-timeout", type=float, default=10.0, metavar="SECONDS")
     parser.add_argument("--memory", type=int, metavar="MB", help="of the explorer's process")
     options = parser.parse_args(arguments)
-    file: Path = options.certificate
+    file: Path = options.check or options.certificate
     try:
         if (options.explorer is None) == (options.exec is None):
             raise InputError("one explorer expected: a name, or --exec 'COMMAND'")
@@ -325,6 +362,8 @@ def write_certificate(arguments: Sequence[str]) -> int:
         subject = subject_of(name, limits)
         tree, runs, unanswered = tree_of(subject, options.edges, map_class, limits)
         text = certificate(tree, options.edges, name, options.limit, options.universe)
+        if options.check:
+            return judge_certificate(file, text.encode("ascii", "replace"))
         file.write_text(text, encoding="ascii", errors="replace")
     except (NoFunction, NoAnswer) as error:
         word = "NO FUNCTION" if isinstance(error, NoFunction) else "NO ANSWER"
@@ -375,8 +414,8 @@ def certificates_agree(edges: int, names: Sequence[str]) -> bool:
                 f"allworlds check {package}, {time.monotonic() - start:.0f} s"
             )
     print(f"certificates: {said}; the same from allworlds check: {'yes' if agree else 'NO'}")
-    # Agreement says nothing if nothing was refused.
-    return agree and {"accepted", "refused"} <= set(said)
+    tried = {"accepted", "refused"} <= set(said)
+    return agreement(agree, tried, "nothing was accepted, or nothing refused")
 
 
 def main() -> int:
@@ -388,11 +427,10 @@ def main() -> int:
     options = parser.parse_args()
     if unknown := set(options.wrong) - {mutant.name for mutant in WRONG_EXPLORERS}:
         parser.error(f"no wrong explorer is called {', '.join(sorted(unknown))}")
-    if shutil.which("coqc") is None or not (COQ / "DecisionTrees.vo").exists():
-        print("not built: make -C proofs/coq", file=sys.stderr)
+    if not is_built():
         return 2
     names = [mutant.name for mutant in WRONG_EXPLORERS] if options.all else options.wrong
-    return 0 if certificates_agree(options.edges, names) else 1
+    return outcome(partial(certificates_agree, options.edges, names))
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
     python proofs/explorer_server.py NAME [POLICY]
 
-NAME: a built-in explorer, or a wrong one of ``allworlds.evidence.mutants`` (``no-retracing``).
+NAME: a built-in explorer, or a wrong one of ``corpus/explorers.py`` (``no-retracing``).
 POLICY answers the choices of a built-in explorer: fifo (default), lifo or nearest.
 """
 
@@ -13,7 +13,7 @@ import sys
 from collections.abc import Callable, Generator
 from typing import Any
 
-from allworlds.evidence.mutants.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
+from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from allworlds.explorers import load
 from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Percept, policy_named
 

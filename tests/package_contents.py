@@ -14,6 +14,7 @@ NEEDED = {
         "allworlds/explorers/shared_library/allworlds.h",
         "allworlds/reports/web/style.css",
         "allworlds/schemas/check.schema.json",
+        "allworlds/corpus/explorers.py",
         "allworlds/corpus/manifest.json",
     ),
     "sdist": (

@@ -24,8 +24,6 @@ if TYPE_CHECKING:
         testing as testing,
         world as world,
     )
-    from allworlds.evidence.bench import bench as bench
-    from allworlds.evidence.mutants import mutants as mutants
     from allworlds.judging import Finding as Finding
     from allworlds.maps import CombinatorialMap as CombinatorialMap, InvalidMap as InvalidMap
     from allworlds.protocol import (

@@ -174,14 +174,14 @@ VERBS = (
         "worst",
         "studies.worst:worst",
         "worst",
-        "Find the worst and best cost of an explorer, over every schedule.",
+        "Find the worst and best cost of Algorithm 1, over every schedule.",
         telling="reports.tellings.worst:worst_telling",
         sweep="studies.worst:SchedulesSweep",
         panel=COSTS,
         example="--edges 5",
         help=(
-            "The exact worst and best cost of an explorer over all worlds and over every "
-            "schedule; of Algorithm 1 every choice of edge, order of hypotheses and path. "
+            "The exact worst and best cost of Algorithm 1 over all worlds and over every "
+            "schedule: every choice of edge, order of hypotheses and path. "
             "Exit code 0: answered, 1: a schedule breaks a law, 70: counts, replays or "
             "engines disagree."
         ),
@@ -263,30 +263,6 @@ VERBS = (
             "4: no claim was checked, or a claim was checked on no case."
         ),
     ),
-    Verb(
-        "self mutants",
-        "evidence.mutants:mutants",
-        "mutants",
-        "Try known mistakes, and show which check catches each.",
-        telling="evidence.mutants.mutants_telling:mutants_telling",
-        example="--edges 3",
-        help=(
-            "Try wrong explorers, weakened judges and broken enumerators, and say which check "
-            "kills which at which smallest world. Exit code 1: one survived."
-        ),
-    ),
-    Verb(
-        "self bench",
-        "evidence.bench:bench",
-        "bench",
-        "Measure this program and others side by side.",
-        telling="evidence.bench.bench_telling:bench_telling",
-        example="--edges 7 --peer 'lazy=./lazy 1 7'",
-        help=(
-            "Measure this program's engines and others side by side, in turns; ratios with their "
-            "spread."
-        ),
-    ),
 )
 """Every verb, in the order of the help."""
 
@@ -308,11 +284,6 @@ GROUPS = {
         "allworlds ambiguity class wheel-4",
         "Worlds that look alike to a robot, with proofs.",
         ALIKE,
-    ),
-    "self": Group(
-        "allworlds self mutants",
-        "This program: the mistakes that it catches, and its speed.",
-        EVIDENCE,
     ),
 }
 """The groups of verbs of two words, by the first."""

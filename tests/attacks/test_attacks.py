@@ -125,7 +125,7 @@ def is_for_compiled_code(attack):
     """Whether it is on who plays, or on what is played twice, and the kernel can judge it."""
     kinds = ("state", "reaching", "dying", "libraries")
     # What is left to the Python engine, what names its engine, and what looks for worlds alone.
-    others = {"--memory", "--engine", "--where"}
+    others = {"--memory", "--engine", "--where", "--schedules"}
     alone = others & {*attack.options} or attack.name == "reaching/trusted_to_be_honest"
     return attack.file.parent.name in kinds and not attack.signal and not alone
 

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from allworlds import claims, run, twins
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import CombinatorialMap, family
 from allworlds.reports import file_of
 from allworlds.studies.check import check

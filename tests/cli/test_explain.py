@@ -5,7 +5,7 @@ import json
 import pytest
 
 from allworlds import explain
-from allworlds.evidence.mutants.explorers import PoseLost, WrongExplorer
+from allworlds.corpus.explorers import PoseLost, WrongExplorer
 from allworlds.studies.check import check
 
 FINDING = check(WrongExplorer(PoseLost).explorer(), edges=2).findings[0]

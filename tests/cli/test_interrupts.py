@@ -19,9 +19,7 @@ ROWS = {
     "count": ("allworlds.engines.sweep.gather", "--edges 4", "rows"),
     "ambiguity census": ("allworlds.engines.sweep.gather", "--edges 4", "rows"),
     "worst": ("allworlds.engines.sweep.gather", "--edges 4", "rows"),
-    "self mutants": ("allworlds.evidence.mutants.matrix._explorer", "--edges 1", "kill_matrix"),
     "optimum": ("allworlds.studies.optimum.optimum_table.minimax", "--edges 3", "rows"),
-    "self bench": ("allworlds.evidence.bench.rounds._round", "--edges 4 --rounds 4", "contenders"),
 }
 
 
@@ -60,8 +58,7 @@ def test_the_rows_before_an_interrupt_are_told(cli, interrupt, verb):
     document = json.loads(out)
     assert (code, err) == (130, "allworlds: interrupted; the report tells what was finished\n")
     assert document["complete"] is False
-    finished = document["rounds"] if verb == "self bench" else len(document[rows])
-    assert finished == (5 if verb == "worst" else 2)  # of 1 edge 2 sizes, of 2 edges 3
+    assert len(document[rows]) == (5 if verb == "worst" else 2)  # of 1 edge 2 sizes, of 2 edges 3
 
 
 @pytest.mark.usefixtures("compiled")
@@ -72,16 +69,7 @@ def test_the_text_of_what_was_interrupted_says_so(cli, interrupt, verb):
     code, out, _ = cli(*verb.split(), *words.split())
     assert code == 130
     head = " ".join(out.partition("\n\n")[0].split())
-    if verb == "self mutants":  # the one that was tried survives as long as the edges
-        assert head.startswith("SURVIVORS 1 mutant")
-        assert head.endswith("interrupted, and the rest was not tried")
-    else:
-        assert head.startswith("INCONCLUSIVE: interrupted; finished before: ")
-
-
-def test_before_the_first_round_there_is_nothing_to_tell(cli, interrupt):
-    interrupt("allworlds.evidence.bench.rounds._round", 0)
-    assert cli("self", "bench", "--edges", 4) == (130, "", "allworlds: interrupted\n")
+    assert head.startswith("INCONCLUSIVE: interrupted; finished before: ")
 
 
 SEARCH = "ambiguity search --lighthouse position --class simple --vertices 4 --edges 6 --json --out"

@@ -41,7 +41,6 @@ LONG = "y" * 5000
         ["replay", LONG],
         ["worst", "--transit", LONG],
         ["ambiguity", "search", "--lighthouse", LONG, "--edges", "1", "--vertices", "1"],
-        ["self", "bench", "--peer", LONG],
         [LONG],
         ["ambiguity", LONG],
     ],

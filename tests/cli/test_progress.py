@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from allworlds import ambiguity, bench, count, mutants, search
+from allworlds import ambiguity, count, search
 from allworlds.cli import output
 from allworlds.engines import Silent
 from schemas.validating import complaints
@@ -36,8 +36,6 @@ HEARD = {
     "count compiled": lambda listener: count(edges=7, listener=listener),
     "count simple": lambda listener: count(vertices=4, map_class="simple", listener=listener),
     "census": lambda listener: ambiguity.census(edges=3, listener=listener),
-    "mutants": lambda listener: mutants(edges=1, listener=listener),
-    "bench": lambda listener: bench(edges=4, rounds=2, listener=listener),
 }
 
 

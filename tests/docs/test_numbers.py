@@ -7,17 +7,13 @@ from pathlib import Path
 import pytest
 
 from allworlds.cli import output
+from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WRONG_LEARNERS
 from allworlds.document import replace
 from allworlds.engines import Scope, engine_table as engines
 from allworlds.engines.compiled.agreement import AGREEMENT_EDGES
 from allworlds.engines.isolation import player
 from allworlds.engines.kernel import capabilities
 from allworlds.engines.python import players
-from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS
-from allworlds.evidence.mutants.errands import WEAK_TASK_JUDGES, WRONG_ERRANDS
-from allworlds.evidence.mutants.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
-from allworlds.evidence.mutants.judges import WEAK_JUDGES
-from allworlds.evidence.mutants.learners import WRONG_LEARNERS
 from allworlds.explorers import load, program
 from allworlds.explorers.program_lines import SAYINGS
 from allworlds.explorers.shared_library.library import INTERFACE_VERSION
@@ -26,6 +22,9 @@ from allworlds.maps import Extent, MapClass
 from allworlds.maps.counting.any_genus import rooted_maps
 from allworlds.reports.web import frame
 from allworlds.studies.check import time_estimate
+from enumerators import BROKEN_ENUMERATORS
+from errands import WEAK_TASK_JUDGES, WRONG_ERRANDS
+from judges import WEAK_JUDGES
 
 ROOT = Path(__file__).parents[2]
 NUMBERS = {"fifteen": 15}
@@ -38,7 +37,7 @@ TABLES = (
     WEAK_JUDGES,
     BROKEN_ENUMERATORS,
 )
-"""The mutants that ``self mutants`` tries."""
+"""The mutants that the kill matrix tries."""
 
 
 def told(page, pattern):

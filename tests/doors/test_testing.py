@@ -5,8 +5,8 @@ from types import SimpleNamespace
 
 import pytest
 
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError
 from allworlds.maps import rooted_code

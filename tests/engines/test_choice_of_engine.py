@@ -3,8 +3,17 @@ from functools import partial
 
 import pytest
 
-from allworlds import bench, check, claims, count, optimum, worlds, worst
-from allworlds.engines import ENGINES, Job, Limits, Scope, Silent, engine_for, why_not_compiled
+from allworlds import check, claims, count, optimum, worlds, worst
+from allworlds.engines import (
+    ENGINES,
+    Job,
+    Limits,
+    Scope,
+    Silent,
+    engine_for,
+    subject_of,
+    why_not_compiled,
+)
 from allworlds.engines.compiled.agreement import AGREED
 from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.explorers import Subject, load
@@ -170,7 +179,48 @@ def test_without_a_compiler_the_python_engine_does_what_it_can():
 
 
 @pytest.mark.usefixtures("no_compiler")
-@pytest.mark.parametrize("asked", [worst, bench, claims, optimum, partial(check, engine="kernel")])
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        ({"where": "cubic"}, "does not know the condition 'cubic'"),
+        ({"task": "cover"}, "judges the task map alone, not 'cover'"),
+        ({"policy": "random:1"}, "random:1"),
+        ({"explore": closure()}, "judges no explorer that lives in this process alone"),
+    ],
+)
+def test_the_compiler_is_not_asked_for_where_compiled_code_would_refuse_all_the_same(
+    options, reason
+):
+    told = Stopper(after=0)
+    assert check(edges=6, listener=told, **options).exit_code
+    assert told.worlds
+    assert told.notices == []
+    with pytest.raises(InputError) as refusal:
+        check(edges=6, engine="kernel", **options)
+    assert reason in str(refusal.value)
+    assert "numba" not in str(refusal.value)
+
+
+@pytest.mark.usefixtures("no_compiler")
+def test_the_compiler_is_not_asked_for_where_the_memory_is_limited(wrong):
+    scope, subject = (
+        Scope(Extent(MapClass.MAPS, 6, None), Rules()),
+        subject_of(wrong("right"), Limits()),
+    )
+    assert "needs numba" in why_not_compiled(scope, subject)
+    assert why_not_compiled(scope, subject, 500) == ""
+
+
+@pytest.mark.usefixtures("no_compiler")
+@pytest.mark.parametrize("asked", [partial(worst, edges=99), partial(optimum, edges=99)])
+def test_the_compiler_is_not_asked_for_where_there_is_no_room(asked):
+    with pytest.raises(InputError, match="99") as refusal:
+        asked()
+    assert "numba" not in str(refusal.value)
+
+
+@pytest.mark.usefixtures("no_compiler")
+@pytest.mark.parametrize("asked", [worst, claims, optimum, partial(check, engine="kernel")])
 def test_what_needs_the_compiler_says_how_to_install_it(asked):
     with pytest.raises(InputError, match=r"needs numba: .*pip install '\.\[fast\]'"):
         asked()

@@ -392,7 +392,7 @@ SILENCE = 10.0
 def test_a_worker_that_is_stopped_is_given_up(verb, apart):
     job, after = {
         "check": (lambda **more: check(edges=4, engine="python", **more), 300),
-        "worst": (lambda **more: worst("greedy", edges=3, **more), 30),
+        "worst": (lambda **more: worst(edges=4, **more), 30),
         "count": (lambda **more: count(edges=5, **more), 300),
     }[verb]
     stopper = After(after, lambda: apart.workers[0].send_signal(signal.SIGSTOP))

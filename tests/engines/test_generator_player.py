@@ -8,6 +8,7 @@ from numpy import int32
 
 import small
 from allworlds import Ambiguous, Checkpoint, Choices, CombinatorialMap, Drop, Estimate, Move
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.engines import PythonEngine, Scope, Tally
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.stretches import LEAST, THIRD, PlayedByStretches
@@ -26,7 +27,6 @@ from allworlds.engines.kernel.stretch import RUN_NUMBER
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.play import Recorded
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import Subject, algorithm1
 from allworlds.judging import Fault, Rules, UncheckedAnswer, perform
 from allworlds.maps import Extent, MapClass

@@ -8,7 +8,6 @@ import pytest
 from allworlds import check, optimum
 from allworlds.document import replace
 from allworlds.engines import CostTally, Tally
-from allworlds.engines.python.costs import RunCost
 from allworlds.engines.python.tally import AtRun, Row
 from allworlds.engines.units.kept_form import from_kept, to_kept
 from allworlds.inputs import InputError
@@ -39,7 +38,7 @@ def tally(kind=Tally):
 
 def costs():
     found = tally(CostTally)
-    found.costs[(1, 2, (0, 1), (1, 0)), 0] = RunCost(2, 3)
+    found.costs[(1, 2, (0, 1), (1, 0)), 0] = 3
     return found
 
 

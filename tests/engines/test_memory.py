@@ -17,12 +17,12 @@ MOST = 150
 
 
 class Watches(Silent):
-    """Looks, after every so many units, how much memory is in use."""
+    """Looks, after every so many parts of units, how much memory is in use."""
 
     def __init__(self, units):
         self.units, self.done, self.used = units, 0, []
 
-    def unit(self, key, worlds):
+    def progress(self, worlds):
         self.done += 1
         if self.done % self.units == 0:
             gc.collect()

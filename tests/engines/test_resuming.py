@@ -138,13 +138,14 @@ def test_a_lock_that_is_removed_is_made_anew(tmp_path, monkeypatch):
     refused = []
 
     class Tries(Once):
-        """Another command, which begins after some units."""
+        """Another command, which begins when a unit has been kept since."""
 
-        def unit(self, key, worlds):
+        def progress(self, worlds):
             if not self.left and not refused:
                 with pytest.raises(InputError, match="is in use by another command"):
                     job(run=run)
-                refused.append(key)
+                refused.append(worlds)
+            super().progress(worlds)
 
     listener = Tries((run / "lock").unlink)
     job(run=run, listener=listener)

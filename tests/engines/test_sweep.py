@@ -24,9 +24,7 @@ SWEEPS = {
         f"{WRONG}:here_of_another", edges=3, max_findings=3, **more
     ),
     "worst": lambda **more: worst(edges=4, **more),
-    "worst of runs": lambda **more: worst("greedy", edges=3, **more),
-    "worst of schedules": lambda **more: worst("remembering", edges=2, **more),
-    "worst refuted": lambda **more: worst(f"{WRONG}:here_of_another", edges=3, **more),
+    "check all": lambda **more: check("remembering", edges=2, schedules="all", **more),
     "compare": lambda **more: compare("algorithm1", "greedy", edges=3, **more),
     "compare refuted": lambda **more: compare(
         "algorithm1", f"{WRONG}:here_of_another", edges=3, **more
@@ -36,8 +34,8 @@ SWEEPS = {
         "algorithm1", "greedy", family=["lattice", "thick"], to=50, worlds=2, **more
     ),
     "optimum": lambda **more: optimum(edges=3, **more),
-    "fuzz": lambda **more: fuzz(edges=7, runs=150, **more),
-    "fuzz refuted": lambda **more: fuzz(f"{WRONG}:everywhere", edges=4, runs=150, **more),
+    "fuzz": lambda **more: fuzz(edges=7, runs=600, **more),
+    "fuzz refuted": lambda **more: fuzz(f"{WRONG}:everywhere", edges=4, runs=600, **more),
     "count": lambda **more: count(edges=4, **more),
     "count simple": lambda **more: count(vertices=4, map_class="simple", **more),
     "ambiguity census": lambda **more: ambiguity.census(edges=4, **more),
@@ -65,15 +63,15 @@ def undisturbed():
 
 
 class Interrupts(Silent):
-    """Interrupts when so many units were finished by this command."""
+    """Interrupts at the part that comes after so many parts of units, kept ones among them."""
 
-    def __init__(self, units):
-        self.left = units
+    def __init__(self, parts):
+        self.left = parts
 
-    def unit(self, key, worlds):
-        self.left -= 1
+    def progress(self, worlds):
         if self.left == 0:
             raise KeyboardInterrupt
+        self.left -= 1
 
 
 def assert_finished_rows(told, whole):
@@ -104,8 +102,8 @@ def test_every_verb_with_a_sweep_is_tried():
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_path):
     job, whole = SWEEPS[name], undisturbed(name)
-    for units in (1, 1, 3):
-        cut = job(run=tmp_path, listener=Interrupts(units))
+    for parts in (1, 2, 3):
+        cut = job(run=tmp_path, listener=Interrupts(parts))
         if cut.exit_code != 130:  # it has fewer units
             break
         assert_finished_rows(text(cut), whole)
@@ -210,7 +208,7 @@ def test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name):
     assert cut.exit_code == (1 if refuted else 3)
 
 
-@pytest.mark.parametrize("name", ["optimum", "fuzz", "compare --to", "count", "worst of runs"])
+@pytest.mark.parametrize("name", ["optimum", "fuzz", "compare --to", "count", "check all"])
 def test_the_status_of_every_verb_is_told(name, cli, tmp_path):
     SWEEPS[name](run=tmp_path)
     code, out, _ = cli("status", tmp_path)

@@ -20,6 +20,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from allworlds import Estimate
+from allworlds.corpus import explorers as wrong
 from allworlds.document import replace
 from allworlds.evidence.claims import (
     algorithm,
@@ -37,8 +38,6 @@ from allworlds.evidence.claims import (
 )
 from allworlds.evidence.claims.claim_types import Means
 from allworlds.evidence.claims.manifest import manifest
-from allworlds.evidence.mutants import explorers as wrong, learners
-from allworlds.evidence.mutants.enumerators import map_doubled, mirror_images_merged
 from allworlds.explorers import BUILT_IN, Algorithm1
 from allworlds.judging import paper_bound
 from allworlds.maps import CombinatorialMap, CorridorShape, named_map, rooted_code
@@ -50,6 +49,7 @@ from allworlds.studies.check import check
 from allworlds.studies.run import run
 from allworlds.studies.worst import EverySchedule
 from allworlds.world import Compass, Directional, Nothing, Position, World, worlds
+from enumerators import map_doubled, mirror_images_merged
 
 PROOFS = Path(__file__).parents[2] / "proofs"
 
@@ -627,7 +627,7 @@ MUTANTS = (
            ((position, "named_map", lambda _: named_map("two-loops-plane")),),
            {"markers": 1, "actions": 2}),
     Mutant("position-robot", "doubts for no reason",
-           ((position, "check", checked(learners.WRONG_LEARNERS[0].explorer())),), {"edges": 2}),
+           ((position, "check", checked(wrong.WRONG_LEARNERS[0].explorer())),), {"edges": 2}),
     Mutant("criterion", "the sentence without its exception at k = 2",
            ((ambiguous, "_said", said_before),)),
     Mutant("criterion", "the program without its exception",

@@ -2,16 +2,13 @@ from collections import Counter
 
 import pytest
 
-from allworlds.evidence.mutants import explorers, matrix, mutants
-from allworlds.evidence.mutants.errands import WEAK_TASK_JUDGES
-from allworlds.evidence.mutants.explorers import (
-    EQUIVALENT_EXPLORERS,
-    WRONG_EXPLORERS,
-    WrongExplorer,
-)
-from allworlds.evidence.mutants.judges import WEAK_JUDGES
-from allworlds.inputs import InputError
+import matrix
+from allworlds.corpus import explorers
+from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.judging import LAWS, PRECEDENCE
+from errands import WEAK_TASK_JUDGES
+from judges import WEAK_JUDGES
+from matrix import mutants, survivors
 from small import long
 
 SMALLER = 1
@@ -24,50 +21,53 @@ TAKE_FOUR = ["confirmed-too-early", "mirror-accepted"]
 
 
 @pytest.fixture(scope="module", params=[2, long(4)])
-def full(request, untraced):
-    """Every mutant; in the long run at the bound of the command, which .ci/run takes, too."""
+def edges(request):
+    """The bound; in the long run that of the program, which .ci/run takes, too."""
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def full(edges, untraced):
+    """Every mutant within the bound."""
     with untraced():
-        return mutants(edges=request.param)
+        return list(mutants(edges))
 
 
 @pytest.fixture(scope="module")
 def small():
     """Every mutant in the worlds with one edge."""
-    return mutants(edges=SMALLER)
+    return list(mutants(SMALLER))
 
 
 def row(kill_matrix, name):
-    return next(kill for kill in kill_matrix.kill_matrix if kill.mutant == name)
+    return next(kill for kill in kill_matrix if kill.mutant == name)
 
 
 # ---------------------------------------------------------------- the matrix
 
 
 @pytest.mark.no_cover
-def test_no_mutant_survives(full):
-    assert sorted(full.survivors) == (sorted(TAKE_THREE + TAKE_FOUR) if full.edges < 4 else [])
-    assert full.exit_code == (1 if full.edges < 4 else 0)
+def test_no_mutant_survives(full, edges):
+    assert sorted(survivors(full)) == (sorted(TAKE_THREE + TAKE_FOUR) if edges < 4 else [])
 
 
 def test_there_are_enough_mutants_of_every_kind(full):
-    kinds = Counter(kill.kind for kill in full.kill_matrix if not kill.equivalent)
+    kinds = Counter(kill.kind for kill in full if not kill.equivalent)
     assert kinds["explorer"] >= 12
     assert kinds["judge"] >= 6
     assert kinds["enumerator"] >= 4
     assert kinds.total() >= 22
-    names = [kill.mutant for kill in full.kill_matrix]
+    names = [kill.mutant for kill in full]
     assert len(set(names)) == len(names)
 
 
 def test_every_mutant_says_what_is_wrong_with_it(full):
-    assert all(kill.breaks.endswith(".") for kill in full.kill_matrix)
+    assert all(kill.breaks.endswith(".") for kill in full)
 
 
 def test_explorers_are_killed_by_laws_judges_by_the_sound_one_enumerators_by_two_checks(full):
     killers = {
-        kind: {
-            kill.killed_by for kill in full.kill_matrix if kill.kind == kind and not kill.equivalent
-        }
+        kind: {kill.killed_by for kill in full if kill.kind == kind and not kill.equivalent}
         for kind in ("explorer", "judge", "enumerator")
     }
     killers = {
@@ -80,7 +80,7 @@ def test_explorers_are_killed_by_laws_judges_by_the_sound_one_enumerators_by_two
 
 @pytest.mark.parametrize("law", [*LAWS, "ambiguity", "task"])
 def test_every_law_kills_some_explorer_and_is_missed_by_some_judge(full, law):
-    assert law in {kill.killed_by for kill in full.kill_matrix if kill.kind == "explorer"}
+    assert law in {kill.killed_by for kill in full if kill.kind == "explorer"}
     assert law in {weak.law for weak in (*WEAK_JUDGES, *WEAK_TASK_JUDGES)}
 
 
@@ -88,20 +88,20 @@ ANY_WORLD = "nondeterministic"  # by what the explorer has kept from other world
 
 
 @pytest.mark.no_cover
-def test_every_kill_names_its_smallest_world(full, small):
-    for kill in full.kill_matrix:
-        if kill.equivalent or kill.mutant in full.survivors or kill.killed_by == ANY_WORLD:
+def test_every_kill_names_its_smallest_world(full, small, edges):
+    for kill in full:
+        if kill.equivalent or kill.mutant in survivors(full) or kill.killed_by == ANY_WORLD:
             assert kill.world is None
         else:
-            assert 1 <= kill.world.map.edge_count <= full.edges
+            assert 1 <= kill.world.map.edge_count <= edges
     # The bound does not change a kill that lies within it.
-    for kill in small.kill_matrix:
+    for kill in small:
         if kill.killed_by:
             assert row(full, kill.mutant) == kill
 
 
 @pytest.mark.parametrize(
-    ("mutant", "law", "edges"),
+    ("mutant", "law", "least"),
     [
         ("no-answer", "no-estimate", 1),
         ("drops-markers", "illegal-action", 1),
@@ -121,12 +121,12 @@ def test_every_kill_names_its_smallest_world(full, small):
         ("mirror-accepted", "sound judge on mirror-image", 4),
     ],
 )
-def test_who_is_killed_by_what_and_where(full, mutant, law, edges):
+def test_who_is_killed_by_what_and_where(full, edges, mutant, law, least):
     kill = row(full, mutant)
-    if edges > full.edges:
+    if least > edges:
         assert (kill.killed_by, kill.world) == (None, None)
     else:
-        assert (kill.killed_by, kill.world.map.edge_count) == (law, edges)
+        assert (kill.killed_by, kill.world.map.edge_count) == (law, least)
 
 
 def test_an_equivalent_mutant_is_listed_with_its_reason_and_lives(full):
@@ -136,11 +136,13 @@ def test_an_equivalent_mutant_is_listed_with_its_reason_and_lives(full):
         assert kill.killed_by is None
 
 
-def test_the_document_has_a_row_for_every_mutant(full):
-    document = full.to_json()
-    assert document["mutants"] == len(document["kill_matrix"]) == len(full.kill_matrix)
-    assert document["survivors"] == [*full.survivors]
-    assert {"mutant", "killed_by", "world"} <= set(document["kill_matrix"][0])
+def test_the_text_has_a_line_for_every_mutant(full, edges):
+    lines = list(matrix.told(full, edges))
+    assert lines[0].startswith("SURVIVORS  51 mutants" if edges < 4 else "ALL KILLED  51 mutants")
+    for kill in full:
+        assert any(
+            line.startswith((f"{kill.mutant} ", f"EQUIVALENT {kill.mutant}:")) for line in lines
+        )
 
 
 # ---------------------------------------------------------------- when something is missing
@@ -155,17 +157,14 @@ def test_without_any_one_law_a_mutant_survives_that_it_kills(full, monkeypatch, 
 
     explorers_ = [m for m in killed(WRONG_EXPLORERS) if row(full, m.name).killed_by == law]
     judges = [m for m in killed(WEAK_JUDGES) if m.law == law]
-    assert only(monkeypatch, explorers_, judges=judges).survivors == ()
+    assert only(monkeypatch, explorers_, judges=judges) == []
     monkeypatch.delitem(LAWS, law)
-    without = only(monkeypatch, explorers_, judges=judges)
-    assert without.survivors
-    assert without.exit_code == 1
+    assert only(monkeypatch, explorers_, judges=judges)
 
 
 def test_a_bound_that_is_too_small_shows_in_the_survivors(small):
-    assert "mirror-accepted" in small.survivors
-    assert small.exit_code == 1
-    assert row(small, "mirror-accepted").to_json()["killed_by"] is None
+    assert "mirror-accepted" in survivors(small)
+    assert row(small, "mirror-accepted").killed_by is None
 
 
 class Right(explorers.Algorithm1):
@@ -173,7 +172,7 @@ class Right(explorers.Algorithm1):
 
 
 def only(monkeypatch, wrong, equivalent=(), judges=()):
-    """The matrix of these mutants and nothing else."""
+    """The survivors among these mutants and nothing else."""
     for name, values in (
         ("WRONG_EXPLORERS", tuple(wrong)),
         ("WRONG_LEARNERS", ()),
@@ -182,32 +181,21 @@ def only(monkeypatch, wrong, equivalent=(), judges=()):
         ("BROKEN_ENUMERATORS", ()),
     ):
         monkeypatch.setattr(matrix, name, values)
-    return mutants(edges=2)
+    return survivors([*mutants(2)])
 
 
 def test_a_mutant_that_is_not_killed_is_a_survivor(monkeypatch):
-    result = only(monkeypatch, [WrongExplorer(Right)])
-    assert result.survivors == ("right",)
-    assert result.exit_code == 1
+    assert only(monkeypatch, [WrongExplorer(Right)]) == ["right"]
 
 
 def test_an_equivalent_mutant_that_is_killed_is_a_survivor_too(monkeypatch):
-    result = only(monkeypatch, [], [WrongExplorer(explorers.PoseLost, "it is said to be right")])
-    assert result.survivors == ("pose-lost",)
-    assert result.exit_code == 1
+    wrong = WrongExplorer(explorers.PoseLost, "it is said to be right")
+    assert only(monkeypatch, [], [wrong]) == ["pose-lost"]
 
 
-def test_where_all_is_as_it_should_be_the_exit_code_is_0(monkeypatch):
+def test_where_all_is_as_it_should_be_none_is_a_survivor(monkeypatch):
     killed, alive = WrongExplorer(explorers.PoseLost), WrongExplorer(Right, "it is Algorithm 1")
-    result = only(monkeypatch, [killed], [alive])
-    assert result.survivors == ()
-    assert result.exit_code == 0
-
-
-@pytest.mark.parametrize("edges", [0, 5, -1])
-def test_other_bounds_are_refused(edges):
-    with pytest.raises(InputError, match=f"edges = {edges}"):
-        mutants(edges=edges)
+    assert only(monkeypatch, [killed], [alive]) == []
 
 
 # ---------------------------------------------------------------- names
@@ -217,23 +205,3 @@ def test_names_are_the_classes_in_words():
     names = {mutant.kind.__name__: mutant.name for mutant in WRONG_EXPLORERS}
     assert names["NoRetracing"] == "no-retracing"
     assert names["PartnerLeftInU"] == "partner-left-in-U"
-
-
-# ---------------------------------------------------------------- interruptions
-
-
-def test_an_interruption_ends_the_matrix_and_makes_no_row_of_it(monkeypatch):
-    class Interrupted(WrongExplorer):
-        def explorer(self):
-            def explore(first):
-                # As a Ctrl-C in the middle of a run, which the check inside keeps to itself.
-                raise KeyboardInterrupt
-                yield
-
-            return explore
-
-    first = WRONG_EXPLORERS[0]
-    monkeypatch.setattr(matrix, "WRONG_EXPLORERS", (first, Interrupted(first.kind)))
-    told = mutants(edges=1)
-    assert (told.complete, told.exit_code) == (False, 130)
-    assert [kill.mutant for kill in told.kill_matrix] == [first.name]

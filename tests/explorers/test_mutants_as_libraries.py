@@ -3,8 +3,8 @@
 import pytest
 
 from allworlds import check
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from native_libraries import FOLDER, PROJECT, built
 
 HERE = PROJECT / "tests" / "support" / "explorers_for_tests"
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.usefixtures("compiled")
 
 
 def twin(mutant):
-    name = f"allworlds.evidence.mutants.explorers:{mutant.name.replace('-', '_')}"
+    name = f"allworlds.corpus.explorers:{mutant.name.replace('-', '_')}"
     words = (f'-DFOLDER="{HERE}"', f'-DEXPLORER="{name}"')
     return f"native:{built(HERE / 'shim.c', *words)}", name
 
@@ -47,7 +47,7 @@ def test_every_wrong_explorer_in_a_library_is_killed_in_the_same_world(mutant):
 @pytest.mark.long
 @pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
 def test_every_wrong_explorer_in_python_is_killed_by_compiled_code_in_the_same_world(mutant):
-    name = f"allworlds.evidence.mutants.explorers:{mutant.name.replace('-', '_')}"
+    name = f"allworlds.corpus.explorers:{mutant.name.replace('-', '_')}"
     (ours,) = check(name, edges=4, engine="kernel").findings
     (theirs,) = check(name, edges=4, engine="python").findings
     assert ours.law == theirs.law

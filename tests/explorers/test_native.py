@@ -26,7 +26,6 @@ from allworlds.studies.check import check, most_expensive_runs
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
-from allworlds.studies.worst import worst
 from allworlds.world import Directional, Position, World
 from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
 from processes import PATIENCE, SOON
@@ -118,28 +117,10 @@ def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
     assert again.runs == 0
 
 
-def test_the_worst_of_a_library_that_takes_choices_is_that_of_every_schedule(cli):
-    code, out, err = cli("worst", "--native", example("c/algorithm1.c"), "--edges", 1)
-    assert (code, err) == (0, "")
-    assert "every schedule" in out
-
-
 @pytest.fixture(scope="module")
 def without_choices():
     """Algorithm 1 in C without ``choose``."""
     return native(built(EXAMPLES / "c/algorithm1.c", "-Dallworlds_choose=not_exported"))
-
-
-@pytest.mark.usefixtures("compiled")
-def test_the_worst_of_a_library_without_choices_is_that_of_its_check(without_choices):
-    found = worst(without_choices, edges=5)
-    ours = [*most_expensive_runs(check("algorithm1", edges=5, engine="kernel"))]
-    assert found.exit_code == 0
-    assert [(row.world, row.worst) for row in found.rows] == [
-        (run.world, run.outcome.cost) for run in ours
-    ]
-    assert all(row.best == row.worst == row.replayed for row in found.rows)
-    assert len(found.rows) == 20
 
 
 @pytest.mark.slow

@@ -145,6 +145,6 @@ def test_the_two_ways_are_two_and_going_home_is_not_the_cheaper_one():
 
 
 def test_an_unfair_way_never_ends():
-    report = allworlds.check("allworlds.evidence.mutants.explorers:nearest_only", edges=3)
+    report = allworlds.check("allworlds.corpus.explorers:nearest_only", edges=3)
     assert report.findings[0].law == "budget"
     assert report.findings[0].world.map.edge_count == 3

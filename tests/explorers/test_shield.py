@@ -6,7 +6,7 @@ import pytest
 
 import allworlds
 from allworlds import CombinatorialMap, Estimate, Move, Percept
-from allworlds.evidence.mutants.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
+from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from allworlds.explorers import (
     BUILT_IN,
     FoldedLog,

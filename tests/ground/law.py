@@ -37,7 +37,6 @@ CODES = {
     "fuzz": {0, 1, 3, 4},
     "run": {0, 1, 3},
     "replay": {0, 5},
-    "self mutants": {0, 1},
     "optimum": {0, 3},
     "worst": {0, 1, 4},
     "ambiguity search": {0, 3, 4},

@@ -5,7 +5,7 @@ from functools import cache
 import pytest
 
 from allworlds import Estimate, Move
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.judging import explain
 from allworlds.studies.check import check
 from allworlds.studies.run import run

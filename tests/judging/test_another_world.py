@@ -6,7 +6,7 @@ import pytest
 
 import allworlds
 from allworlds import Move, Percept
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.judging import explain, fold
 from allworlds.judging.explanations import another_world as another
 from allworlds.judging.explanations.another_world import another_world

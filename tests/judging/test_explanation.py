@@ -5,8 +5,8 @@ import json
 import pytest
 
 import allworlds
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.inputs import InputError
 from allworlds.judging import PRECEDENCE, Finding, explain
 from allworlds.protocol import Percept, Transcript

@@ -3,8 +3,8 @@
 import pytest
 
 from allworlds import CombinatorialMap, Move
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import algorithm1
 from allworlds.judging import Belief, Chirality, Story, explain, same_map
 from allworlds.judging.explanations.by_law import GUESSED

@@ -4,12 +4,12 @@ import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import tuples
 
-from allworlds.evidence.mutants.judges import retracing_not_counted
 from allworlds.explorers import algorithm1
 from allworlds.judging import Case, bound_law, play
 from allworlds.protocol import Checkpoint, Choices, Estimate, Move
 from allworlds.strategies import choices, maps, motions, worlds
 from allworlds.world import World
+from judges import retracing_not_counted
 
 MANY = settings(max_examples=2000)
 

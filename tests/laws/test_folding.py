@@ -5,8 +5,8 @@ from random import Random
 from hypothesis import find, given, settings
 from hypothesis.strategies import integers, tuples
 
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import algorithm1
 from allworlds.judging import Case, fold, play
 from allworlds.judging.laws.folding import Contradiction

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import data, integers, permutations, tuples
 
+from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.evidence.mutants.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from allworlds.explorers import algorithm1
 from allworlds.judging import Answered, fold, play
 from allworlds.maps import rooted_code, rooted_maps

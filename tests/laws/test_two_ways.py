@@ -7,12 +7,12 @@ import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import composite, data, integers, permutations, sampled_from
 
-from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS
 from allworlds.judging import Case
 from allworlds.judging.laws.second_opinion import verdict
 from allworlds.maps import MapClass, bruteforce, isomorphism, moved, rooted_code, rooted_maps
 from allworlds.protocol import Estimate, Percept, Transcript
 from allworlds.strategies import maps
+from enumerators import BROKEN_ENUMERATORS
 
 MANY = settings(max_examples=2000)
 SMALL = maps(max_edges=4)

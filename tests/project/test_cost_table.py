@@ -3,6 +3,8 @@
 import importlib.util
 import json
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -37,6 +39,20 @@ def test_the_page_names_the_rate_that_it_reckons_with(document):
     page = (ROOT / "docs/how-to/bound.md").read_text(encoding="utf-8")
     rate = document["contenders"][0]["worlds_per_second"]["median"]
     assert f"walks {rate:,.0f} worlds a second" in page
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("compiled")
+def test_the_program_that_measures_sets_others_beside_the_engines():
+    line = [sys.executable, ROOT / "benchmarks/rounds.py", "--edges=4", "--rounds=1"]
+    told = subprocess.run([*line, "--peer=a@3=true"], check=True, capture_output=True).stdout
+    document = json.loads(told)
+    names = [row["name"] for row in document["contenders"]]
+    assert names == ["kernel", "kernel-2", "count", "judge", "python", "a"]
+    assert document["contenders"][-1]["worlds"] == 74  # OEIS A000698
+    assert [row["to"] for row in document["ratios"]] == names[1:]
+    failed = subprocess.run([*line, "--peer=culprit=false"], check=False, capture_output=True)
+    assert b"'culprit'" in failed.stderr
 
 
 def test_each_line_is_worlds_by_the_rate(cost):

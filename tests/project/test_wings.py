@@ -51,8 +51,8 @@ MOST_ROWS, MOST_ARROWS, MOST_ENTRIES = 12, 60, 21
 # Wings without a door of their own: each folder in them has one.
 BY_FOLDER = {"studies", "evidence"}
 
-# What lies beside the wings and holds no code.
-BESIDE = {"schemas", "py.typed"}
+# What lies beside the wings and holds no code, or code that no wing knows.
+BESIDE = {"corpus", "schemas", "py.typed"}
 
 # The only homes of each library that does not come with Python.
 HOMES = {
@@ -71,7 +71,6 @@ HOMES = {
         "maps.networks",
         "maps.counting.atlas",
         "judging.laws.second_opinion",
-        "evidence.mutants.judges",
     ],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
@@ -192,6 +191,8 @@ def modules():
     read = {}
     for path in sorted(ROOT.rglob("*.py")):
         parts = list(path.relative_to(ROOT).with_suffix("").parts)
+        if parts[0] in BESIDE:
+            continue
         package = parts[-1] == "__init__"
         short = ".".join(parts[:-1] if package else parts)
         name = f"allworlds.{short}" if short else "allworlds"

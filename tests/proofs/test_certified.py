@@ -57,5 +57,6 @@ def test_a_mirrored_explorer_has_the_same_sums_in_every_row(certified):
     assert not compared(certified, "mirrored", 0, "fifo")
 
 
-def test_a_program_that_has_no_worlds_to_walk_in_does_not_agree(certified):
-    assert not compared(certified, "honest", 2, "fifo", edges=-1)
+def test_of_a_program_that_has_no_worlds_to_walk_in_nothing_is_decided(certified):
+    with pytest.raises(certified.NoVerdict, match="there is no run"):
+        compared(certified, "honest", 2, "fifo", edges=-1)

@@ -5,6 +5,10 @@ import sys
 
 import pytest
 
+from allworlds.document import replace
+from allworlds.outcome import Stopped
+from allworlds.studies.check import check
+
 
 @pytest.fixture
 def checker(checkers):
@@ -108,6 +112,31 @@ def test_bad_arguments_are_said_in_a_line(built, capfd, arguments, said):
 
 
 # ---- Compared with the package's ----
+
+
+def test_a_comparison_that_cannot_be_made_is_not_one_that_differs(checker, capsys):
+    def broken():
+        raise checker.NoVerdict("the judge has ended with SIGKILL")
+
+    for comparisons, code, word in (
+        ([lambda: True], 0, "AGREE"),
+        ([lambda: True, broken], 3, "UNDECIDED"),
+        ([broken, lambda: True], 3, "UNDECIDED"),
+        ([broken, lambda: False], 1, "DISAGREE"),
+        ([lambda: False, broken], 1, "DISAGREE"),
+    ):
+        assert checker.outcome(*comparisons) == code
+        said = capsys.readouterr()
+        assert said.out == f"{word}\n"
+        assert ("SIGKILL" in said.err) == (broken in comparisons)
+
+
+def test_a_check_that_has_not_been_finished_is_no_outcome(checker, monkeypatch):
+    (mutant,) = (m for m in checker.WRONG_EXPLORERS if m.name == "mirror-image")
+    stopped = replace(check(mutant.explorer(), edges=1), ending=Stopped("the time limit"))
+    monkeypatch.setattr(checker, "check", lambda *_, **__: stopped)
+    with pytest.raises(checker.NoVerdict, match="inconclusive"):
+        checker.package_outcome(mutant, 1)
 
 
 @pytest.mark.slow

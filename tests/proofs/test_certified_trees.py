@@ -249,7 +249,8 @@ def test_a_coq_that_accepts_everything_is_noticed(trees, monkeypatch, capsys):
     monkeypatch.setattr(trees, "asked_of_coq", lambda _file: "refused")
     assert not trees.certificates_agree(1, [])
     monkeypatch.setattr(trees, "asked_of_coq", lambda _file: "accepted")
-    assert not trees.certificates_agree(1, [])
+    with pytest.raises(trees.NoVerdict, match="nothing refused"):
+        trees.certificates_agree(1, [])
 
 
 def test_percepts_have_a_mark_exactly_where_they_have_a_bearing(trees):

@@ -330,5 +330,107 @@ def test_a_certificate_whose_text_has_been_changed_is_not_accepted(trees, tmp_pa
     assert text.count(old) == 1
     if name == "it is assumed":  # an axiom that is used
         text = text.replace("vm_compute. reflexivity.", "by case: wish.")
-    with pytest.raises(RuntimeError, match="coqc"):
+    with pytest.raises(trees.NoVerdict, match="coqc"):
         asked(trees, tmp_path, text.replace(old, new))
+
+
+# ---- What stands in the file is compared with what is claimed ----
+
+
+CONCLUSION = (
+    "  exists transcript answer z,\n"
+    "  [/\\ episode X (rooted start) (@percept_of W) (paper_bound (vertices W) (edges W))\n"
+    "        = (transcript, Some answer, z),\n"
+    "      valid answer & isomorphic (denote answer) (rooted z)].\n"
+)
+PROOF = "Proof. exact: (certified_paper computed). Qed.\nPrint"
+NOT_CLAIMED = {
+    **OTHER_TEXTS,
+    "nothing is concluded": (f"{CONCLUSION}{PROOF}", "  True.\nProof. by []. Qed.\nPrint"),
+    "of no world": ("forall W : lighthouse_world,", "forall W : lighthouse_world, False ->"),
+    "a word means something else": ("Model DecisionTrees.", "Model DecisionTrees Mine."),
+    "the comment ends early": ("what algorithm1 does", "what algorithm1 *) Import Mine. (* does"),
+    "another motion": ("Node 0", "Node 1"),
+    "more is said at the end": (
+        "Assumptions right_in_every_world.\n",
+        "Assumptions I.\nPrint I.\n",
+    ),
+    "lines end otherwise": ("\n", "\r\n"),
+}
+
+
+def checked(trees, file, *arguments):
+    return trees.write_certificate(
+        ["--check", str(file), "algorithm1", "--edges", str(EDGES), *arguments]
+    )
+
+
+@pytest.mark.parametrize("name", NOT_CLAIMED)
+def test_a_file_that_says_something_else_than_is_claimed_differs_and_coqc_is_not_asked(
+    trees, tmp_path, monkeypatch, capsys, name
+):
+    file = tmp_path / "certificate.v"
+    trees.write_certificate(
+        ["--certificate", str(file), "algorithm1", "--edges", str(EDGES)],
+    )
+    old, new = NOT_CLAIMED[name]
+    text = file.read_text()
+    assert old in text
+    file.write_bytes(text.replace(old, new, 1).encode())
+    monkeypatch.setattr(trees, "asked_of_coq", lambda _file: "accepted")
+    monkeypatch.setattr(trees, "is_built", lambda: True)
+    capsys.readouterr()
+    assert checked(trees, file) == 1
+    said = capsys.readouterr().out
+    assert said.startswith(f"DIFFERS    {file}, line ")
+    assert said.count("\n") == 1
+
+
+def test_a_file_of_another_claim_differs(trees, tmp_path, monkeypatch):
+    file = tmp_path / "certificate.v"
+    arguments = ["--certificate", str(file), "algorithm1", "--edges", str(EDGES)]
+    assert trees.write_certificate(arguments) == 0
+    monkeypatch.setattr(trees, "asked_of_coq", lambda _file: "accepted")
+    monkeypatch.setattr(trees, "is_built", lambda: True)
+    assert checked(trees, file) == 0
+    for other in (["--edges", "1"], ["--limit", "2*m*n"], ["--universe", "simple"]):
+        assert checked(trees, file, *other) == 1
+
+
+def test_a_coqc_that_comes_to_no_verdict_is_neither_accepted_nor_refused(
+    trees, tmp_path, monkeypatch, capsys
+):
+    file = tmp_path / "certificate.v"
+    arguments = ["--certificate", str(file), "algorithm1", "--edges", str(EDGES)]
+    assert trees.write_certificate(arguments) == 0
+    coqc = tmp_path / "coqc"
+    monkeypatch.setattr(trees, "is_built", lambda: True)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    for script, code, word in (
+        ("kill -9 $$", 3, "UNDECIDED"),
+        ("echo", 3, "UNDECIDED"),
+        (f"echo '{trees.REFUSAL}' >&2; exit 1", 1, "REFUSED"),
+        ("echo Closed under the global context", 0, "ACCEPTED"),
+    ):
+        coqc.write_text(f"#!/bin/sh\n{script}\n")
+        coqc.chmod(0o755)
+        capsys.readouterr()
+        assert checked(trees, file) == code
+        assert capsys.readouterr().out.startswith(word)
+    monkeypatch.undo()
+    monkeypatch.setattr(trees, "COQ", tmp_path)
+    assert checked(trees, file) == 2
+    assert "not built: make -C proofs/coq" in capsys.readouterr().err
+
+
+@needs_coq
+@pytest.mark.slow
+def test_coqc_accepts_any_statement_and_only_the_claimed_one_is_a_certificate(trees, tmp_path):
+    """The last line that coqc prints is the same."""
+    file = tmp_path / "certificate.v"
+    text = trees.certificate(honest(trees), EDGES, "algorithm1")
+    file.write_text(text)
+    assert checked(trees, file) == 0
+    file.write_text(text.replace(*NOT_CLAIMED["nothing is concluded"]))
+    assert trees.asked_of_coq(file) == "accepted"
+    assert checked(trees, file) == 1

@@ -49,8 +49,6 @@ LEAST = {
     "ambiguity search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
     "paper claims": "--only fig1",
     "paper figure": "1 --out {tmp}/least.svg",
-    "self mutants": "--edges 1",
-    "self bench": "--edges 4 --rounds 1",
 }
 
 # What every command says is recorded under a name.
@@ -156,8 +154,6 @@ COMMANDS = {
     "play": "play theta-torus --html play.html --json",
     "play-text": "play theta --lighthouse position",
     "header": "init --header --json",
-    "mutants": "self mutants --edges 3 --json",
-    "mutants-text": "self mutants --edges 2",
     "refused-verb": "chekc",
     "refused-option": "check --egdes 3",
     "refused-class": "check --class planr",

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds import CombinatorialMap, Estimate
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.judging import explain
 from allworlds.reports import text as text_of
 from allworlds.reports.drawing.text import draw

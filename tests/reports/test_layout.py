@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.reports import table, text
 from allworlds.studies.check import check
 from allworlds.studies.run import run

@@ -36,7 +36,6 @@ COMMON = """
 
 All that can differ between two runs of one command stands under `made_by`, which the command line
 adds: whatever the number of workers, and wherever it runs, the rest is the same, byte for byte.
-(Only `bench` measures, so its figures differ.)
 
 """
 TABLE = "| key | value | meaning |\n|---|---|---|\n"

@@ -41,7 +41,7 @@ def report(request):
 @pytest.mark.no_cover
 def test_the_compiled_program_agrees_with_its_twin(report):
     for edges in (1, 2, 3, 4):
-        assert rows_of(report, edges) == twin(edges, report.transit)
+        assert rows_of(report, edges) == twin(edges, report.request.transit)
 
 
 @pytest.mark.slow
@@ -177,7 +177,7 @@ def test_a_wrong_kernel_is_found_out_by_the_replay(monkeypatch):
 def test_the_document_and_the_text(report):
     document = report.to_json()
     assert document["schema"] == 1
-    assert document["scope"]["transit"] == report.transit
+    assert document["scope"]["transit"] == report.request.transit
     row = document["rows"][-1]
     assert {"edges", "vertices", "worst", "best", "bound", "world", "choices"} <= set(row)
     assert row["world"]["start"] == 0
@@ -198,6 +198,7 @@ def test_threads_change_nothing():
         ({"edges": 0}, "0"),
         ({"edges": 13}, "13"),
         ({"workers": 0}, "0"),
+        ({"explore": "greedy"}, "not of 'greedy'; 'allworlds check EXPLORER --schedules all' has"),
     ],
 )
 def test_bad_options_are_refused_by_name(options, value):

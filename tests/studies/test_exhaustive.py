@@ -384,7 +384,7 @@ def wrong_at_leaves_and_interrupted(play):
 @pytest.mark.slow
 def test_a_finding_of_an_unfinished_level_is_not_called_minimal():
     levels = set()
-    for play in range(200, 700, 20):
+    for play in range(120, 600, 20):
         report = check(wrong_at_leaves_and_interrupted(play), edges=3, max_findings=6)
         assert (report.exit_code, report.complete, report.levels) == (130, False, (1, 2))
         for found in report.findings:

@@ -22,11 +22,19 @@ pytestmark = pytest.mark.usefixtures("without_workers")
 SPOILED = """
 from allworlds import CombinatorialMap, Estimate, Move, Percept
 from allworlds.explorers import algorithm1
+from allworlds.maps import isomorphism
 
 
 def mirrored(first):
     estimate = yield from algorithm1(first)
     return Estimate(estimate.map.mirrored(), estimate.here)
+
+
+def sometimes_mirrored(first):
+    estimate = yield from algorithm1(first)
+    if estimate.map.edge_count < 3 or not isomorphism(estimate.map, estimate.map.mirrored()):
+        return Estimate(estimate.map.mirrored(), estimate.here)
+    return estimate
 
 
 def turned(first):
@@ -119,6 +127,15 @@ def test_where_no_world_decides_both_slips_are_told_and_why(report_of):
     assert "the law 'crash'" in told.sentences[1]
 
 
+def test_rotations_are_anticlockwise_only_if_they_are_so_in_all_small_worlds(report_of):
+    (finding, *_) = report_of("sometimes_mirrored").findings
+    assert needs_a_chiral_world(finding)
+    assert finding.chirality.rotations == "unknown"
+    told = explain(finding)
+    assert told.sentences[0].startswith("Either 'here' is wrong, or the rotations are anticlock")
+    assert "elsewhere its answers are not known to be mirror images" in told.sentences[1]
+
+
 def test_a_finding_whose_explorer_is_gone_is_explained_all_the_same(report_of):
     document = report_of("mirrored").findings[0].to_json()
     document["explorer"] = "gone.py:explore"
@@ -182,7 +199,7 @@ def test_an_answer_that_is_no_map_is_told_once_with_what_was_tried(report_of, tm
     assert " ".join(out.split()).count("sigma[2] = sigma[3] = 3") == 1
     assert out.count("sigma  1   0  [3] [3]") == 1
     assert "counted anticlockwise" in " ".join(out.split())
-    assert " ".join(out.split()).count("line 18, in no_map: return Estimate(") == 1
+    assert " ".join(out.split()).count("line 26, in no_map: return Estimate(") == 1
     assert out.index("the permutations that were tried") < out.index("The world")
 
 

@@ -173,7 +173,6 @@ def test_the_gate_stands_over_the_union(report, tmp_path, monkeypatch):
 SHARDED = (
     "check --edges 1",
     "worst --edges 1",
-    "worst greedy --edges 1",
     "compare greedy prudent --edges 1",
     "count --edges 1",
     "fuzz --edges 2 --runs 3",

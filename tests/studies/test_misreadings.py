@@ -10,9 +10,11 @@ from allworlds.document import replace
 from allworlds.engines import finding_from_record, finding_to_record
 from allworlds.explorers import CONVENTIONS
 from allworlds.inputs import InputError
-from allworlds.judging import Finding, explain as told_of_run
-from allworlds.maps import MapClass, rooted_maps
+from allworlds.judging import Finding, canonical_world, explain as told_of_run
+from allworlds.judging.explanations.misread import MOST, trial_worlds
+from allworlds.maps import CombinatorialMap, Extent, MapClass, condition_named, rooted_maps
 from allworlds.studies.check import check
+from allworlds.world import World
 from native_libraries import EXAMPLES
 
 pytestmark = pytest.mark.usefixtures("without_workers")
@@ -68,6 +70,50 @@ def raising(first):
 def forgetful(first):
     estimate = yield from algorithm1(first)
     return Estimate(estimate.map, estimate.map.sigma[estimate.here])
+
+
+def hand(side):
+    def follow(first):
+        yield Move(0)
+        while True:
+            yield Move(side)
+
+    return follow
+
+
+left, right = hand(1), hand(-1)
+
+
+def in_one_schedule(first, *, choices):
+    yield Move(0)
+    side = choices.pick([1, 0], of="edge")
+    while True:
+        yield Move(side)
+
+
+def once(ending):
+    def explore(first):
+        estimate = yield from anticlockwise(first)
+        return ending(estimate)
+
+    return explore
+
+
+@once
+def no_star(estimate):
+    assert estimate.map.edge_count < 3 or 3 not in estimate.map.degree_at
+    return estimate
+
+
+@once
+def no_tree_of_4_edges(estimate):
+    assert (estimate.map.edge_count, estimate.map.vertex_count) != (4, 5)
+    return estimate
+
+
+def cubic_alone(first):
+    assert first.degree == 3
+    return (yield from anticlockwise(first))
 """
 
 SLIPS = {
@@ -85,6 +131,11 @@ def file(tmp_path_factory):
     file = tmp_path_factory.mktemp("misreading") / "misreading.py"
     file.write_text(MISREADING, encoding="utf-8")
     return file
+
+
+TRIANGLE_AND_LEAF = World(CombinatorialMap([1, 0, 4, 5, 6, 3, 2, 7], [2, 3, 0, 1, 5, 4, 7, 6]))
+FIVE_EDGES = World(CombinatorialMap([1, 0, 4, 5, 6, 7, 2, 3, 9, 8], [2, 3, 0, 1, 5, 4, 8, 9, 6, 7]))
+"""Worlds that an explorer which counts motions anticlockwise gets wrong."""
 
 
 def first_finding(name, **rules):
@@ -133,11 +184,89 @@ def test_a_translator_makes_a_right_explorer_wrong(convention):
     assert report.exit_code == 1
 
 
-def test_all_small_worlds_were_tried(file):
+def test_all_small_worlds_of_the_class_were_tried(file):
     misreading = first_finding(f"{file}:anticlockwise").misreading
-    worlds = [map_ for m in (1, 2, 3) for map_ in rooted_maps(m, MapClass.PLANAR)]
-    assert misreading.edges == 3
+    worlds = [map_ for m in (1, 2, 3) for map_ in rooted_maps(m)]
+    assert (misreading.edges, misreading.among) == (3, "maps")
     assert misreading.runs == sum(map_.degree_at[0] for map_ in worlds)
+
+
+def runs_of(edges, map_class, where=None):
+    """The number of runs in all maps of the class with so many edges, under a directional one."""
+    return sum(map_.degree_at[0] for map_ in rooted_maps(edges, map_class, where=where))
+
+
+@pytest.mark.parametrize(
+    ("map_class", "edges", "where", "tried"),
+    [
+        ("maps", 5, None, 4),
+        ("planar", 4, None, 4),
+        ("planar-simple", 5, None, 5),  # up to 4 edges there are too few
+        ("planar-simple", 4, None, 4),
+        ("maps", 4, "trees", 4),
+    ],
+)
+def test_a_trial_is_in_all_worlds_of_the_class_and_condition(map_class, edges, where, tried, file):
+    found = replace(first_finding(f"{file}:twice"), world=TRIANGLE_AND_LEAF)
+    extent = Extent(MapClass(map_class), edges, where=condition_named(where) if where else None)
+    trial = trial_worlds(found, extent)
+    due = sum(runs_of(m, extent.map_class, extent.where) for m in range(1, tried + 1))
+    assert len({*trial}) == len(trial) == due <= MOST
+    assert max(world.map.edge_count for world in trial) == tried
+    if where is None:
+        assert canonical_world(found.world.mirrored()) in map(canonical_world, trial)
+
+
+# ---------------------------------------------------------------- what looks like it, and is not
+
+
+@pytest.mark.parametrize("hand", ["left", "right"])
+def test_a_wall_follower_counts_as_it_should_though_a_mirror_image_were_right(hand, file):
+    finding = first_finding(f"{file}:{hand}", edges=5, map_class="planar-simple", task="cover")
+    assert (finding.law, finding.world.map.edge_count) == ("budget", 4)
+    assert told_of_run(finding).slip is None
+    assert "counts" not in " ".join(told_of_run(finding).sentences)
+
+
+def test_a_convention_is_told_only_if_the_explorer_as_it_is_fails_in_the_trial(file):
+    options = {"map_class": "planar-simple", "task": "cover", "schedules": "all"}
+    finding = first_finding(f"{file}:in_one_schedule", **options)
+    assert finding.choices == (1,)
+    # In the other schedule, that of the trial, both hands are right up to three edges.
+    assert finding.misreading is None
+
+
+def test_a_convention_is_told_only_if_the_translated_explorer_is_right_in_all_small_worlds(file):
+    finding = first_finding(f"{file}:no_star")
+    assert finding.world.map.edge_count < 3
+    assert finding.misreading is None
+
+
+def test_worlds_as_large_as_that_of_the_finding_are_among_them(file):
+    given = {"worlds": [TRIANGLE_AND_LEAF], "edges": None}
+    assert first_finding(f"{file}:no_tree_of_4_edges", **given).misreading is None
+    told = first_finding(f"{file}:anticlockwise", map_class="planar-simple", **given).misreading
+    assert (told.convention, told.edges) == ("motions-anticlockwise", 4)
+
+
+def test_a_slip_that_shows_only_in_worlds_of_four_edges_is_told(file):
+    scope = {"edges": 5, "map_class": "planar-simple", "engine": "python"}
+    finding = first_finding(f"{file}:anticlockwise", **scope)
+    assert finding.world.map.edge_count == 4
+    assert finding.misreading.convention == "motions-anticlockwise"
+    assert finding.misreading.edges == 5
+
+
+def test_of_a_world_too_large_for_all_of_its_size_no_convention_is_told(file):
+    finding = first_finding(f"{file}:anticlockwise", worlds=[FIVE_EDGES], edges=None)
+    assert finding.world.map.edge_count == 5
+    assert finding.misreading is None
+
+
+def test_an_explorer_for_a_condition_is_tried_under_it(file):
+    finding = first_finding(f"{file}:cubic_alone", where="cubic")
+    assert finding.misreading.among == "maps, cubic,"
+    assert "in the class maps, cubic, with up to 3 edges" in told_of_run(finding).sentences[0]
 
 
 def test_what_was_seen_is_kept_with_the_finding_and_not_in_its_document(file):
@@ -152,7 +281,12 @@ def test_a_finding_that_was_read_is_tried_anew_unless_its_explorer_has_changed(f
     finding = first_finding(f"{own}:from_1")
     read = Finding.from_json(finding.to_json())
     assert read.misreading is None
-    assert explain(read).sentences == told_of_run(finding).sentences
+    told, anew = told_of_run(finding).sentences, explain(read).sentences
+    # The class of its check is not in its document.
+    assert [anew[0].replace("206 runs in the class planar", "309 runs in the class maps")] == [
+        told[0]
+    ]
+    assert anew[1:] == told[1:]
     own.write_text(MISREADING.replace("k + 1", "k + 2"), encoding="utf-8")
     assert explain(read).slip is None
 

@@ -118,13 +118,13 @@ def test_a_file_that_a_model_loads_only_by_imports_is_shared_too(modules, name):
 
 def test_every_verb_that_judges_runs_names_the_shared_file_and_no_other_file(modules):
     options = {"edges": 1, "task": "shared_judge.py:judge"}
-    searched = allworlds.worst("shared_walker.py:explore", **options)
-    assert searched.scope.shared_file == "shared_walker.py"
-    assert "trust shared_walker.py holds" in " ".join(text("worst", searched, 100).split())
+    checked = allworlds.check("shared_walker.py:explore", **options)
+    assert checked.scope.shared_file == "shared_walker.py"
+    assert "trust shared_walker.py holds" in " ".join(text("check", checked, 100).split())
     compared = allworlds.compare("shared_walker.py:explore", "dfs", **options)
     assert [one.shared_file for one in compared.explorers] == ["shared_walker.py", ""]
     assert "trust shared_walker.py holds" in " ".join(text("compare", compared, 100).split())
-    apart = allworlds.worst("shared_walker.py:explore", edges=1, task="shared_alone.py:judge")
+    apart = allworlds.check("shared_walker.py:explore", edges=1, task="shared_alone.py:judge")
     assert apart.scope.shared_file == ""
 
 

@@ -113,7 +113,7 @@ class Hears:
     def __init__(self):
         self.notices, silent = [], Silent()
         self.level, self.stage, self.progress = silent.level, silent.stage, silent.progress
-        self.unit, self.finding, self.notice = silent.unit, silent.finding, self.notices.append
+        self.notice = self.notices.append
 
 
 @pytest.mark.usefixtures("without_workers")

@@ -6,7 +6,6 @@ import allworlds
 from allworlds.inputs import InputError
 from allworlds.maps.counting import any_genus, narrowed
 from allworlds.reports import text
-from small import slow
 
 PREDICATES = """
 def even(map_):
@@ -119,7 +118,6 @@ def test_a_wrong_count_under_a_condition_is_an_error(monkeypatch):
     report = allworlds.check(edges=3, where="trees")
     assert report.verdict.value == "error"
     assert "but Catalan numbers counts 6" in text("check", report, 1000)
-    assert allworlds.worst("greedy", edges=3, where="trees").exit_code == 70
     assert allworlds.ambiguity.census(edges=3, where="trees").exit_code == 70
 
 
@@ -131,24 +129,6 @@ def test_shards_under_a_condition_are_the_whole(where, tmp_path):
     merged = allworlds.merge(*(tmp_path / f"{shard}" for shard in (0, 1, 2)))
     assert merged.to_json()["rows"] == whole.to_json()["rows"]
     assert merged.to_json()["scope"]["gate"] == whole.to_json()["scope"]["gate"]
-
-
-@pytest.mark.parametrize("edges", [2, slow(3)])
-def test_the_worst_cost_under_a_condition(folder, edges):
-    plain = [row.to_json() for row in allworlds.worst(edges=edges, transit="simple").rows]
-    for where in ("girth:1", "alone.py:below?edges=9"):
-        report = allworlds.worst(edges=edges, where=where)
-        assert (report.exit_code, report.transit) == (0, None)
-        for row, same in zip(report.rows, plain, strict=True):
-            told = row.to_json()
-            for key in ("edges", "vertices", "worlds", "worst", "bound"):
-                assert told[key] == same[key]
-    assert report.to_json()["gate"] is None
-    assert "absent: no source counts the maps that are alone" in text("worst", report, 100)
-    with pytest.raises(InputError, match="in all maps of a class"):
-        allworlds.worst(edges=3, where="trees", transit="simple")
-    merged = allworlds.worst("greedy", edges=3, where="trees", run="rd")
-    assert allworlds.merge("rd").to_json() == merged.to_json()
 
 
 @pytest.mark.parametrize("where", ["cubic", "alone.py:even", "genus:2"])

@@ -172,7 +172,6 @@ def test_an_explorer_of_this_process_that_walks_otherwise_in_the_world_left_is_r
     [
         (["run", "greedy", "adversary:corridor:0"], "F is at least 1"),
         (["check", "adversary:corridor:1"], "no explorer, but makes a world for one"),
-        (["worst", "adversary:corridor:1"], "no explorer, but makes a world for one"),
         (["run", "greedy", "adversary:lattice:3"], "adversary:corridor:F"),
         (["run", "quotient", "adversary:corridor:1"], "directional"),
         (["run", "greedy", "adversary:corridor:1", "--task", "cover"], "'map' is"),

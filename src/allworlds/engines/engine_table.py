@@ -11,7 +11,6 @@ from allworlds.document import one_of, replace
 from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER
 from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
-from allworlds.engines.python.costs import CostEngine
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.transports.split import Split
@@ -63,7 +62,7 @@ class General:
 
     def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
-        return ReadyEngine(players_for(job), _python_engine(job))
+        return ReadyEngine(players_for(job), PythonEngine(job.scope, job.keep))
 
 
 class Compiled:
@@ -82,14 +81,12 @@ class Compiled:
         return SYMMETRY
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
-        """Return the first option that it does not know, in a sentence."""
-        if lack := lack_of(*COMPILER):
-            return lack
+        """Return the first option that it does not know, in a sentence; else what it lacks."""
         if subject.from_user and not subject.importable and subject.native is None:
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
         from allworlds.engines.compiled.obstacles import obstacle
 
-        return obstacle(scope, subject)
+        return obstacle(scope, subject) or lack_of(*COMPILER)
 
     def ready(self, job: Job) -> ReadyEngine:
         """Threads, after both engines have agreed on every small world.
@@ -113,11 +110,6 @@ class Compiled:
 
         far = Dask(job.cluster, workers, job.deadline)
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
-
-
-def _python_engine(job: Job) -> PythonEngine:
-    kind = CostEngine if job.costs else PythonEngine
-    return kind(job.scope, job.keep)
 
 
 def players_for(job: Job) -> Transport[Any]:
@@ -153,17 +145,23 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 """Every engine by its name."""
 
 
-def why_not_compiled(scope: Scope, subject: Subject) -> str:
+def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) -> str:
     """The reason why a large check is not done in compiled code, though that was to be expected.
 
-    That is so of native explorers, and of all where there is no compiler.
+    That is so of native explorers, and of all where a compiler is all that is missing.
     """
     most = scope.extent.levels[-1]
-    expected = subject.compiled or (most > COMPILED_FROM and bool(lack_of(*COMPILER)))
-    if not expected or most < COMPILED_FROM:
+    if most < COMPILED_FROM or _is_kept_out(subject, memory):
         return ""
     obstacle = ENGINES["kernel"].obstacle(scope, subject)
-    return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
+    expected = subject.compiled or (most > COMPILED_FROM and obstacle == lack_of(*COMPILER))
+    told = f"the kernel {obstacle}; the python engine goes on, far slower"
+    return told if obstacle and expected else ""
+
+
+def _is_kept_out(subject: Subject, memory: int | None) -> bool:
+    """Whether a limit of memory keeps compiled code out: its address space is hundreds of MB."""
+    return memory is not None and subject.from_user and not subject.compiled
 
 
 def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> EngineKind:
@@ -181,8 +179,7 @@ def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = N
     if name == "auto":
         compiled = ENGINES["kernel"]
         small = scope.extent.levels[-1] < COMPILED_FROM
-        # Hundreds of MB of address space are the compiled engine's own.
-        small |= memory is not None and subject.from_user and not subject.compiled
+        small |= _is_kept_out(subject, memory)
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
         raise InputError(f"engine {show(name)} is not one of auto, {', '.join(ENGINES)}")

@@ -21,7 +21,6 @@ class Job(Struct, frozen=True):
         deadline: on the monotonic clock, or None.
         notice: takes a text that the user reads at once.
         cluster: that is to do the work; None for work on this machine without Dask.
-        costs: whether the cheapest schedules are told, too.
     """
 
     scope: Scope
@@ -31,4 +30,3 @@ class Job(Struct, frozen=True):
     deadline: float | None
     notice: Callable[[str], None]
     cluster: DaskCluster | None = None
-    costs: bool = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import islice
 
 from allworlds.document import replace
@@ -20,35 +21,54 @@ from allworlds.judging import (
     chiral_worlds,
     chirality_in,
     may_be_misread,
+    narrowest_class,
     needs_a_chiral_world,
-    small_worlds,
+    trial_worlds,
+    true_trail,
 )
+from allworlds.maps import DEFAULT_EDGES, Extent, rooted_isomorphism
 from allworlds.protocol import Schedule
-from allworlds.world import World
+from allworlds.world import InvalidWorld, World
 
 TRIED = 8
 """The number of chiral worlds that are tried before the question stays open."""
 
 
-def confirmed(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
+def confirmed(
+    finding: Finding,
+    subject: Subject,
+    limits: Limits,
+    schedules: Schedule,
+    extent: Extent | None = None,
+) -> Finding:
     """The finding with everything that further plays of its explorer add; see its attributes."""
     again = played_again(finding, subject, limits, schedules)
-    return played_elsewhere(again, subject, limits)
+    return played_elsewhere(again, subject, limits, extent)
 
 
-def played_elsewhere(finding: Finding, subject: Subject, limits: Limits) -> Finding:
-    """The finding with what further plays of its explorer show of its slip."""
+def played_elsewhere(
+    finding: Finding, subject: Subject, limits: Limits, extent: Extent | None = None
+) -> Finding:
+    """The finding with what further plays of its explorer show of its slip.
+
+    They are in worlds of the extent, if it is known in which the finding was found; else in those
+    of the narrowest class that holds its world.
+    """
+    tried = extent or Extent(narrowest_class(finding), DEFAULT_EDGES)
     return replace(
         finding,
-        chirality=shown_chirality(finding, subject, limits),
-        misreading=shown_misreading(finding, subject, limits),
+        chirality=shown_chirality(finding, subject, limits, tried),
+        misreading=shown_misreading(finding, subject, limits, tried),
     )
 
 
-def shown_chirality(finding: Finding, subject: Subject, limits: Limits) -> Chirality | None:
+def shown_chirality(
+    finding: Finding, subject: Subject, limits: Limits, extent: Extent
+) -> Chirality | None:
     """The explorer's sense of rotation in a chiral world; None if the finding does not need one.
 
-    The explorer plays under the rules of the finding.
+    The explorer plays under the rules of the finding.  It is anticlockwise only if so read the
+    answers are right in all worlds of a trial, too.
     """
     if not needs_a_chiral_world(finding):
         return None
@@ -60,27 +80,70 @@ def shown_chirality(finding: Finding, subject: Subject, limits: Limits) -> Chira
             if broken == "timeout":  # the others would be waited for as long
                 break
         if isinstance(ending, Answered) and (shown := chirality_in(world, ending.estimate.map)):
-            return shown
+            known = shown.rotations == "clockwise" or _is_mirrored(subject, finding, limits, extent)
+            why = "elsewhere its answers are not known to be mirror images"
+            return shown if known else Chirality("unknown", why)
     if broken:
         return Chirality("unknown", f"there the explorer breaks the law '{broken}'")
     return Chirality("unknown", "there its map is neither right nor a mirror image")
 
 
-def shown_misreading(finding: Finding, subject: Subject, limits: Limits) -> Misreading | None:
-    """The wrong convention of the explorer; None if it is none that is known.
+def shown_misreading(
+    finding: Finding, subject: Subject, limits: Limits, extent: Extent
+) -> Misreading | None:
+    """The wrong convention of the explorer; None if it is none that is known, or may be another.
 
-    An explorer that no other process can import is not tried: it could not be stopped.
+    Behind the translator it breaks no law in the finding's world, in the mirror image, nor in any
+    world of a trial; without, it breaks one in some of them, played in the same way.  An explorer
+    that no other process can import is not tried: it could not be stopped.
     """
     if not (subject.from_user and subject.importable and may_be_misread(finding)):
         return None
-    others = [*small_worlds(finding)]
     for convention in CONVENTIONS:
-        behind = with_translator(subject, convention)
-        if all(_is_right(behind, finding, worlds, limits) for worlds in ([finding.world], others)):
-            return Misreading(convention, len(others), max(w.map.edge_count for w in others))
+        behind, own = with_translator(subject, convention), _own_worlds(finding)
+        if not _all_right(behind, finding, own, limits):
+            continue
+        trial = trial_worlds(finding, extent)
+        if not trial or all(_all_right(subject, finding, each, limits) for each in (own, trial)):
+            return None
+        if _all_right(behind, finding, trial, limits):
+            where = f", {extent.where}," if extent.where else ""
+            most = max(world.map.edge_count for world in trial)
+            return Misreading(convention, len(trial), most, f"{extent.map_class}{where}")
     return None
 
 
-def _is_right(subject: Subject, finding: Finding, worlds: list[World], limits: Limits) -> bool:
+def _own_worlds(finding: Finding) -> list[World]:
+    """The finding's world and its mirror image, if the lighthouse can stand there."""
+    try:
+        return [finding.world, finding.world.mirrored()]
+    except InvalidWorld:
+        return [finding.world]
+
+
+def _all_right(
+    subject: Subject,
+    finding: Finding,
+    worlds: list[World],
+    limits: Limits,
+    right: Callable[[World, Outcome], bool] = lambda _, outcome: outcome.violation is None,
+) -> bool:
+    """Whether each run in these worlds is right; the first that is not is the last one played."""
     outcomes = outcomes_apart(subject, finding.rules, worlds, limits, finding.hash_seed)
-    return all(isinstance(one, Outcome) and one.violation is None for one in outcomes)
+    return all(isinstance(one, Outcome) and right(world, one) for world, one in outcomes)
+
+
+def _is_mirrored(subject: Subject, finding: Finding, limits: Limits, extent: Extent) -> bool:
+    """Whether each answer in a trial is right as a mirror image; not if there is no trial."""
+    trial = trial_worlds(finding, extent)
+    worlds = [*_own_worlds(finding), *trial]
+    return bool(trial) and _all_right(subject, finding, worlds, limits, _is_right_mirrored)
+
+
+def _is_right_mirrored(world: World, outcome: Outcome) -> bool:
+    """Whether a run's answer is right if its rotations are read anticlockwise."""
+    episode = outcome.episode
+    if not isinstance(episode.ending, Answered):
+        return False
+    answer, robot = episode.ending.estimate, true_trail(world, episode.transcript)[-1]
+    return bool(rooted_isomorphism(answer.map.mirrored(), answer.here, world.map, robot))

@@ -10,8 +10,6 @@
     its code, found by its name, in a process that may run users' code;
 ``asked``
     the part of a request that names one;
-``moved``
-    the modules of explorers that have moved since 0.1.0;
 ``spelling``
     names that are nearly those of an explorer;
 ``digest``

@@ -10,7 +10,6 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.moved import present_name
 from allworlds.explorers.names import command_of, entry_point, innermost, is_library, path_of
 from allworlds.explorers.program import Program
 from allworlds.explorers.subject import Subject
@@ -69,7 +68,7 @@ def with_content(subject: Subject) -> Subject:
         or is_library(subject.name)
     ):
         return subject
-    file = module_file(present_name(place))
+    file = module_file(place)
     if file.suffix != ".py" or file.name == "__init__.py":
         return subject
     return replace(subject, source=SourceText(str(file), read_text(str(file))))
@@ -89,7 +88,7 @@ def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
 def _module_of(name: str) -> str:
     plain, _ = arguments_of(name)
     point = entry_point(plain)
-    return point.module if point else present_name(plain.rpartition(":")[0])
+    return point.module if point else plain.rpartition(":")[0]
 
 
 def _files_of(command: str) -> list[Path]:

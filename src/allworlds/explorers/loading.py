@@ -6,7 +6,6 @@ import inspect
 from typing import Any
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.moved import present_name
 from allworlds.explorers.names import (
     command_of,
     convention_in,
@@ -105,13 +104,9 @@ def load(
         return subject_of(name, called(name, imported(plain, point.load), arguments))
     source = source or source_of(name)
     place, _, attribute = plain.rpartition(":")
-    module = module_of_text(place, source) if source else _module(place)
+    module = module_of_text(place, source) if source else module_named(place)
     found = called(name, _attribute(module, attribute, place), arguments)
     return subject_of(name, found, source)
-
-
-def _module(name: str) -> Any:
-    return module_named(present_name(name))
 
 
 def _attribute(module: Any, attribute: str, place: str) -> Any:

@@ -10,7 +10,6 @@ from pathlib import Path
 from msgspec import Struct
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.moved import present_name
 from allworlds.explorers.names import (
     command_of,
     entry_point,
@@ -115,7 +114,7 @@ def _file_and_attributes(name: str) -> tuple[Path, list[str]]:
     place, colon, attribute = whole.rpartition(":")
     if not colon:  # of a file with one explorer its name will do
         place, attribute = whole, ""
-    file = Path(place) if place.endswith(".py") else module_file(present_name(place))
+    file = Path(place) if place.endswith(".py") else module_file(place)
     return Path(os.path.realpath(file)), attribute.split(".") if attribute else []
 
 

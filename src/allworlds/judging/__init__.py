@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from allworlds.judging.explanations.chirality import (
         chiral_worlds as chiral_worlds,
         chirality_in as chirality_in,
+        narrowest_class as narrowest_class,
         needs_a_chiral_world as needs_a_chiral_world,
     )
     from allworlds.judging.explanations.explanation import (
@@ -59,7 +60,7 @@ if TYPE_CHECKING:
     )
     from allworlds.judging.explanations.misread import (
         may_be_misread as may_be_misread,
-        small_worlds as small_worlds,
+        trial_worlds as trial_worlds,
     )
     from allworlds.judging.explanations.named_walk import Walked as Walked
     from allworlds.judging.explanations.spending import Spending as Spending
@@ -85,7 +86,6 @@ if TYPE_CHECKING:
     from allworlds.judging.findings.rules import (
         Among as Among,
         AskedRules as AskedRules,
-        AskedTask as AskedTask,
         RecordedRules as RecordedRules,
         Rules as Rules,
     )

@@ -148,7 +148,6 @@ if TYPE_CHECKING:
     from allworlds.maps.counting.sources import source_for as source_for
     from allworlds.maps.criterion import Disagreement as Disagreement, pose_count as pose_count
     from allworlds.maps.enumeration import (
-        Decision as Decision,
         Gluing as Gluing,
         prefixes as prefixes,
     )

@@ -6,7 +6,7 @@ import re
 import pytest
 
 from allworlds import Estimate, Move, explain, replay, run, search, twins, worst
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import named_map
 from allworlds.reports import file_of
 from allworlds.reports.telling import SizeCost
@@ -57,7 +57,7 @@ def results(finding, tmp_path_factory):
             edges=6,
             out=str(tmp_path_factory.mktemp("search")),
         ),
-        "worst": worst("dfs", edges=2),
+        "worst": worst(edges=2),
         "compare": compare("algorithm1", "greedy", edges=2),
     }
 

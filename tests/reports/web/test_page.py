@@ -12,8 +12,8 @@ from collections import Counter
 import pytest
 
 from allworlds import Estimate, Move
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.judging import Finding, explain
 from allworlds.maps import named_map
 from allworlds.reports import file_of
@@ -231,7 +231,7 @@ def test_a_sample_has_a_page_too():
 SAME = """
 import sys
 from allworlds import check
-from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.reports import file_of
 from html_tree import read
 wrong = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")

@@ -73,13 +73,13 @@ def outcomes_apart(
     worlds: Sequence[World],
     limits: Limits,
     hash_seed: int | None = None,
-) -> Iterator[Outcome | LostRun]:
-    """The judged runs of a user's explorer in these worlds, each played once, in any order."""
+) -> Iterator[tuple[World, Outcome | LostRun]]:
+    """The judged runs of an explorer in these worlds, each played once, in any order."""
     engine, unit = _of_these(rules, worlds)
     with _players(subject, limits, hash_seed) as players:
         once = PlayedTwice(engine, subject.name, players)
-        for _, outcome in once.played_once(unit, [*engine.runs(unit)]):
-            yield outcome
+        for one, outcome in once.played_once(unit, [*engine.runs(unit)]):
+            yield one.world, outcome
 
 
 def _of_these(rules: Rules, worlds: Sequence[World]) -> tuple[PythonEngine, GivenWorlds]:

@@ -4,7 +4,7 @@
  *
  *     allworlds check --native ./my_explorer.so --edges 5
  *
- * and takes part in run, replay, fuzz and worst in the same way.  One command builds it:
+ * and takes part in run, replay, fuzz and compare in the same way.  One command builds it:
  *
  *     cc -O2 -shared -fPIC -I FOLDER -o my_explorer.so my_explorer.c
  *

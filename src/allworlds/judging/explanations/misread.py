@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from itertools import islice
 
 from allworlds.explorers import CONVENTIONS, TRANSLATED
-from allworlds.judging.explanations.chirality import narrowest_class
 from allworlds.judging.findings.finding import Finding
-from allworlds.maps import rooted_maps
+from allworlds.maps import DEFAULT_EDGES, Extent, rooted_maps
 from allworlds.words import plural
 from allworlds.world import World
 
 LARGEST = 3
-"""The largest number of edges of the other worlds in which the explorer is tried."""
+"""The number of edges up to which a trial goes where the finding's world has fewer."""
+
+ENOUGH = 200
+"""The number of worlds below which a trial goes on with larger ones, within the extent."""
+
+MOST = 4000
+"""The largest number of worlds of a trial, and of maps of a size for them.  Under
+the directional lighthouse that is enough for every finding with up to four edges (3684 worlds), and
+in simple maps for those with up to six."""
 
 LAWS = ("map", "pose", "budget", "no-estimate", "invariant-1", "invariant-2", "variant")
 """The laws that an explorer with a wrong convention breaks, if it does not crash."""
@@ -27,13 +34,24 @@ def may_be_misread(finding: Finding) -> bool:
     return finding.law in LAWS or raised
 
 
-def small_worlds(finding: Finding) -> Iterator[World]:
-    """All small worlds like the finding's, with every place of its lighthouse."""
-    kind = finding.rules.kind
-    for edges in range(1, LARGEST + 1):
-        for map_ in rooted_maps(edges, narrowest_class(finding)):
-            for place in kind.places(map_, 0):
-                yield World(map_, place, 0)
+def trial_worlds(finding: Finding, extent: Extent) -> list[World]:
+    """All worlds up to the finding's size; larger ones, too, until they are enough.
+
+    They are of the extent's class and condition, with every place of the finding's lighthouse.
+    The list is empty if these are more than ``MOST``, or the maps of a size are.
+    """
+    kind, worlds = finding.rules.kind, list[World]()
+    due = max(LARGEST, finding.world.map.edge_count)
+    for edges in range(1, max(due, min(DEFAULT_EDGES, extent.levels[-1])) + 1):
+        if edges > due and len(worlds) >= ENOUGH:
+            break
+        maps = [*islice(rooted_maps(edges, extent.map_class), MOST + 1)]
+        every = (World(m, at, 0) for m in maps if extent.admits(m) for at in kind.places(m, 0))
+        level = [*islice(every, MOST + 1)]
+        if max(len(maps), len(worlds) + len(level)) > MOST:
+            return worlds if edges > due else []
+        worlds += level
+    return worlds
 
 
 def misread_name(finding: Finding) -> str:
@@ -48,8 +66,7 @@ def tell_misreading(finding: Finding) -> list[str]:
         return []
     convention = CONVENTIONS[shown.convention]
     name = f"{TRANSLATED}{shown.convention}:{finding.explorer}"
-    kind = narrowest_class(finding).value
-    runs = f"{plural(shown.runs, 'run')} in the class {kind}"
+    runs = f"{plural(shown.runs, 'run')} in the class {shown.among}"
     others = f"any of the {runs} with up to {plural(shown.edges, 'edge')}"
     told = f"The explorer {convention.wrong}. Once that is put right for it, it breaks no law here"
     return [

@@ -10,10 +10,12 @@ class Misreading(Struct, frozen=True):
 
     Attributes:
         convention: the name in :data:`allworlds.explorers.CONVENTIONS`.
-        runs: the number of runs besides that of the finding.
+        runs: the number of runs besides that of the finding, in all worlds of a size.
         edges: the largest number of edges of their worlds.
+        among: the class of these worlds, and the condition on them.
     """
 
     convention: str
     runs: int
     edges: int
+    among: str

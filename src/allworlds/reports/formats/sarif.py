@@ -36,15 +36,19 @@ LEVELS = {
 }
 """How loud a verdict is that is no finding; the others say nothing that needs a notification."""
 
+NO_FILE = "no file associated with this alert"
+"""The location of a result without a file, as other tools have it: GitHub refuses one without."""
+
 
 def sarif(telling: ToldResult) -> str:
     """The report as a SARIF log with one run.
 
-    Every law is a rule.  Every finding is a result at the file and line of the explorer: its
-    message has the picture and the walk, its ``graphs`` the world with a directed edge for each
-    dart, and its ``graphTraversals`` the robot's walk along them.  A verdict without a finding
-    that is no good news is a notification.  ``properties`` hold the report without its findings,
-    those of a result the document of its finding.
+    Every law is a rule.  Every finding is a result at the file and line of the explorer, or at
+    ``NO_FILE`` if no file is known (built-in explorers, programs on the PATH): its message has the
+    picture and the walk, its ``graphs`` the world with a directed edge for each dart, and its
+    ``graphTraversals`` the robot's walk along them.  A verdict without a finding that is no good
+    news is a notification.  ``properties`` hold the report without its findings, those of a result
+    the document of its finding.
     """
     from allworlds.studies.check import CheckReport
 
@@ -97,16 +101,19 @@ def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str
     from allworlds.reports.tellings.finding import headline_of
 
     text = finding_in_words(finding, WIDTH, number)
+    head = f"{headline_of(finding)}."
+    if not place:
+        head += " No file with the explorer's code is known, so this stands at none."
     graph, traversal = _walk(finding)
     return {
         "ruleId": finding.law,
         "ruleIndex": [*ASKED].index(finding.law),
         "level": "error",
         "message": {
-            "text": f"{headline_of(finding)}.\n\n{text}",
-            "markdown": f"{headline_of(finding)}.\n\n{fenced(text)}",
+            "text": f"{head}\n\n{text}",
+            "markdown": f"{head}\n\n{fenced(text)}",
         },
-        "locations": [_location(place)] if place else [],
+        "locations": [_location(place)],
         # The name of the finding's file holds a digest of all of it.
         "partialFingerprints": {"finding/v1": name_of_finding(finding)},
         "graphs": [graph],
@@ -142,13 +149,12 @@ def _walk(finding: Finding) -> tuple[dict[str, Any], dict[str, Any]]:
     return graph, walked
 
 
-def _location(place: SourceLine) -> dict[str, Any]:
-    return {
-        "physicalLocation": {
-            "artifactLocation": {**_artifact(place), "index": 0},
-            "region": {"startLine": place.line},
-        }
-    }
+def _location(place: SourceLine | None) -> dict[str, Any]:
+    where: dict[str, Any] = {"uri": quote(NO_FILE)}
+    if place:
+        where = {**_artifact(place), "index": 0}
+    region = {"startLine": place.line if place else 1}
+    return {"physicalLocation": {"artifactLocation": where, "region": region}}
 
 
 def _artifact(place: SourceLine) -> dict[str, Any]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from allworlds.engines import tried_places
 from allworlds.reports.rows import CsvRows, Value
 from allworlds.reports.telling import (
     Cell,
@@ -15,14 +14,10 @@ from allworlds.reports.telling import (
     ToldTable,
     so_far,
 )
-from allworlds.reports.tellings.finding import finding_section, headline_of
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
 from allworlds.reports.tellings.scope import (
     gate_told,
     maps_words,
-    options_told,
-    places_told,
-    trust_told,
 )
 from allworlds.studies.worst import WorstReport
 from allworlds.words import number, plural, size
@@ -30,11 +25,10 @@ from allworlds.world import code_of
 
 
 def worst_telling(report: WorstReport) -> ToldResult:
-    """The findings, and the worst and the best cost of each size.
+    """The worst and the best cost of each size.
 
     On a page also cost against bound, and the walk that attains each row's worst cost.
     """
-    findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     seen = Section("seen", "What was searched", [_table(report), ToldFacts(_facts(report))])
     cells = [SizeCost(row.edges, row.vertices, row.worst, row.bound) for row in report.rows]
     return ToldResult(
@@ -42,7 +36,7 @@ def worst_telling(report: WorstReport) -> ToldResult:
         report.explorer,
         report,
         _headline(report),
-        [*findings, seen],
+        [seen],
         more=lambda: most_expensive_sections(cells, report.walks()),
         rows=lambda: _rows(report),
     )
@@ -64,8 +58,6 @@ def _rows(report: WorstReport) -> CsvRows:
 
 
 def _headline(report: WorstReport) -> Headline | None:
-    if report.findings:
-        return Headline("REFUTED", headline_of(report.findings[0]), "refuted")
     if not report.agrees:
         return Headline("MISMATCH", _mismatch(report), "error")
     if report.complete and not report.rows:
@@ -80,56 +72,32 @@ def _headline(report: WorstReport) -> Headline | None:
 
 def _table(report: WorstReport) -> ToldTable:
     """A row for each size."""
-    header = ["edges", "vertices", "worlds", "best", "worst", "bound"]
-    rows: list[list[Cell]] = [
-        [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound] for row in report.rows
-    ]
-    if report.transit:
-        header.append("worst/bound")
-        for row, cells in zip(report.rows, rows, strict=True):
-            ratio = row.worst / (row.bound or 1)
-            cells.append(Shown(round(ratio, 6), f"{ratio:.3f}"))
+    header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
+    rows: list[list[Cell]] = []
+    for row in report.rows:
+        ratio = row.worst / (row.bound or 1)
+        cells = [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound]
+        rows.append([*cells, Shown(round(ratio, 6), f"{ratio:.3f}")])
     return ToldTable(header, rows, "Worst and best cost of each size", keys=2)
 
 
 def _facts(report: WorstReport) -> list[tuple[str, str]]:
     """The scope of the numbers, and the sources they were compared with, as named texts."""
-    words = _paper(report, _WAYS[report.transit]) if report.transit else _of_runs(report)
-    words += options_told(report, SAID)
-    if not report.agrees or report.findings:
+    words = _search(report)
+    if not report.agrees:
         return words
     words += gate_told(report, "world", report.source, rows=bool(report.rows))
-    again = "by the python engine" if report.transit else "again"
-    return [*words, ("replay", f"every worst cost was attained {again}")] if report.rows else words
+    said = "every worst cost was attained by the python engine"
+    return [*words, ("replay", said)] if report.rows else words
 
 
-SAID = ("edges", "map_class", "where", "lighthouse", "task", "transit")
-"""The fields of the request of which other words tell."""
-
-
-def _of_runs(report: WorstReport) -> list[tuple[str, str]]:
-    """Method for an explorer whose runs were played."""
-    schedules = "every schedule" if report.schedules == "all" else "the one schedule"
+def _search(report: WorstReport) -> list[tuple[str, str]]:
+    """The compiled search, in words."""
+    tests = sum(row.tests for row in report.rows)
+    wrong = sum(row.wrong_tests for row in report.rows)
     scope = (
-        f"{schedules} of {report.explorer} in {maps_words(report)}, "
-        f"at every place of the lighthouse {report.rules.lighthouse}"
-    )
-    costs = (
-        "worst: of all episodes; best: the cheapest schedule of each run, of these the largest cost"
-    )
-    places = places_told(tried_places(report.rules.lighthouse, report.extent))
-    task = report.rules.task
-    done = [] if task.is_map else [("task", f"{task.name}: {task.asks}")]
-    trust = trust_told(report.scope.shared_file)
-    return [("scope", scope), *places, *done, *trust, ("costs", costs)]
-
-
-def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
-    """Method for Algorithm 1: the compiled search."""
-    tests = sum(row.tests or 0 for row in report.rows)
-    wrong = sum(row.wrong_tests or 0 for row in report.rows)
-    scope = (
-        f"every schedule of algorithm1 in {maps_words(report)}, from every vertex; transit on {way}"
+        f"every schedule of algorithm1 in {maps_words(report)}, from every vertex; transit on "
+        f"{_WAYS[report.request.transit]}"
     )
     costs = (
         "worst: the most expensive schedule of the most expensive world; best: the cheapest "

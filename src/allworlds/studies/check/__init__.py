@@ -43,7 +43,6 @@ if TYPE_CHECKING:
     from allworlds.studies.check.known_findings import UserCorpus as UserCorpus
     from allworlds.studies.check.most_expensive import (
         most_expensive_runs as most_expensive_runs,
-        world_at as world_at,
     )
     from allworlds.studies.check.report import CheckReport as CheckReport
     from allworlds.studies.check.requests import (

@@ -79,7 +79,8 @@ class Confirmation(Struct, frozen=True):
         return self.deadline is not None and time.monotonic() > self.deadline
 
     def _again(self, found: Finding) -> Finding:
-        return confirmed(found, self.subject, self.limits, self.scope.schedules)
+        scope = self.scope
+        return confirmed(found, self.subject, self.limits, scope.schedules, scope.extent)
 
     def _settled(self, found: Finding) -> Finding | str:
         """Confirm in a fresh process. A crash that is not repeated becomes a remark."""

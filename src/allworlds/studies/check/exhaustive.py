@@ -103,7 +103,7 @@ def _job(request: EstimateRequest, keep: int = 1) -> tuple[Job, EngineKind]:
     scope = _scope(request, subject)
     if scope.schedules == "all" and not subject.takes_choices:
         raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
-    if request.engine == "auto" and (why := why_not_compiled(scope, subject)):
+    if request.engine == "auto" and (why := why_not_compiled(scope, subject, limits.memory)):
         notice(why)
     job = Job(scope, subject, limits, keep, limits.deadline(), notice, request.cluster)
     return job, engine_for(request.engine, scope, subject, limits.memory)

@@ -1,4 +1,4 @@
-"""Sweeps of one explorer whose results are tallies: ``check``, ``fuzz``, and ``worst`` of runs."""
+"""Sweeps of one explorer whose results are tallies: ``check`` and ``fuzz``."""
 
 from __future__ import annotations
 

@@ -227,7 +227,7 @@ class GrowingWorlds(Contest[Growth]):
         for member, map_ in size.maps.items():
             places, ran = self._chosen(one, member, map_)
             costs = [tally.costs.get((key_of(map_), i)) for i, _ in ran]
-            known = [cost.most_expensive for cost in costs if cost is not None]
+            known = [cost for cost in costs if cost is not None]
             if ran and len(known) == len(ran):
                 yield GrownWorld(
                     name=member.name,

@@ -233,7 +233,7 @@ class SameWorlds(Contest[Comparison]):
         found: list[dict[MapKey, dict[int, int]]] = [{} for _ in tallies]
         for costs, tally in zip(found, tallies, strict=True):
             for (key, place), cost in sorted(tally.costs.items()):
-                costs.setdefault(key, {})[place] = cost.most_expensive
+                costs.setdefault(key, {})[place] = cost
         for key in shared:
             map_ = CombinatorialMap(key[2], key[3])
             for one, costs in zip(self.contestants, found, strict=True):
@@ -263,6 +263,5 @@ def in_maps(tally: CostTally) -> dict[MapKey, InMap]:
     found: dict[MapKey, InMap] = {}
     for (key, _), cost in tally.costs.items():
         known = found.get(key, InMap(0, 0, 0))
-        worst = max(known.worst, cost.most_expensive)
-        found[key] = InMap(known.runs + 1, known.total + cost.most_expensive, worst)
+        found[key] = InMap(known.runs + 1, known.total + cost, max(known.worst, cost))
     return found

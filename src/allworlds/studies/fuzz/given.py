@@ -53,7 +53,7 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
         gather(workers, PythonEngine(scope, tally.keep), in_chunks(given), tally, Silent())
         for found in tally.findings:
             smallest = smallest_from(found, workers, scope)
-            return confirmed(smallest, subject, limits, scope.schedules)
+            return confirmed(smallest, subject, limits, scope.schedules, scope.extent)
     return None
 
 

@@ -1,4 +1,4 @@
-"""The exact worst and best cost of explorers over all worlds and all schedules.
+"""The exact worst and best cost of Algorithm 1 over all worlds and all schedules.
 
 ``every_schedule``
     one world, readably; also a sequence of choices that attains the worst cost;
@@ -9,9 +9,7 @@
 ``all_worlds``
     every world of a class, with the compiled engine;
 ``compiled_engine``
-    that engine, and what it brings;
-``any_explorer``
-    the same of any explorer, by playing its runs.
+    that engine, and what it brings.
 """
 
 from typing import TYPE_CHECKING

@@ -20,16 +20,16 @@ from allworlds.engines import (
     SweptLevel,
     Threads,
     cells_of_level,
+    single_run,
 )
-from allworlds.explorers import algorithm1, load
-from allworlds.inputs import InputError, an_integer, answers, ensure_installed, show
+from allworlds.explorers import load
+from allworlds.inputs import InputError, answers, ensure_installed, show
 from allworlds.judging import Answered, AskedRules, default_step_budget, paper_bound, play
 from allworlds.maps import CombinatorialMap, Extent, MapClass
 from allworlds.outcome import Ending
-from allworlds.studies.worst.any_explorer import RunsSweep, runs_asked
-from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
-from allworlds.studies.worst.worst_report import WorstReport, WorstRow, replayed_cost
-from allworlds.studies.worst.worst_request import DEFAULT_EDGES, OTHERS_EDGES, WorstRequest
+from allworlds.studies.worst.every_schedule import EverySchedule, Planned
+from allworlds.studies.worst.worst_report import WorstReport, WorstRow
+from allworlds.studies.worst.worst_request import WorstRequest
 from allworlds.words import size
 from allworlds.world import Directional, World
 
@@ -37,58 +37,25 @@ if TYPE_CHECKING:
     from allworlds.engines import ScheduleCosts
     from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
-MOST_EDGES = 12
-
-NARROWED = (
-    "the compiled search knows no condition and no other task; every schedule is played by the "
-    "python engine, far slower"
-)
-
-SYMMETRY = (
-    "one world for each start vertex: every choice of dart is tried, so the "
-    "dart faced at the start and the bearing make no difference"
-)
-
 
 @answers(WorstRequest)
 def worst(request: WorstRequest) -> WorstReport:
-    """Find the exact worst and best cost of an explorer over all worlds and all schedules.
+    """Find the exact worst and best cost of Algorithm 1 over all worlds and all schedules.
 
-    For Algorithm 1 under its own lighthouse, in all maps of a class, a compiled search covers every
-    choice of edge, order of hypotheses and path.  Of any other explorer every run is played, in
-    each place of its lighthouse and, if it takes choices, under every schedule; there ``transit``
-    is refused.
+    A compiled search covers every choice of edge, order of hypotheses and path, in all maps of a
+    class.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    ours = request.explore in ("algorithm1", algorithm1) and request.lighthouse is None
-    if not ours or request.where is not None or not request.task.is_map:
-        if request.transit is not None:
-            raise InputError(
-                f"transit = {show(request.transit)} is for algorithm1 as it is built in, with "
-                "the task map in all maps of a class"
-            )
-        if ours:
-            request.listener.notice(NARROWED)
-        edges = _edges(request, OTHERS_EDGES)
-        extent = Extent(request.map_class, edges, where=request.where)
-        return runs_asked(request, extent).answer(request.run)
-    ensure_installed(*COMPILER, "worst of algorithm1")
-    extent = Extent(request.map_class, _edges(request, DEFAULT_EDGES))
+    extent = Extent(request.map_class, request.edges)
     if not extent.map_class.plain:
         raise InputError(
             f"class {show(extent.map_class.value)} is none of those whose maps the compiled search "
             f"makes: {', '.join(known for known in MapClass if known.plain)}"
         )
-    return SchedulesSweep(request, extent, request.transit or "simple").answer(request.run)
-
-
-def _edges(request: WorstRequest, default: int) -> int:
-    number = default if request.edges is None else an_integer("edges", request.edges)
-    if number > MOST_EDGES:
-        raise InputError(f"edges = {show(number)}, but there is room for {MOST_EDGES} at most")
-    return number
+    ensure_installed(*COMPILER, "worst of algorithm1")
+    return SchedulesSweep(request, extent).answer(request.run)
 
 
 class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
@@ -97,12 +64,11 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
     verb, asked = "worst", WorstRequest
     extent: Extent
 
-    def __init__(self, request: WorstRequest, extent: Extent, transit: Transit) -> None:
+    def __init__(self, request: WorstRequest, extent: Extent) -> None:
         from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
         super().__init__(request, extent)
         self.result = ScheduleCostsBySize  # type: ignore[misc]  # loaded now, with the kernel
-        self._transit: Transit = transit
         self._subject = load("algorithm1")
         self._rules = AskedRules().rules_of(self._subject, Directional.kind)
         self._rows: list[WorstRow] = []
@@ -110,23 +76,9 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
 
     @override
     @classmethod
-    def known(
-        cls, identity: Identity, portion: Portion, listener: Listener
-    ) -> SchedulesSweep | RunsSweep:
-        told = identity.parameters
-        if "schedules" in told:
-            return RunsSweep.known(identity, portion, listener)
-        request = WorstRequest(map_class=told["class"], shard=portion, listener=listener)
-        return cls(request, Extent(request.map_class, told["edges"]), told["transit"])
-
-    @override
-    def parameters(self) -> dict[str, Any]:
-        extent = self.extent
-        return {
-            "class": extent.map_class.value,
-            "edges": extent.edges,
-            "transit": self._transit,
-        }
+    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> SchedulesSweep:
+        request = cls.asked_then(identity, portion, listener)
+        return cls(request, Extent(request.map_class, request.edges))
 
     @override
     def explorer(self) -> dict[str, Any]:
@@ -138,7 +90,7 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
         from allworlds.studies.worst.compiled_engine import ScheduleSearch
 
         cluster, workers = self.request.cluster, self.request.workers
-        engine = ScheduleSearch(self.extent, self._transit)
+        engine = ScheduleSearch(self.extent, self.request.transit)
         if not engine.is_compiled():
             self.listener.notice(COMPILING)
         if cluster is not None:
@@ -165,9 +117,6 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
     def report(self, ending: Ending) -> WorstReport:
         return WorstReport(
             **self.ended(ending),
-            transit=self._transit,
-            schedules="all",
-            symmetry=SYMMETRY,
             rows=tuple(self._rows),
             disagreement=f"no map with {size(*self._missing[0])} was met" if self._missing else "",
             subject=self._subject,
@@ -195,10 +144,11 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
 
     def _replayed(self, world: World, bound: int) -> tuple[tuple[int, ...], int | None]:
         """Choices that attain the worst cost, and their cost in the Python engine."""
-        schedules = EverySchedule(world.map, world.start, self._transit)
+        schedules = EverySchedule(world.map, world.start, self.request.transit)
         planned = Planned(schedules.most_expensive_picks())
         episode = play(world, self._subject.player(), planned, default_step_budget(bound))
         if not isinstance(episode.ending, Answered):
             return (), None
         choices = tuple(planned.record)
-        return choices, replayed_cost(self._subject, world, self._rules, choices, Limits())
+        again = single_run(self._subject, world, self._rules, choices, Limits())
+        return choices, again.outcome.cost if again.finding is None else None

@@ -2,8 +2,6 @@ import json
 
 import pytest
 
-from allworlds.engines import EnginesDisagree, Tally
-
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
@@ -50,32 +48,3 @@ def test_check_tells_the_engine_and_its_symmetry(cli):
 def test_check_refuses_what_the_kernel_cannot_do(refused):
     options = ["--engine", "kernel", "--policy", "random:1"]
     assert "'random:1'" in refused("check", "--edges", 3, *options)
-
-
-@pytest.mark.slow
-def test_bench_prints_a_table_or_one_document(cli):
-    arguments = ["self", "bench", "--edges", 4, "--rounds", 1, "--peer", "nothing=true"]
-    code, out, _ = cli(*arguments)
-    assert code == 0
-    assert "nothing" in out
-    code, out, _ = cli(*arguments, "--json")
-    assert code == 0
-    assert [row["to"] for row in json.loads(out)["ratios"]][-1] == "nothing"
-
-
-@pytest.mark.slow
-def test_bench_refuses_a_peer_that_fails(refused):
-    peer = ["--peer", "culprit=false"]
-    assert "'culprit'" in refused("self", "bench", "--edges", 4, "--rounds", 1, *peer)
-
-
-@pytest.mark.usefixtures("without_workers")
-def test_engines_that_disagree_end_worst_with_70(monkeypatch, cli):
-    def parts(*_):
-        yield 1, Tally(1)
-        raise EnginesDisagree("of two engines one is wrong")
-
-    monkeypatch.setattr("allworlds.engines.python.python_engine.BoundPythonEngine.parts", parts)
-    code, out, _ = cli("worst", "dfs", "--edges", 1)
-    assert code == 70
-    assert "MISMATCH   of two engines one is wrong" in out

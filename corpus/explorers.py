@@ -1,4 +1,7 @@
-"""Wrong explorers: Algorithm 1 with one thing done wrong each."""
+"""Wrong explorers: Algorithm 1 with one thing done wrong each, and two learners of quotients.
+
+The findings of the corpus name them: ``allworlds.corpus.explorers:pose_lost``.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +12,26 @@ from typing import Any
 from msgspec import Struct
 
 from allworlds.document import replace
-from allworlds.evidence.mutants.unfair import NearestOnly
-from allworlds.explorers import Algorithm1, Walk
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Percept
+from allworlds.explorers import (
+    BUILT_IN,
+    OPEN,
+    Algorithm1,
+    FoldedLog,
+    Walk,
+    explore_folding,
+    way,
+)
+from allworlds.maps import CombinatorialMap, cycles
+from allworlds.protocol import (
+    Ambiguous,
+    Answer,
+    Checkpoint,
+    Choices,
+    Drop,
+    Estimate,
+    Move,
+    Percept,
+)
 
 
 class BearingIgnored(Algorithm1):
@@ -256,6 +275,23 @@ class NeverStops(Algorithm1):
             yield Move(1)
 
 
+class NearestOnly(Algorithm1):
+    """An explorer that always takes the nearest open dart, from copy to copy for ever."""
+
+    def __init__(self, first: Percept, choices: Choices) -> None:
+        super().__init__(first, choices)
+        self.first = first
+
+    def explore(self) -> Walk[Estimate]:
+        """Walk without tests, to the nearest open dart each time."""
+        return (yield from explore_folding(self.first, to_nearest))
+
+
+def to_nearest(log: FoldedLog, here: int) -> list[int]:
+    """The way to the open dart that is nearest to the robot."""
+    return way(log, here, lambda dart: log.beyond(dart) == OPEN)
+
+
 class CrashesAtLeaves(Algorithm1):
     """Fails on the degree that is easiest to forget: 1."""
 
@@ -386,6 +422,62 @@ EQUIVALENT_EXPLORERS = (
 """The explorers that do something else and are right."""
 
 
+def doubtful_for_no_reason(right: Answer) -> Answer:
+    """Doubts where only one world looks so: in place of a map it answers with a quotient."""
+    if isinstance(right, Ambiguous):
+        return right
+    map_ = right.map
+    degree = [map_.degree_at[dart] for dart in map_.darts]
+    return Ambiguous(map_.sigma, map_.alpha, degree, [0] * len(degree), right.here)
+
+
+def degrees_of_the_quotient(right: Answer) -> Answer:
+    """Counts the darts round a vertex of the quotient, and not those that are sensed there."""
+    if not isinstance(right, Ambiguous):
+        return right
+    round_it = {dart: len(cycle) for cycle in cycles(right.sigma) for dart in cycle}
+    return replace(right, degree=[round_it[dart] for dart in range(len(right.sigma))])
+
+
+class WrongLearner(Struct, frozen=True):
+    """A mutant of the explorer ``quotient``.
+
+    Attributes:
+        slip: what becomes of the right answer.
+        equivalent: why it is right all the same; empty for one that must be killed.
+    """
+
+    slip: Callable[[Answer], Answer]
+    equivalent: str = ""
+
+    lighthouse = BUILT_IN["quotient"].lighthouse
+    task = "map"
+
+    @property
+    def name(self) -> str:
+        """The name of the slip, with hyphens."""
+        return self.slip.__name__.replace("_", "-")
+
+    @property
+    def breaks(self) -> str:
+        """The learner's mistake, in words."""
+        return (self.slip.__doc__ or "").strip()
+
+    def explorer(self) -> Callable[..., Generator[Any, Any, Answer]]:
+        """The generator function, which runs in this process."""
+        slip = self.slip
+
+        def explore(first: Percept) -> Generator[Any, Any, Answer]:
+            return slip((yield from BUILT_IN["quotient"].explore(first)))
+
+        explore.__module__, explore.__qualname__ = "mutants", self.name
+        return explore
+
+
+WRONG_LEARNERS = (WrongLearner(doubtful_for_no_reason), WrongLearner(degrees_of_the_quotient))
+"""The learners that must be refuted."""
+
+
 def __getattr__(name: str) -> Callable[..., Generator[Any, Any, Estimate]]:
     """Find a mutant by its name with underscores, as findings name it: ``no_retracing``."""
     for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS):
@@ -394,4 +486,10 @@ def __getattr__(name: str) -> Callable[..., Generator[Any, Any, Estimate]]:
     raise AttributeError(f"there is no mutant {name!r}")
 
 
-__all__ = ["EQUIVALENT_EXPLORERS", "WRONG_EXPLORERS", "WrongExplorer"]
+__all__ = [
+    "EQUIVALENT_EXPLORERS",
+    "WRONG_EXPLORERS",
+    "WRONG_LEARNERS",
+    "WrongExplorer",
+    "WrongLearner",
+]

@@ -130,5 +130,3 @@ WEAK_TASK_JUDGES = (
     ),
 )
 """The judges of tasks each of which must accept something that the sound one refuses."""
-
-__all__ = ["WEAK_TASK_JUDGES", "WRONG_ERRANDS", "WeakTaskJudge", "WrongErrand"]

@@ -1,49 +1,29 @@
-"""The kill matrix: which check kills which mutant, at which smallest world."""
+"""The kill matrix: which check kills which mutant, at which smallest world.
+
+    python tests/support/mutants/matrix.py --edges 3
+
+Wrong explorers, weakened judges and broken enumerators must all be caught.  Exit code 1: one
+survives that must not, or the other way round.
+"""
 
 from __future__ import annotations
 
+import argparse
+import sys
+import textwrap
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from typing import Annotated, Any, Literal, TypeAlias
+from dataclasses import dataclass, replace
+from typing import Any, TypeAlias
 
-from typing_extensions import override
-
-from allworlds.document import (
-    Different,
-    Document,
-    Natural,
-    Positive,
-    Text,
-    about,
-    computed,
-    replace,
-)
-from allworlds.engines import AskedListener, Listener, RowsReport
-from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
-from allworlds.evidence.mutants.errands import (
-    WEAK_TASK_JUDGES,
-    WRONG_ERRANDS,
-    WeakTaskJudge,
-    WrongErrand,
-)
-from allworlds.evidence.mutants.explorers import (
+from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
+    WRONG_LEARNERS,
     WrongExplorer,
+    WrongLearner,
 )
-from allworlds.evidence.mutants.judges import WEAK_JUDGES, WeakJudge
-from allworlds.evidence.mutants.learners import WRONG_LEARNERS, WrongLearner
 from allworlds.explorers import in_process_subject
-from allworlds.inputs import (
-    SCOPE,
-    InputError,
-    Option,
-    Taken,
-    an_integer,
-    answers,
-    integer_of,
-    show,
-)
 from allworlds.judging import (
     LAWS,
     Answered,
@@ -65,37 +45,38 @@ from allworlds.maps import (
     rooted_maps_by_permutations,
     source_for,
 )
-from allworlds.outcome import until_interrupted
 from allworlds.protocol import Choices
 from allworlds.studies.check import check
+from allworlds.words import plural
 from allworlds.world import Directional, World, lighthouse_named
+from enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
+from errands import WEAK_TASK_JUDGES, WRONG_ERRANDS, WeakTaskJudge, WrongErrand
+from judges import WEAK_JUDGES, WeakJudge
 
 LARGEST_LEVEL = 4
 """The dumb enumerator, which some mutants need, goes no further in reasonable time."""
 
 
-MutantKind: TypeAlias = Literal["explorer", "judge", "enumerator"]
-"""The kinds of mutants."""
-
-
-class Kill(Document):
+@dataclass(frozen=True)
+class Kill:
     """The fate of one mutant.
 
-    A mutant whose plays differ has no world: the world at which it is seen depends on the order in
-    which it meets the worlds.
+    Attributes:
+        mutant: its name.
+        kind: ``explorer``, ``judge`` or ``enumerator``.
+        breaks: its mistake.
+        killed_by: the law or the check that killed it; None: it survived.
+        world: the smallest world that kills it; None also where its plays differ, for then the
+            world at which it is seen depends on the order in which it meets the worlds.
+        equivalent: why it may survive; None: it may not.
     """
 
-    mutant: Annotated[Text, about("its name")]
-    kind: Annotated[MutantKind, about("its kind")]
-    breaks: Annotated[Text, about("its mistake")]
-    killed_by: Annotated[
-        str | None, about("the law or the check that killed it; null: it survived")
-    ] = None
-    world: Annotated[
-        World | None,
-        about("the smallest world that kills it; null: it survived, or any may kill it"),
-    ] = None
-    equivalent: Annotated[str | None, about("why it may survive; null: it may not")] = None
+    mutant: str
+    kind: str
+    breaks: str
+    killed_by: str | None = None
+    world: World | None = None
+    equivalent: str | None = None
 
     @property
     def as_it_should(self) -> bool:
@@ -103,57 +84,9 @@ class Kill(Document):
         return bool(self.killed_by) != bool(self.equivalent)
 
 
-class KillMatrix(RowsReport):
-    """Report of 'mutants'.
-
-    The fate of every mutant within a bound.
-    """
-
-    edges: Annotated[Positive, about("at most so many")]
-    mutants: Annotated[Natural, about("how many there are")] = computed(
-        lambda matrix: len(matrix.kill_matrix)
-    )
-    kill_matrix: Annotated[tuple[Kill, ...], about("one a mutant")]
-    survivors: Annotated[
-        Different[Text], about("mutants that survive but must not, or should survive but do not")
-    ] = computed(lambda matrix: tuple(k.mutant for k in matrix.kill_matrix if not k.as_it_should))
-
-    @property
-    @override
-    def refuted(self) -> bool:
-        return bool(self.survivors)
-
-
-def _level(given: int) -> int:
-    if not 1 <= (edges := an_integer("edges", given)) <= LARGEST_LEVEL:
-        raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
-    return edges
-
-
-class MutantsRequest(AskedListener):
-    """Request of ``self mutants``: the bound."""
-
-    edges: Annotated[
-        Taken[int, int],
-        Option(SCOPE, "M", "Try worlds with at most M edges (1 to 4).", parse=integer_of),
-    ] = Taken(_level, LARGEST_LEVEL)
-
-
-@answers(MutantsRequest)
-def mutants(request: MutantsRequest) -> KillMatrix:
-    """Try every mutant on every world within the bound.
-
-    Raises:
-        InputError: for a bound that is not 1, 2, 3 or 4.
-
-    Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
-    """
-    edges, heard = request.edges, request.listener
-    explorers = (_wrong(), WRONG_ERRANDS, EQUIVALENT_EXPLORERS)
-    tables = (*explorers, WEAK_JUDGES, WEAK_TASK_JUDGES, BROKEN_ENUMERATORS)
-    heard.stage("mutants", sum(map(len, tables)), "mutants")
-    kills, ending = until_interrupted(_told(_kills(edges), heard))
-    return KillMatrix(edges=edges, ending=ending, kill_matrix=kills)
+def survivors(matrix: Sequence[Kill]) -> list[str]:
+    """The mutants that survive but must not, or should survive but do not."""
+    return [kill.mutant for kill in matrix if not kill.as_it_should]
 
 
 def _wrong() -> tuple[WrongExplorer | WrongLearner, ...]:
@@ -161,13 +94,11 @@ def _wrong() -> tuple[WrongExplorer | WrongLearner, ...]:
     return (*WRONG_EXPLORERS, *WRONG_LEARNERS)
 
 
-def _told(kills: Iterable[Kill], listener: Listener) -> Iterator[Kill]:
-    for kill in kills:
-        yield kill
-        listener.progress(1)
+def mutants(edges: int) -> Iterator[Kill]:
+    """Try every mutant on every world with at most so many edges.
 
-
-def _kills(edges: int) -> Iterator[Kill]:
+    Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
+    """
     refuted = []
     for mutant in (*_wrong(), *WRONG_ERRANDS, *EQUIVALENT_EXPLORERS):
         kill = _explorer(mutant, edges)
@@ -304,3 +235,49 @@ def _first_difference(maps: Iterable[CombinatorialMap], level: int) -> Combinato
 
 def _code(map_: CombinatorialMap) -> tuple[tuple[int, ...], tuple[int, ...]]:
     return rooted_code(map_.sigma, map_.alpha, 0)
+
+
+# ---------------------------------------------------------------- in words
+
+
+def told(matrix: Sequence[Kill], edges: int) -> Iterator[str]:
+    """The lines of the matrix: survivors, kills, and equivalent mutants with their reasons."""
+    alive, killed = survivors(matrix), sum(bool(kill.killed_by) for kill in matrix)
+    equivalent = [kill for kill in matrix if kill.equivalent]
+    yield (
+        f"{'SURVIVORS' if alive else 'ALL KILLED'}  {plural(len(matrix), 'mutant')}, {killed} "
+        f"killed, {len(equivalent)} equivalent, worlds with at most {plural(edges, 'edge')}"
+    )
+    yield from ["", *(f"survivor   {name}" for name in alive)][: len(alive) + bool(alive)]
+    for kind in ("explorer", "judge", "enumerator"):
+        rows = [(f"{kind}s", "killed by", "m", "n", "world")]
+        rows += [_row(kill) for kill in matrix if kill.kind == kind and not kill.equivalent]
+        wide = [max(len(row[column]) for row in rows) for column in range(4)]
+        yield from ["", f"Wrong {kind}s"]
+        for name, by, m, n, world in rows:
+            row = [name.ljust(wide[0]), by.ljust(wide[1]), m.rjust(wide[2]), n.rjust(wide[3])]
+            yield "  ".join([*row, world]).rstrip()
+    for kill in equivalent:
+        text = f"EQUIVALENT {kill.mutant}: {kill.breaks} {kill.equivalent}"
+        yield from ["", *textwrap.wrap(text, 99, subsequent_indent=" " * 11)]
+
+
+def _row(kill: Kill) -> tuple[str, ...]:
+    by = kill.killed_by or "-"
+    if kill.world is None:
+        return (kill.mutant, by, "-", "-", "")
+    map_ = kill.world.map
+    rotation = "".join(f"({' '.join(map(str, vertex))})" for vertex in map_.vertices)
+    edges = " ".join(f"{a}-{b}" for a, b in map_.edges)
+    sizes = (str(map_.edge_count), str(map_.vertex_count))
+    return (kill.mutant, by, *sizes, f"{rotation} {edges}")
+
+
+if __name__ == "__main__":
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    levels = range(1, LARGEST_LEVEL + 1)
+    options.add_argument("--edges", type=int, choices=levels, default=LARGEST_LEVEL)
+    bound = options.parse_args().edges
+    fates = list(mutants(bound))
+    print("\n".join(told(fates, bound)))
+    sys.exit(bool(survivors(fates)))
