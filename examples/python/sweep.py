@@ -16,11 +16,11 @@ from math import exp
 from typing import Any, NamedTuple
 
 import numpy as np
+from allworlds.explorers.builtin.prudent import Prudent
 
 from allworlds import Percept
 from allworlds.explorers.builtin.algorithm1 import nobody
 from allworlds.explorers.builtin.folded_log import OPEN
-from allworlds.explorers.builtin.prudent import Prudent
 
 Word = tuple[int, ...]
 BEAM, TRIED = 6, 8  # words that are kept in the search, and beginnings that get a tail

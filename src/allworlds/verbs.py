@@ -56,7 +56,6 @@ class Verb:
 
 EVERYDAY, LONG_RUNS, COSTS, WORLDS = "Everyday", "Long runs", "Costs", "Worlds"
 ALIKE, PAPERS = "What no robot can tell apart", "Papers"
-EVIDENCE = "The paper and this program"
 
 VERBS = (
     Verb(

@@ -4,6 +4,7 @@ import json
 from collections import Counter
 
 import pytest
+from allworlds.studies.optimum.optimum_table import OptimumRows
 
 from allworlds import check, optimum
 from allworlds.document import replace
@@ -16,7 +17,6 @@ from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.sensed_worlds import SensedParts
 from allworlds.studies.compare.side_by_side import CostsOfAll
 from allworlds.studies.count.counter import Counted
-from allworlds.studies.optimum.optimum_table import OptimumRows
 from allworlds.studies.worst.compiled_engine import ScheduleCosts, ScheduleCostsBySize
 
 ROW = Row(1, 2, 3, 4, 5, 6, -7, AtRun((0, 1), (1, 0), 0, (1,)))

@@ -19,9 +19,6 @@ from random import Random
 from types import SimpleNamespace
 from typing import Any
 
-from allworlds import Estimate
-from allworlds.corpus import explorers as wrong
-from allworlds.document import replace
 from allworlds.evidence.claims import (
     algorithm,
     ambiguous,
@@ -38,6 +35,10 @@ from allworlds.evidence.claims import (
 )
 from allworlds.evidence.claims.claim_types import Means
 from allworlds.evidence.claims.manifest import manifest
+
+from allworlds import Estimate
+from allworlds.corpus import explorers as wrong
+from allworlds.document import replace
 from allworlds.explorers import BUILT_IN, Algorithm1
 from allworlds.judging import paper_bound
 from allworlds.maps import CombinatorialMap, CorridorShape, named_map, rooted_code

@@ -12,9 +12,10 @@ from allworlds.maps import named_map
 
 matplotlib = pytest.importorskip("matplotlib", reason="the extra figures is not installed")
 
-from allworlds import figure  # noqa: E402  # needs matplotlib
 from allworlds.evidence.figures import augmentation, canvas, twins  # noqa: E402
 from allworlds.evidence.figures.canvas import Canvas  # noqa: E402
+
+from allworlds import figure  # noqa: E402  # needs matplotlib
 
 FIGURES = Path(canvas.__file__).parent
 MAPS = {

@@ -1,11 +1,11 @@
 """Every claim can fail: under its mutation it is not as it must be."""
 
 import pytest
-
 from allworlds.evidence.claims import ledger, machine
 from allworlds.evidence.claims.claim_table import CHECKS
 from allworlds.evidence.claims.claim_types import ProgramFault, found_by
 from allworlds.evidence.claims.manifest import manifest
+
 from evidence.claim_mutants import MUTANTS, as_claimed, means_of
 
 BY_NAME = {claim.id: claim for claim in manifest()}

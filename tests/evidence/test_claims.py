@@ -3,7 +3,6 @@
 import re
 
 import pytest
-
 from allworlds.evidence.claims import (
     complexity,
     folds,
@@ -16,6 +15,7 @@ from allworlds.evidence.claims.claim_table import CHECKS
 from allworlds.evidence.claims.claim_types import Means, NotChecked, Unfinished, of_check
 from allworlds.evidence.claims.ledger import entry_of
 from allworlds.evidence.claims.manifest import manifest
+
 from allworlds.judging import paper_bound
 from allworlds.protocol import Checkpoint, Move
 from allworlds.world import Directional, World

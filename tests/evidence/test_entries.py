@@ -1,10 +1,6 @@
 """Found beside expected: whatever is changed of what is expected, the claim fails."""
 
 import pytest
-
-import allworlds
-from allworlds.document import replace, replace as replaced
-from allworlds.engines.isolation.failures import HarnessError
 from allworlds.evidence.claims import claim_table, ledger
 from allworlds.evidence.claims.claim_table import CHECKS
 from allworlds.evidence.claims.claim_types import (
@@ -16,6 +12,10 @@ from allworlds.evidence.claims.claim_types import (
 )
 from allworlds.evidence.claims.ledger import ClaimsReport, entry_of, entry_with
 from allworlds.evidence.claims.manifest import manifest
+
+import allworlds
+from allworlds.document import replace, replace as replaced
+from allworlds.engines.isolation.failures import HarnessError
 from allworlds.inputs import InputError
 from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.reports import brief

@@ -6,21 +6,21 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from msgspec import structs
-
-from allworlds import figure, run
-from allworlds.document import replace
-from allworlds.engines import Limits, Silent
 from allworlds.evidence.figures import FigureRequest, holes as fig3
 from allworlds.evidence.figures.augmentation import figure_2
 from allworlds.evidence.figures.bounds import figure_bounds
 from allworlds.evidence.figures.figure_table import FIGURES, Figure
 from allworlds.evidence.figures.holes import PLACES, figure_3
 from allworlds.evidence.figures.twins import CAPTION, figure_1
+from allworlds.studies.optimum import optimum
+from msgspec import structs
+
+from allworlds import figure, run
+from allworlds.document import replace
+from allworlds.engines import Limits, Silent
 from allworlds.inputs import InputError
 from allworlds.judging import paper_bound, printed_bound
 from allworlds.outcome import Interrupted, Verdict
-from allworlds.studies.optimum import optimum
 from allworlds.world import World, map_of_family
 
 

@@ -4,7 +4,6 @@ import re
 from pathlib import Path
 
 import pytest
-
 from allworlds.evidence import claims as ledger
 from allworlds.evidence.claims.claim_table import CHECKS
 from allworlds.evidence.claims.manifest import SECTIONS, BadManifest, manifest, read

@@ -19,8 +19,9 @@ from math import fsum
 from pathlib import Path
 from typing import Any
 
-from allworlds import check, compare, run
 from allworlds.evidence.claims.manifest import SECTIONS, Claim, manifest
+
+from allworlds import check, compare, run
 from allworlds.judging import paper_bound
 from allworlds.maps import CorridorShape, usual_degree
 from allworlds.outcome import Verdict

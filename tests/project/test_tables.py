@@ -10,6 +10,7 @@ from pkgutil import iter_modules
 from typing import get_args, get_type_hints
 
 import pytest
+from allworlds.evidence.figures.figure_table import FIGURES
 
 import allworlds
 from allworlds import reports, strategies
@@ -22,7 +23,6 @@ from allworlds.engines import (
     engine_table as engines,
 )
 from allworlds.engines.kernel.law_numbers import CHECKED
-from allworlds.evidence.figures.figure_table import FIGURES
 from allworlds.explorers import BUILT_IN, LANGUAGES, builtin as explorers, load
 from allworlds.inputs import InputError, fields_of
 from allworlds.judging import (

@@ -6,13 +6,14 @@ import json
 import tempfile
 
 import pytest
+from allworlds.evidence.claims import claims
+from allworlds.evidence.figures import figure
+from allworlds.studies.optimum import optimum
 from jsonschema import Draft202012Validator
 
 from allworlds import Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.evidence.claims import claims
-from allworlds.evidence.figures import figure
 from allworlds.judging import explain
 from allworlds.maps import named_map
 from allworlds.outcome import Interrupted, Stopped
@@ -23,7 +24,6 @@ from allworlds.studies.count import count
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.init import init
 from allworlds.studies.merge import merge
-from allworlds.studies.optimum import optimum
 from allworlds.studies.play import play
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run

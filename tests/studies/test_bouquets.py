@@ -4,10 +4,6 @@ from itertools import product
 from math import prod
 
 import pytest
-
-from allworlds import run
-from allworlds.maps import rooted_code
-from allworlds.protocol import Move, Percept
 from allworlds.studies.optimum.bouquets import (
     bound_of_information,
     bouquets,
@@ -15,6 +11,10 @@ from allworlds.studies.optimum.bouquets import (
     number_of_bouquets,
     told_apart,
 )
+
+from allworlds import run
+from allworlds.maps import rooted_code
+from allworlds.protocol import Move, Percept
 from small import long
 
 

@@ -4,8 +4,6 @@ from functools import cache
 from random import Random
 
 import pytest
-
-from allworlds.engines import MinimaxSearch, TimeIsUp, tables_of
 from allworlds.studies.optimum.bouquets import bouquets, cautious_cost, told_apart
 from allworlds.studies.optimum.bracket import WIDEST, Bracket
 from allworlds.studies.optimum.fewest_traversals import Search
@@ -13,6 +11,8 @@ from allworlds.studies.optimum.in_every_world import most_expensive
 from allworlds.studies.optimum.knowledge import Places
 from allworlds.studies.optimum.place_tables import place_table
 from allworlds.studies.optimum.strategy_making import made_strategy
+
+from allworlds.engines import MinimaxSearch, TimeIsUp, tables_of
 from allworlds.world import worlds
 from small import long
 

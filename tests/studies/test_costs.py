@@ -5,6 +5,7 @@ import sys
 from io import StringIO
 
 import pytest
+from allworlds.studies.optimum import minimax
 
 from allworlds import run
 from allworlds.cli.app import call
@@ -13,7 +14,6 @@ from allworlds.inputs import InputError
 from allworlds.maps import named_map, rooted_maps
 from allworlds.reports import game, text
 from allworlds.reports.tellings.played import LEAST, NAMES
-from allworlds.studies.optimum import minimax
 from allworlds.studies.play import Walker, play
 from allworlds.studies.play.costs import LARGEST, is_easy
 from allworlds.world import LIGHTHOUSES, Directional, World

@@ -4,6 +4,11 @@ from functools import cache
 from itertools import product
 
 import pytest
+from allworlds.studies.optimum import OptimumReport, OptimumRow, minimax, optimum_table
+from allworlds.studies.optimum.bracket import Bracket
+from allworlds.studies.optimum.in_every_world import most_expensive
+from allworlds.studies.optimum.minimax_of_worlds import Solved
+from allworlds.studies.optimum.strategy import Branch, Strategy, StrategyLeaf, StrategyStep
 
 import allworlds
 from allworlds.document import replace
@@ -13,11 +18,6 @@ from allworlds.maps import rooted_code
 from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.protocol import Estimate, Move, Percept
 from allworlds.reports import text
-from allworlds.studies.optimum import OptimumReport, OptimumRow, minimax, optimum_table
-from allworlds.studies.optimum.bracket import Bracket
-from allworlds.studies.optimum.in_every_world import most_expensive
-from allworlds.studies.optimum.minimax_of_worlds import Solved
-from allworlds.studies.optimum.strategy import Branch, Strategy, StrategyLeaf, StrategyStep
 from allworlds.world import Directional, World
 from small import EDGE, LOOP, all_maps, long, slow
 
