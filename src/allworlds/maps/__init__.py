@@ -125,7 +125,6 @@ if TYPE_CHECKING:
         Alpha as Alpha,
         Dart as Dart,
         Sigma as Sigma,
-        Vertex as Vertex,
         cycles as cycles,
     )
     from allworlds.maps.completion_counts import completions as completions
@@ -135,7 +134,6 @@ if TYPE_CHECKING:
         LEGAL as LEGAL,
         AllOf as AllOf,
         Condition as Condition,
-        NamedCondition as NamedCondition,
         condition_named as condition_named,
         narrowing as narrowing,
     )

@@ -29,7 +29,6 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.studies.compare.climb import (
         GrowingWorlds as GrowingWorlds,
-        drawn_places as drawn_places,
     )
     from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
     from allworlds.studies.compare.comparison import (
@@ -43,7 +42,6 @@ if TYPE_CHECKING:
     )
     from allworlds.studies.compare.contest_report import ContestReport as ContestReport
     from allworlds.studies.compare.contestants import Contestant as Contestant
-    from allworlds.studies.compare.growing_families import Member as Member
     from allworlds.studies.compare.growth import (
         CostRatio as CostRatio,
         Exponent as Exponent,
