@@ -38,7 +38,6 @@ LONGEST = {
     "docs/how-to/bound.md",
     "docs/how-to/certificate.md",
     "docs/how-to/languages.md",
-    "docs/paper.md",
     "docs/research/class.md",
     "docs/research/cost.md",
     "docs/research/sensor.md",
