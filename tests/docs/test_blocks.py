@@ -34,7 +34,6 @@ SLOW = {
 
 LONGEST = {
     "docs/ambiguity.md",
-    "docs/explorers.md",
     "docs/how-to/bound.md",
     "docs/how-to/certificate.md",
     "docs/how-to/languages.md",
