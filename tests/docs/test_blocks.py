@@ -73,7 +73,7 @@ def shell(tmp_path):
     """A shell in a folder like a clone."""
     clone = tmp_path / "clone"
     clone.mkdir()
-    for folder in ("benchmarks", "examples", "proofs"):
+    for folder in ("benchmarks", "examples", "papers", "proofs"):
         (clone / folder).symlink_to(ROOT / folder)
     (clone / "my_explorer.py").write_text(EXPLORER)
     shutil.copy(ROOT / "corpus/findings/mirror-image.json", clone / "finding.json")
