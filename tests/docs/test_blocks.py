@@ -27,6 +27,7 @@ SLOW = {
     "docs/how-to/pytest.md",
     "docs/how-to/rows.md",
     "docs/python.md",
+    "docs/theory.md",
     "docs/trust.md",
     "docs/tutorial.md",
 }
@@ -42,7 +43,6 @@ LONGEST = {
     "docs/research/sensor.md",
     "docs/research/sequence.md",
     "docs/research/task.md",
-    "docs/theory.md",
 }
 """Pages that are left to the long run."""
 
