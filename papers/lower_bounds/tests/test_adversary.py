@@ -6,45 +6,58 @@ from random import Random
 import networkx as nx
 import pytest
 
-from allworlds.explorers import built_in
-from allworlds.inputs import InputError
-from allworlds.judging import Answered, play
-from allworlds.maps import CorridorShape, augmented, family, rooted_isomorphism
-from allworlds.protocol import Checkpoint, Choices, Drop, Move, policy_named
-from allworlds.world import Deciding, IllegalAction, adversary_named
+import adversary
+import explorers
+from adversary import Deciding, against, usual_shape
+from allworlds import Checkpoint, Choices, Move, World, run
+from allworlds.claims import Algorithm1
+from allworlds.maps import CorridorShape, family, rooted_isomorphism
+from allworlds.protocol import policy_named
+from matching import augmented
+from playing import played
 from small import long
+from testers import order_exact
 
 TESTERS = ("algorithm1", "remembering", "greedy", "prudent")
 
 
-def named(size, seed=1):
-    return adversary_named(f"adversary:corridor:{size}", seed)
+def shape_of(size):
+    """The shape with F far hubs, or with F hubs of degree R."""
+    return CorridorShape(*size) if isinstance(size, tuple) else usual_shape(size)
 
 
-def fresh(policy):
-    return Choices(policy_named(policy))
+def made(explorer, policy="fifo"):
+    """The generator function of an explorer; it tells ``settled`` what it settles, if it can."""
+
+    def explore(first, **more):
+        if explorer == "algorithm1":
+            return Algorithm1(first, Choices(policy_named(policy))).explore()
+        if explorer == "remembering":
+            more["choices"] = Choices(policy_named(policy))
+        return getattr(explorers, explorer)(first, **more)
+
+    return explore
 
 
-def played(size, explorer, seed=1, policy="fifo"):
-    """The adversary after a play, the play, and that of the explorer in the world that is left."""
-    deciding, budget = Deciding(named(size, seed)), 1_000_000
-    player = built_in(explorer).player(settled=deciding.hear)
-    first = play(deciding, player, fresh(policy), budget, watch=deciding.heed)
-    left = deciding.world()
-    return deciding, first, play(left, built_in(explorer).player(), fresh(policy), budget)
+def decided(size, explorer, seed=1, policy="fifo", kind=Deciding):
+    """The adversary after a play, and the play."""
+    deciding, explore = kind(shape_of(size), seed), made(explorer, policy)
+    if explorer == "algorithm1":
+        return deciding, played(explore, deciding, deciding.heed)
+    return deciding, played(lambda first: explore(first, settled=deciding.hear), deciding)
 
 
 def assert_a_bad_world(size, explorer, seed=1, policy="fifo"):
     """The theorem on testers: how many pairs they exclude, and what they walk; return the pairs."""
-    deciding, first, again = played(size, explorer, seed, policy)
-    world, shape = deciding.world(), named(size).shape
-    assert again == first
-    assert isinstance(first.ending, Answered)
-    found, state = first.ending.estimate, world.initial
-    for action in first.transcript.actions:
+    deciding, walk = decided(size, explorer, seed, policy)
+    world, shape = deciding.world(), shape_of(size)
+    again = played(made(explorer, policy), world)
+    assert again == walk
+    found, state = walk.answer, world.initial
+    for action in walk.actions:
         state, _ = world.step(state, action)
     assert rooted_isomorphism(found.map, found.here, world.map, state.dart)
-    assert first.transcript.cost >= shape.bound_of_testers
+    assert len(walk.actions) >= shape.bound_of_testers
     assert deciding.excluded >= shape.excluded_by_testers
     # Each vertex that is settled behind an undecided dart is a far hub of its own.
     assert deciding.depended == 0
@@ -56,7 +69,7 @@ def assert_a_bad_world(size, explorer, seed=1, policy="fifo"):
 @pytest.mark.no_cover
 @pytest.mark.parametrize("explorer", TESTERS)
 @pytest.mark.parametrize(
-    ("size", "excluded"), [("1", 56), ("2", 675), ("1x14", 30), ("2x14", 99), long("3", 3192)]
+    ("size", "excluded"), [(1, 56), (2, 675), ((1, 14), 30), ((2, 14), 99), long(3, 3192)]
 )
 def test_a_tester_walks_as_much_as_the_theorem_says_and_the_same_in_the_world_left(
     explorer, size, excluded
@@ -66,7 +79,7 @@ def test_a_tester_walks_as_much_as_the_theorem_says_and_the_same_in_the_world_le
 
 @pytest.mark.parametrize("policy", ["lifo", "nearest", "random:1", "random:2"])
 @pytest.mark.parametrize("explorer", TESTERS[:2])
-@pytest.mark.parametrize("size", ["1", long("2"), long("2x14")])
+@pytest.mark.parametrize("size", [1, long(2), long((2, 14))])
 def test_no_order_of_darts_and_hypotheses_helps_a_tester(size, explorer, policy):
     assert_a_bad_world(size, explorer, policy=policy)
 
@@ -74,19 +87,19 @@ def test_no_order_of_darts_and_hypotheses_helps_a_tester(size, explorer, policy)
 @pytest.mark.parametrize("seed", range(2, 6))
 @pytest.mark.parametrize("explorer", TESTERS)
 def test_no_loops_and_no_first_matching_help_a_tester(explorer, seed):
-    assert_a_bad_world("1", explorer, seed)
+    assert_a_bad_world(1, explorer, seed)
 
 
-# From the formulas of docs/theory.md, by hand for F = 1, 2, 3.
+# From the formulas of the page on lower bounds, by hand for F = 1, 2, 3.
 @pytest.mark.parametrize(
     ("size", "bound"),
     [
-        *(("1", 96), ("2", 2916), ("3", 20880), ("4", 84840), ("5", 252720), ("6", 618156)),
-        *(("1x14", 24), ("2x14", 220), ("1x20", 144)),
+        *((1, 96), (2, 2916), (3, 20880), (4, 84840), (5, 252720), (6, 618156)),
+        *(((1, 14), 24), ((2, 14), 220), ((1, 20), 144)),
     ],
 )
 def test_the_bound_of_testers(size, bound):
-    assert named(size).shape.bound_of_testers == bound
+    assert shape_of(size).bound_of_testers == bound
 
 
 def test_the_bound_of_testers_is_of_the_order_of_the_bound_of_the_paper():
@@ -110,17 +123,15 @@ class Deaf(Deciding):
 @pytest.mark.no_cover
 @pytest.mark.parametrize("explorer", TESTERS[1:])
 def test_an_adversary_that_does_not_hear_what_is_settled_has_to_guess(explorer):
-    deciding = Deaf(named("2"))
-    play(deciding, built_in(explorer).player(settled=deciding.hear), Choices(), 100_000)
+    deciding, _ = decided(2, explorer, kind=Deaf)
     assert deciding.depended > 0
 
 
 def test_what_is_shown_of_algorithm_1_is_what_it_has_settled():
-    deciding = Deciding(named("2"))
-    play(deciding, built_in("algorithm1").player(), Choices(), 100_000, watch=deciding.heed)
+    deciding, _ = decided(2, "algorithm1")
     assert (len(deciding.settled), deciding.depended) == (1, 0)
-    unshown = Deciding(named("2"))
-    play(unshown, built_in("algorithm1").player(), Choices(), 100_000)
+    unshown = Deciding(usual_shape(2), 1)
+    played(made("algorithm1"), unshown)
     assert (len(unshown.settled), unshown.depended) == (0, 1)
 
 
@@ -129,25 +140,61 @@ def test_what_is_shown_of_algorithm_1_is_what_it_has_settled():
     [Checkpoint((0,), (), 0), Checkpoint((1, 0), (0, 2), 0), Checkpoint((0, 1), (0, 1), -1)],
 )
 def test_what_is_no_partial_map_settles_nothing(shown):
-    assert Deciding(named("1")).heed(shown) == []
+    assert Deciding(usual_shape(1), 1).heed(shown) == []
 
 
-@pytest.mark.no_cover
-def test_a_play_can_be_repeated_from_its_actions_and_what_was_settled():
-    deciding, first, _ = played("2", "greedy")
-    again = Deciding(named("2"))
-    again.repeat(first.transcript.actions, deciding.settled)
-    assert again.world() == deciding.world()
-    assert (again.excluded, again.forced) == (deciding.excluded, deciding.forced)
-    other = Deciding(named("2"))
-    other.repeat(first.transcript.actions, [])
-    assert other.depended > 0
+def test_algorithm_1_gets_its_own_bad_world():
+    told = against("algorithm1", usual_shape(1), 1)
+    assert told.same
+    assert told.cost == told.run.cost == 882
+    assert told.run.world.map != family("corridor:1", seed=1)
+    again = run("algorithm1", World.from_json(told.run.world.to_json()))
+    assert again.transcript == told.run.transcript
+
+
+class Generous(Deciding):
+    """An adversary that excludes nothing: it makes the first pair that is asked for an edge."""
+
+    def _exclude(self, root, wanted):
+        for y in wanted:
+            self._mate |= {self._mate[root]: self._mate[y], self._mate[y]: self._mate[root]}
+            self._mate |= {root: y, y: root}
+        return not wanted
+
+
+def verdict(explorer):
+    return order_exact(None, far=1, explorers=[explorer]).verdict
+
+
+def test_a_tester_that_does_less_than_every_tester_must_refutes_the_claim(monkeypatch):
+    assert verdict("algorithm1") == "holds"
+    monkeypatch.setattr(adversary, "Deciding", Generous)
+    told = against("algorithm1", usual_shape(1), 1)
+    assert told.same
+    assert told.deciding.excluded < usual_shape(1).excluded_by_testers == 24
+    assert verdict("algorithm1") == "refuted"
+
+
+def test_an_explorer_that_walks_otherwise_in_the_world_left_refutes_the_claim(monkeypatch):
+    calls = []
+
+    def changing(first, *, settled=explorers.unseen):
+        calls.append(first)
+        if len(calls) > 1:
+            return (yield from Algorithm1(first, Choices()).explore())
+        return (yield from greedy(first, settled=settled))
+
+    greedy = explorers.greedy
+    monkeypatch.setattr(explorers, "greedy", changing)
+    assert not against("greedy", usual_shape(1), 1).same
+    calls.clear()
+    assert verdict("greedy") == "refuted"
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_every_answer_to_any_walk_is_true_in_the_world_left(seed):
     random = Random(seed)
-    deciding = Deciding(named(1, seed))
+    deciding = Deciding(usual_shape(1), seed)
     walk = [Move(random.choice([-5, -4, -3, 0, 1, 2, 4, 5, 6, 7, 9])) for _ in range(3000)]
     percepts = [deciding.step(deciding.initial, action)[1] for action in walk]
     world = deciding.world()
@@ -167,7 +214,7 @@ class Credulous(Deciding):
 
 
 def test_an_adversary_that_excludes_no_pair_says_what_is_untrue():
-    deciding = Credulous(named(1))
+    deciding = Credulous(usual_shape(1), 1)
     corridor = deciding._corridor
     said = wrong = 0
     for root in sorted(deciding._allowed):
@@ -177,7 +224,7 @@ def test_an_adversary_that_excludes_no_pair_says_what_is_untrue():
             motion = (hub - dart) % corridor.shape.degree
             walk.append(Move(motion))
             dart = deciding.world().map.alpha[hub]
-        play_ = Credulous(named(1))
+        play_ = Credulous(usual_shape(1), 1)
         percepts = [play_.step(play_.initial, action)[1] for action in walk]
         said += 1
         wrong += percepts[-1].marks == 0
@@ -204,33 +251,7 @@ def way_to(deciding, leaving):
 
 
 def test_at_first_the_world_is_that_of_the_family_with_the_same_seed():
-    assert named(2, 5).at_first.map == family("corridor:2", seed=5)
-
-
-def test_a_corridor_has_no_markers():
-    deciding = Deciding(named(1))
-    with pytest.raises(IllegalAction, match="Move"):
-        deciding.step(deciding.initial, Drop())
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("adversary:", "is not adversary:corridor:F or adversary:corridor:FxR"),
-        ("adversary:lattice:2x2", "is not adversary:corridor:F or adversary:corridor:FxR"),
-        ("adversary:corridor:0", "F is at least 1"),
-        ("adversary:corridor:2x13", "R even and at least 14"),
-        ("adversary:corridor:24", "10,585 edges, more than 10,000"),
-    ],
-)
-def test_another_text_is_no_adversary(text, said):
-    with pytest.raises(InputError, match=said):
-        adversary_named(text)
-
-
-@pytest.mark.parametrize("size", ["1", "3", "1x14", "3x14"])
-def test_an_adversary_is_named_as_it_is_written(size):
-    assert str(named(size)) == f"adversary:corridor:{size}"
+    assert Deciding(usual_shape(2), 5).world().map == family("corridor:2", seed=5)
 
 
 def test_matchings_grow_to_the_size_that_networkx_finds():

@@ -4,20 +4,24 @@ from collections import Counter
 from itertools import pairwise
 
 import pytest
-from allworlds.explorers.builtin.greedy import greedy
-from allworlds.explorers.builtin.prudent import prudent
-from allworlds.explorers.builtin.remembering import remembering
-from allworlds.explorers.builtin.unforgetting import Spread
 from hypothesis import given, strategies as st
 
-from allworlds.explorers import BUILT_IN, FoldedLog, algorithm1
-from allworlds.judging import paper_bound
+from allworlds import Checkpoint, Choices, Percept
+from allworlds.claims import Algorithm1, FoldedLog
 from allworlds.maps import dense, from_cycles, lattice, rooted_code, rooted_maps
-from allworlds.protocol import Checkpoint, Choices, Percept, policy_named
+from allworlds.protocol import policy_named
+from explorers import greedy, prudent, remembering
 from small import long, maps, slow
+from testers import paper_bound
+from unforgetting import Spread
 
 OURS = [remembering, greedy, prudent]
+EVENTS = {"case-1", "case-2", "empty-H", "loop", "non-loop"}
 ours = pytest.mark.parametrize("explore", OURS, ids=lambda explore: explore.__name__)
+
+
+def algorithm1(first):
+    return Algorithm1(first, Choices()).explore()
 
 
 class Run:
@@ -183,7 +187,7 @@ def test_what_is_published_grows_and_ends_with_the_whole_map(explore, world):
 def test_events_are_told_to_who_listens(explore):
     seen = []
     Run(explore, lattice(3, 3), notice=seen.append)
-    assert set(seen) <= set(BUILT_IN[explore.__name__].witnesses)
+    assert set(seen) <= EVENTS
     assert seen.count("non-loop") == 8
     assert "loop" in seen
 

@@ -1,6 +1,6 @@
 """Words that serve many hypotheses at once: an explorer that is right, and gains nothing for sure.
 
-    allworlds compare greedy examples/python/sweep.py:sweep --family corridor --to 325 --worlds 3
+    allworlds compare explorers.py:greedy sweep.py:sweep --family corridor --to 325 --worlds 3
 
 It is ``prudent`` with *sweeps* between the passes, where all settled vertices but v0 have one
 degree.  A sweep walks one word from behind every open dart of S.  *Walkers* plan it: robots that
@@ -16,11 +16,10 @@ from math import exp
 from typing import Any, NamedTuple
 
 import numpy as np
-from allworlds.explorers.builtin.prudent import Prudent
 
 from allworlds import Percept
-from allworlds.explorers.builtin.algorithm1 import nobody
-from allworlds.explorers.builtin.folded_log import OPEN
+from explorers import Prudent
+from unforgetting import OPEN, nobody
 
 Word = tuple[int, ...]
 BEAM, TRIED = 6, 8  # words that are kept in the search, and beginnings that get a tail

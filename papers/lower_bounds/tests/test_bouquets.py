@@ -4,17 +4,17 @@ from itertools import product
 from math import prod
 
 import pytest
-from allworlds.studies.optimum.bouquets import (
+
+from allworlds import Move, Percept
+from allworlds.maps import rooted_code
+from bouquets import (
     bound_of_information,
     bouquets,
     cautious_cost,
     number_of_bouquets,
     told_apart,
 )
-
-from allworlds import run
-from allworlds.maps import rooted_code
-from allworlds.protocol import Move, Percept
+from playing import run_here
 from small import long
 
 
@@ -56,5 +56,5 @@ def test_no_walk_of_fixed_motions_tells_more_apart_than_the_bound(length):
 
 def test_cautious_explorers_need_what_is_said_in_their_worst_bouquet():
     for loops in (1, 2, 3):
-        costs = [run("remembering", world).cost for world in bouquets(loops)]
+        costs = [run_here("remembering", world).cost for world in bouquets(loops)]
         assert max(costs) == cautious_cost(loops)
