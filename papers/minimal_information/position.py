@@ -9,7 +9,7 @@ from pathlib import Path
 
 from allworlds import CombinatorialMap, Move, Percept, World, ambiguity, check
 from allworlds.claims import Found, Means, Picture, of_check, truth
-from allworlds.maps import Labelled, family, named_map, project, unrooted_code
+from allworlds.maps import family, named_map, project, unrooted_code
 
 CORPUS = Path(__file__).parents[2] / "corpus"
 
@@ -83,7 +83,7 @@ def cycles(_: Means, *, length: int) -> Found:
 def two_door_rooms(_: Means, *, length: int) -> Found:
     """A cycle with all that looks alike taken together is one class of darts, of degree 2."""
     quotients = [
-        project(Labelled(w.map, w.percepts, 0)).quotient for w in map(_plain, range(1, length + 1))
+        project((w.map, w.percepts, 0)).quotient for w in map(_plain, range(1, length + 1))
     ]
     alike = all((q.sigma, q.alpha, q.degree) == ((0,), (0,), (2,)) for q in quotients)
     return Found(truth(alike), {"cycles": len(quotients)})

@@ -10,7 +10,7 @@ keywords, and returns a :class:`Found` or a :class:`NotChecked`::
 from allworlds.explorers import Algorithm1, FoldedLog
 from allworlds.reports import layout
 from allworlds.studies.compare import mean_interval
-from allworlds.studies.ledger.claim import (
+from allworlds.studies.ledger import (
     Found,
     Means,
     NotChecked,

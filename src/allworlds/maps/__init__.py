@@ -156,7 +156,6 @@ if TYPE_CHECKING:
     )
     from allworlds.maps.networks import from_planar_embedding as from_planar_embedding
     from allworlds.maps.quotient import (
-        Labelled as Labelled,
         Projection as Projection,
         classes_of_union as classes_of_union,
     )
