@@ -74,11 +74,11 @@ class WatchedWasteful(passes.Watched):
 
 
 class WatchedLingering(passes.Watched):
-    """Goes back and forth a thousand times in each pass."""
+    """Goes back and forth many times in each pass."""
 
     def follow(self, goal: int) -> Any:
         percept = yield from super().follow(goal)
-        for _ in range(60 * len(self.s.sigma)):
+        for _ in range(10 * len(self.s.sigma)):
             percept = yield Move(0)
         return percept
 
