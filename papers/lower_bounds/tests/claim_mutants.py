@@ -176,11 +176,11 @@ MUTANTS = (
     # Worlds that look alike
     *(
         Mutant(claim, "the smallest worlds are sought in another class",
-               ((ambiguity, "census", census_of("planar-simple", 8)),))
+               ((ambiguity, "census", census_of("planar-simple", 8)),), slow=True)
         for claim in ("smallest-twins", "smallest-simple-twins")
     ),
     Mutant("smallest-planar-simple-twins", "the worlds need not be planar",
-           ((ambiguity, "census", census_of("simple", 6)),)),
+           ((ambiguity, "census", census_of("simple", 6)),), slow=True),
     Mutant("criterion", "the sentence without its exception at k = 2",
            ((lookalikes, "_said", said_before),)),
     Mutant("criterion", "the program without its exception",
