@@ -14,7 +14,7 @@ all near hubs differ: g = 1 and N = 2F.  In all
 
     n = N + F + 1,  m = (N + F)R/2 + 1,  M = F(R - 4)/2 + 1.
 
-Source: ``docs/research/lower-bounds.md``, 'Testers of home words'.
+Source: ``papers/lower_bounds/lower-bounds.md``, 'Testers of home words'.
 """
 
 from __future__ import annotations
