@@ -15,9 +15,10 @@ import pytest
 
 import processes
 from allworlds import check, count, worst
-from allworlds.engines import ClusterLost, Dask, Silent, ThisThread
+from allworlds.engines import ClusterLost, Dask, Silent
 from allworlds.engines.compiled import tallies as compiled
 from allworlds.engines.transports import dask_cluster as cluster, dask_lanes as lanes
+from allworlds.engines.transports.inline import ThisThread
 from allworlds.engines.units.effort import DaskCluster
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError

@@ -9,9 +9,10 @@ import pytest
 
 from allworlds import check
 from allworlds.document import replace
-from allworlds.engines import Identity, Silent, reading, records_in
+from allworlds.engines import Identity, Silent, reading
 from allworlds.engines.run_directory import database
 from allworlds.engines.run_directory.database import FILE, SCHEMA, checksum
+from allworlds.engines.run_directory.finished_units import records_in
 from allworlds.inputs import InputError
 
 JOB = Identity(

@@ -11,8 +11,9 @@ from pkgutil import iter_modules
 import pytest
 
 import allworlds.engines.transports as folder
-from allworlds.engines import Silent, ThisThread, Threads, TimeIsUp, engine_table, gather
+from allworlds.engines import Silent, Threads, TimeIsUp, engine_table, gather
 from allworlds.engines.transports.dask_cluster import all_well
+from allworlds.engines.transports.inline import ThisThread
 from allworlds.engines.transports.split import Split
 from allworlds.engines.units.effort import DaskCluster
 from clusters import cluster_here

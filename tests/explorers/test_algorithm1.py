@@ -10,7 +10,6 @@ from allworlds.explorers.builtin.paths import simple_path
 from allworlds.maps import (
     CombinatorialMap,
     MapClass,
-    cycle,
     dense,
     from_cycles,
     from_rotation,
@@ -18,6 +17,7 @@ from allworlds.maps import (
     rooted_code,
     rooted_maps,
 )
+from allworlds.maps.build import cycle
 from allworlds.protocol import Checkpoint, Choices, Move, Percept, Schedules, policy_named
 from small import EDGE, LOOP, maps, slow
 

@@ -9,7 +9,8 @@ from allworlds.explorers import BUILT_IN
 from allworlds.maps import MapClass, named_map, rooted_code, rooted_maps
 from allworlds.protocol import Ambiguous, Drop, Estimate, Move, Pick
 from allworlds.studies.ambiguity import class_of
-from allworlds.world import Position, World, lighthouse_named
+from allworlds.world import Position, World
+from allworlds.world.lighthouses.kinds import lighthouse_named
 from small import EDGE, LOOP, all_maps, long, slow
 
 

@@ -2,14 +2,8 @@ import sys
 
 import pytest
 
-from allworlds.explorers import (
-    Program,
-    algorithm1,
-    in_process_subject,
-    load,
-    own_bound,
-    own_lighthouse,
-)
+from allworlds.explorers import Program, algorithm1, in_process_subject, load, own_bound
+from allworlds.explorers.names import own_lighthouse
 from allworlds.inputs import InputError
 from allworlds.protocol import Choices, Percept
 

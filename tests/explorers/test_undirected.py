@@ -7,7 +7,8 @@ from hypothesis import given, strategies as st
 
 from allworlds.explorers import BUILT_IN
 from allworlds.explorers.builtin.undirected import algorithm1_cluster, algorithm1_natural
-from allworlds.maps import MapClass, cycle, from_cycles, from_rotation, rooted_code, rooted_maps
+from allworlds.maps import MapClass, from_cycles, from_rotation, rooted_code, rooted_maps
+from allworlds.maps.build import cycle
 from allworlds.protocol import Checkpoint, Choices, Move, Percept, Schedules, policy_named
 from allworlds.strategies import maps
 from small import EDGE

@@ -6,7 +6,8 @@ import pytest
 from allworlds.explorers import algorithm1
 from allworlds.judging import fold
 from allworlds.judging.laws.folding import Contradiction, Folded
-from allworlds.maps import CombinatorialMap, cycle, rooted_code, rooted_maps
+from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
+from allworlds.maps.build import cycle
 from allworlds.protocol import Checkpoint, Drop, Move, Percept, Pick, Transcript
 from allworlds.world import Directional, World
 from small import stepped

@@ -1,7 +1,7 @@
 import pytest
 
-from allworlds.judging import LAWS, PRECEDENCE, Case, Setting, Violation, bound_law, judge, map_law
-from allworlds.judging.laws.law_table import folding_law, pose_law
+from allworlds.judging import LAWS, PRECEDENCE, Case, Violation, judge
+from allworlds.judging.laws.law_table import Setting, bound_law, folding_law, map_law, pose_law
 from allworlds.maps import CombinatorialMap, rooted_maps
 from allworlds.protocol import Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World

@@ -3,8 +3,9 @@
 import pytest
 
 from allworlds.inputs import InputError
-from allworlds.judging import TASKS, Rules, Task, task_named
+from allworlds.judging import Rules, Task
 from allworlds.judging.endings import Answered, Over, Said
+from allworlds.judging.tasks import TASKS, task_named
 from allworlds.protocol import Estimate, Move, Transcript
 from allworlds.world import Nothing, State, World
 from small import EDGE, LOLLIPOP, LOOP, PATH, TORUS, TRIANGLE, all_maps

@@ -5,7 +5,8 @@ from hypothesis import find, given, settings
 from hypothesis.strategies import tuples
 
 from allworlds.explorers import algorithm1
-from allworlds.judging import Case, bound_law, play
+from allworlds.judging import Case, play
+from allworlds.judging.laws.law_table import bound_law
 from allworlds.protocol import Checkpoint, Choices, Estimate, Move
 from allworlds.strategies import choices, maps, motions, worlds
 from allworlds.world import World

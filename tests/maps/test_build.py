@@ -9,7 +9,6 @@ from allworlds.maps import (
     InvalidMap,
     Mismatch,
     automorphisms,
-    cycle,
     dense,
     from_cycles,
     from_rotation,
@@ -18,6 +17,7 @@ from allworlds.maps import (
     named_map,
     named_maps,
 )
+from allworlds.maps.build import cycle
 
 # Vertices, edges and face lengths of well-known embedded graphs: the Platonic solids K4 and
 # cube and the wheels from any textbook; the others counted by hand with Euler's formula.

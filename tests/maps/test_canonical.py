@@ -10,7 +10,6 @@ from allworlds.maps import (
     automorphisms,
     bruteforce,
     carries,
-    cycle,
     dense,
     from_cycles,
     from_rotation,
@@ -22,6 +21,7 @@ from allworlds.maps import (
     rooted_isomorphism,
     unrooted_code,
 )
+from allworlds.maps.build import cycle
 from small import LOOP, joined, maps
 
 CLASSES = ["maps", "simple", "planar", "planar-simple"]

@@ -1,7 +1,8 @@
 import pytest
 
 from allworlds.inputs import InputError
-from allworlds.maps import Extent, MapClass, bruteforce, cycle, dense, named_map
+from allworlds.maps import Extent, MapClass, bruteforce, dense, named_map
+from allworlds.maps.build import cycle
 
 SIMPLE = [MapClass.SIMPLE, MapClass.PLANAR_SIMPLE]
 NOT_SIMPLE = [MapClass.MAPS, MapClass.PLANAR]

@@ -2,7 +2,8 @@
 
 import pytest
 
-from allworlds.engines import LevelUnit, Shard, level_size, units_of_level
+from allworlds.engines import LevelUnit, Shard, level_size
+from allworlds.engines.units.levels import units_of_level
 from allworlds.maps import Extent, Gluing, MapClass, completions, prefixes, rooted_maps
 
 

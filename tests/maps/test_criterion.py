@@ -10,7 +10,6 @@ from allworlds.maps import (
     CombinatorialMap,
     Quotient,
     class_size,
-    cycle,
     cycles,
     is_ambiguous,
     named_map,
@@ -18,6 +17,7 @@ from allworlds.maps import (
     rooted_code,
     rooted_maps,
 )
+from allworlds.maps.build import cycle
 from allworlds.maps.criterion import _uniform
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity import class_of, projection_of

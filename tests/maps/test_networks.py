@@ -9,7 +9,6 @@ from allworlds.maps import (
     from_cycles,
     from_faces,
     from_networkx,
-    from_planar_embedding,
     from_rotation,
     isomorphism,
     lattice,
@@ -18,6 +17,7 @@ from allworlds.maps import (
     rooted_maps_by_permutations,
     to_networkx,
 )
+from allworlds.maps.networks import from_planar_embedding
 from allworlds.maps.surgery import deleted
 from allworlds.world import Directional, InvalidWorld, World
 

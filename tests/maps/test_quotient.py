@@ -8,7 +8,6 @@ from allworlds.document import replace
 from allworlds.maps import (
     CombinatorialMap,
     classes_of_union,
-    cycle,
     lattice,
     named_map,
     project,
@@ -17,6 +16,7 @@ from allworlds.maps import (
     rooted_code,
     rooted_maps,
 )
+from allworlds.maps.build import cycle
 from allworlds.maps.refinement import coarsest_partition
 
 

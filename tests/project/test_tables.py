@@ -24,16 +24,9 @@ from allworlds.engines import (
 from allworlds.engines.kernel.law_numbers import CHECKED
 from allworlds.explorers import BUILT_IN, LANGUAGES, builtin as explorers, load
 from allworlds.inputs import InputError, fields_of
-from allworlds.judging import (
-    LAWS,
-    PRECEDENCE,
-    AskedRules,
-    RecordedRules,
-    Rules,
-    bound_named,
-    task_named,
-)
+from allworlds.judging import LAWS, PRECEDENCE, AskedRules, RecordedRules, Rules, bound_named
 from allworlds.judging.explanations.by_law import TELLERS
+from allworlds.judging.tasks import task_named
 from allworlds.lazy import loaded
 from allworlds.maps import (
     Extent,
@@ -53,14 +46,8 @@ from allworlds.studies.compare.growing_families import GROWING
 from allworlds.studies.fuzz.sample import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, VERBS
-from allworlds.world import (
-    LIGHTHOUSES,
-    Lighthouse,
-    World,
-    lighthouse_from_json,
-    lighthouses,
-    place_keys,
-)
+from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses, place_keys
+from allworlds.world.lighthouses.kinds import lighthouse_from_json
 from judges import WEAK_JUDGES
 from recorded.record import COMMANDS, LEAST
 

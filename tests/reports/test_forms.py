@@ -11,10 +11,11 @@ import pytest
 
 from allworlds import reports
 from allworlds.document import replace
-from allworlds.reports import FORMATS, CsvRows, file_of, formats, formats_of
+from allworlds.reports import FORMATS, file_of, formats, formats_of
 from allworlds.reports.format_table import all_formats
 from allworlds.reports.formats.csv import csv_rows
 from allworlds.reports.plain_text import brief, text
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import Headline, Section, Shown, ToldFacts, ToldResult, ToldTable
 from allworlds.studies.count import count
 from allworlds.verbs import BY_NAME, ROWS

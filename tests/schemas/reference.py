@@ -9,7 +9,7 @@ from typing import Any
 from allworlds.explorers import BUILT_IN
 from allworlds.reports.schemas import NAMES, pages, schemas
 from allworlds.verbs import VERBS
-from allworlds.world import lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_named
 
 DOCS = Path(__file__).parents[2] / "docs"
 REFERENCE = DOCS / "documents.md"

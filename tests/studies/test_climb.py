@@ -27,13 +27,9 @@ from allworlds.maps import (
 from allworlds.outcome import Completed, Interrupted
 from allworlds.protocol import Estimate
 from allworlds.reports import file_of, text as text_of
-from allworlds.studies.compare import (
-    CompareRequest,
-    Contestant,
-    GrowingWorlds,
-    GrowRow,
-    Growth,
-)
+from allworlds.studies.compare import CompareRequest, GrowRow, Growth
+from allworlds.studies.compare.climb import GrowingWorlds
+from allworlds.studies.compare.contestants import Contestant
 from allworlds.studies.compare.growing_families import GROWING, distinct, members_of
 from allworlds.studies.compare.growth import GrownWorld
 from allworlds.world import Directional, World, map_of_family

@@ -18,7 +18,7 @@ from allworlds.maps import rooted_maps
 from allworlds.outcome import Interrupted
 from allworlds.protocol import Estimate
 from allworlds.reports import file_of, text as text_of
-from allworlds.studies.compare import SameWorlds
+from allworlds.studies.compare.contest import SameWorlds
 from allworlds.world import Directional, World
 from kept_jobs import EXPLORERS
 from native_libraries import example

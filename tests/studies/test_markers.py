@@ -13,7 +13,8 @@ from allworlds.judging.findings.walks import believed_percepts, trail_to
 from allworlds.maps import MapClass
 from allworlds.protocol import Drop, Move, Percept, Pick, Transcript
 from allworlds.reports import text
-from allworlds.world import Labels, Movable, World
+from allworlds.world import Movable, World
+from allworlds.world.lighthouses.labels import Labels
 from small import EDGE, LOLLIPOP, PATH
 
 pytestmark = pytest.mark.usefixtures("without_workers")

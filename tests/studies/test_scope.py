@@ -8,7 +8,7 @@ from allworlds.judging import AskedRules
 from allworlds.lazy import loaded
 from allworlds.reports import text
 from allworlds.verbs import VERBS
-from allworlds.world import lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_named
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 

@@ -9,16 +9,8 @@ from allworlds.protocol import Move
 from allworlds.reports import text
 from allworlds.studies.ambiguity import class_of, twins
 from allworlds.studies.ambiguity.telling_apart import Separation, replayed, separation
-from allworlds.world import (
-    LIGHTHOUSES,
-    Compass,
-    Directional,
-    Nothing,
-    Position,
-    World,
-    at_place,
-    flaw,
-)
+from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World, flaw
+from allworlds.world.world import at_place
 from models import HEARD
 from small import stepped
 

@@ -9,17 +9,10 @@ from allworlds import compare, run, worst
 from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap, named_map, rooted_isomorphism
 from allworlds.reports import file_of
-from allworlds.world import (
-    Directional,
-    World,
-    adversary_named,
-    at_place,
-    code_of,
-    map_of_code,
-    map_of_family,
-    world_named,
-)
+from allworlds.world import Directional, World, adversary_named, code_of, map_of_family, world_named
 from allworlds.world.enumeration import worlds
+from allworlds.world.named import map_of_code
+from allworlds.world.world import at_place
 
 
 def rows_of(report, verb="compare"):

@@ -2,7 +2,8 @@
 
 from itertools import product
 
-from allworlds.maps import cycle, named_map
+from allworlds.maps import named_map
+from allworlds.maps.build import cycle
 from allworlds.studies.ambiguity import class_of, twins
 from allworlds.world import Nothing, Position, World, flaw
 

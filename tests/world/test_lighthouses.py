@@ -16,9 +16,8 @@ from allworlds.world import (
     Position,
     Where,
     World,
-    lighthouse_from_json,
-    lighthouse_named,
 )
+from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
 from small import PATH, all_maps
 
 KINDS = {"none": Nothing, "position": Position, "compass": Compass, "directional": Directional}

@@ -14,9 +14,9 @@ from allworlds.world import (
     World,
     kind_of,
     lighthouse_kind,
-    lighthouse_named,
     worlds,
 )
+from allworlds.world.lighthouses.kinds import lighthouse_named
 from models import PARITY
 from small import EDGE, PLANE, TORUS, all_maps
 

@@ -15,8 +15,8 @@ from allworlds.world import (
     Natural,
     World,
     kind_of,
-    lighthouse_named,
 )
+from allworlds.world.lighthouses.kinds import lighthouse_named
 from small import LASSO, PATH, all_maps, stepped
 
 SINGLE = lighthouse_named("cluster:single=true")

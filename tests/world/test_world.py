@@ -7,15 +7,8 @@ import pytest
 from allworlds.inputs import InputError, show
 from allworlds.maps import InvalidMap, from_cycles, named_map, rooted_maps
 from allworlds.protocol import Drop, Move, Percept, Pick
-from allworlds.world import (
-    LIGHTHOUSES,
-    Directional,
-    IllegalAction,
-    InvalidWorld,
-    World,
-    lighthouse_from_json,
-    lighthouse_named,
-)
+from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, InvalidWorld, World
+from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
 from small import EDGE, PATH, stepped
 
 DOCUMENT = {"sigma": [0, 2, 1, 3], "alpha": [1, 0, 3, 2]}

@@ -221,7 +221,7 @@ def test_an_adversary_that_excludes_no_pair_says_what_is_untrue():
     for root in sorted(deciding._allowed):
         walk, dart = way_to(deciding, root), deciding.world().map.alpha[root]
         while dart > 1:
-            hub = 2 + (corridor.level(dart) - 1) * corridor.shape.degree
+            hub = 2 + (corridor.shape.level(dart) - 1) * corridor.shape.degree
             motion = (hub - dart) % corridor.shape.degree
             walk.append(Move(motion))
             dart = deciding.world().map.alpha[hub]

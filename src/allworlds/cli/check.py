@@ -7,8 +7,7 @@ from typing import Annotated, Any
 
 import allworlds
 from allworlds.cli.files import Files, ensure_directory
-from allworlds.cli.options import OutputGroup
-from allworlds.cli.output import answered, emit
+from allworlds.cli.output import OutputGroup, answered, emit
 from allworlds.cli.watch import kept_in, watched
 from allworlds.document import replace
 from allworlds.inputs import EFFORT, InputError, Option, fields_of, show

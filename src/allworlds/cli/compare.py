@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from allworlds.cli.files import Files
-from allworlds.cli.options import OutputGroup
-from allworlds.cli.output import answered, emit
+from allworlds.cli.output import OutputGroup, answered, emit
 from allworlds.inputs import InputError
 from allworlds.studies.compare import CompareRequest
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import allworlds
 from allworlds.cli.files import Files
-from allworlds.cli.options import OutputGroup
-from allworlds.cli.output import emit
+from allworlds.cli.output import OutputGroup, emit
 from allworlds.inputs import answer, values_of
 from allworlds.studies.explain import AskedExplanation, ExplainRequest, FindingWords
 

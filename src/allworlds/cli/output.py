@@ -10,13 +10,13 @@ import shutil
 import sys
 from collections.abc import Callable
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, Self, TypeVar
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar
 
 from allworlds.cli.made_by import made_by
-from allworlds.cli.options import OutputGroup
 from allworlds.document import replace
 from allworlds.engines import AskedListener, Listener, patient_stderr
-from allworlds.inputs import answer
+from allworlds.inputs import OUTPUT, Option, answer
 from allworlds.outcome import Exit, Result
 from allworlds.reports import brief, text
 from allworlds.words import harmless, harmless_json
@@ -30,6 +30,16 @@ NARROWEST = 40
 
 LONGEST, KEPT_END, CUT = 300, 120, " [...] "
 """The longest line on stderr, how much of its end is kept, and what stands for the rest."""
+
+
+@dataclass(frozen=True, slots=True)
+class OutputGroup:
+    """Options for the form of the output."""
+
+    as_json: Annotated[bool, Option(OUTPUT, "", "One JSON document on stdout.", "json")] = False
+    quiet: Annotated[
+        bool, Option(OUTPUT, "", "Show no progress; tell a verdict in one line.", "quiet", "q")
+    ] = False
 
 
 def width() -> int:

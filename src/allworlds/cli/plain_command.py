@@ -6,8 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from allworlds.cli.files import Files
-from allworlds.cli.options import OutputGroup
-from allworlds.cli.output import answered, emit
+from allworlds.cli.output import OutputGroup, answered, emit
 from allworlds.lazy import loaded
 from allworlds.verbs import Verb
 

@@ -9,8 +9,7 @@ from typing import Annotated
 import allworlds
 from allworlds import Drop, Move, Percept, Pick, Write
 from allworlds.cli.files import ensure_writable, write_text
-from allworlds.cli.options import OutputGroup
-from allworlds.cli.output import emit, printable
+from allworlds.cli.output import OutputGroup, emit, printable
 from allworlds.document import replace
 from allworlds.inputs import OUTPUT, Option, answer
 from allworlds.reports import game

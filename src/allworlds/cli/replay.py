@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import allworlds
 from allworlds.cli.files import Files
-from allworlds.cli.options import OutputGroup
-from allworlds.cli.output import complain, emit
+from allworlds.cli.output import OutputGroup, complain, emit
 from allworlds.inputs import answer
 from allworlds.studies.replay import ReplayRequest
 

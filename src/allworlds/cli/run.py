@@ -6,8 +6,7 @@ from typing import Annotated
 
 import allworlds
 from allworlds.cli.files import Files
-from allworlds.cli.options import OutputGroup
-from allworlds.cli.output import emit
+from allworlds.cli.output import OutputGroup, emit
 from allworlds.document import replace
 from allworlds.explorers import ProgramWords, names_explorer
 from allworlds.inputs import OUTPUT, SCOPE, Argument, InputError, Option, answer, show, values_of

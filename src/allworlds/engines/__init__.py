@@ -104,7 +104,6 @@ if TYPE_CHECKING:
         Records as Records,
         in_use as in_use,
         merged as merged,
-        records_in as records_in,
     )
     from allworlds.engines.run_directory.identity import (
         Identity as Identity,
@@ -127,7 +126,6 @@ if TYPE_CHECKING:
     )
     from allworlds.engines.transports.dask_cluster import Dask as Dask, here_or as here_or
     from allworlds.engines.transports.dask_lanes import ClusterLost as ClusterLost
-    from allworlds.engines.transports.inline import ThisThread as ThisThread
     from allworlds.engines.transports.threads import Threads as Threads
     from allworlds.engines.units.effort import (
         AskedCluster as AskedCluster,
@@ -148,8 +146,6 @@ if TYPE_CHECKING:
         drawn_units as drawn_units,
         is_counted as is_counted,
         level_size as level_size,
-        tell_of_size as tell_of_size,
-        units_of_level as units_of_level,
     )
     from allworlds.engines.units.listing import (
         AskedRows as AskedRows,

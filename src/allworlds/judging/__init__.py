@@ -64,7 +64,6 @@ if TYPE_CHECKING:
     from allworlds.judging.explanations.named_walk import Walked as Walked
     from allworlds.judging.explanations.spending import Spending as Spending
     from allworlds.judging.explanations.story import Belief as Belief, Story as Story
-    from allworlds.judging.explanations.whose_bound import tell_whose_bound as tell_whose_bound
     from allworlds.judging.findings.asked_finding import (
         AskedFinding as AskedFinding,
         FindingWords as FindingWords,
@@ -107,23 +106,15 @@ if TYPE_CHECKING:
         JUDGED as JUDGED,
         LAWS as LAWS,
         PRECEDENCE as PRECEDENCE,
-        Check as Check,
-        Checks as Checks,
         LawName as LawName,
-        Setting as Setting,
-        bound_law as bound_law,
         checked_laws as checked_laws,
         judge as judge,
-        map_law as map_law,
     )
-    from allworlds.judging.laws.quotient_answers import ambiguity_law as ambiguity_law
     from allworlds.judging.laws.second_opinion import same_map as same_map
     from allworlds.judging.tasks import (
         MAP as MAP,
-        TASKS as TASKS,
         Judge as Judge,
         Task as Task,
-        task_named as task_named,
     )
     from allworlds.judging.walk_log import WalkLog as WalkLog
 else:

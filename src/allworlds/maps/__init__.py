@@ -105,7 +105,6 @@ if TYPE_CHECKING:
     from allworlds.maps.bruteforce import rooted_maps_by_permutations as rooted_maps_by_permutations
     from allworlds.maps.build import (
         NoSuchMap as NoSuchMap,
-        cycle as cycle,
         dense as dense,
         lattice as lattice,
     )
@@ -149,7 +148,6 @@ if TYPE_CHECKING:
         edges_of as edges_of,
         rootings as rootings,
     )
-    from allworlds.maps.networks import from_planar_embedding as from_planar_embedding
     from allworlds.maps.quotient import (
         Projection as Projection,
         classes_of_union as classes_of_union,

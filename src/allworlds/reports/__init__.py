@@ -46,7 +46,6 @@ if TYPE_CHECKING:
         finding_in_words as finding_in_words,
         text as text,
     )
-    from allworlds.reports.rows import CsvRows as CsvRows
     from allworlds.reports.text_layout import table as table
 else:
     open_door(__name__)

@@ -33,9 +33,7 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.directional import Directional as Directional
     from allworlds.world.lighthouses.kinds import (
         LIGHTHOUSES as LIGHTHOUSES,
-        lighthouse_named as lighthouse_named,
     )
-    from allworlds.world.lighthouses.labels import Labels as Labels
     from allworlds.world.lighthouses.movable import Movable as Movable
     from allworlds.world.lighthouses.natural import Natural as Natural
     from allworlds.world.lighthouses.nothing import Nothing as Nothing
@@ -44,14 +42,12 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.sensing import Sensing as Sensing, Where as Where
     from allworlds.world.named import (
         code_of as code_of,
-        map_of_code as map_of_code,
         names_of_worlds as names_of_worlds,
         world_named as world_named,
     )
     from allworlds.world.state import State as State
     from allworlds.world.world import (
         World as World,
-        at_place as at_place,
     )
 
 # For other parts of the program.
@@ -72,7 +68,6 @@ if TYPE_CHECKING:
         GivenLighthouse as GivenLighthouse,
         LighthouseKind as LighthouseKind,
         kind_of as kind_of,
-        lighthouse_from_json as lighthouse_from_json,
         lighthouse_kind as lighthouse_kind,
         numbers_told as numbers_told,
         parts_of as parts_of,

@@ -8,7 +8,8 @@ from allworlds.judging import fold
 from allworlds.maps import rooted_isomorphism, rooted_maps
 from allworlds.protocol import Drop, Pick, Write
 from allworlds.reports.play.page import world_data
-from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, State, World, lighthouse_named
+from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, State, World
+from allworlds.world.lighthouses.kinds import lighthouse_named
 from small import EDGE, LONG, LOOP, PLANE, TORUS, all_maps
 
 

@@ -8,7 +8,8 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.judging import TASKS, Judge, Task, WalkLog
+from allworlds.judging import Judge, Task, WalkLog
+from allworlds.judging.tasks import TASKS
 from allworlds.protocol import Move, Percept, Told, Transcript
 from allworlds.world import World
 

@@ -6,16 +6,9 @@ from collections.abc import Callable
 
 from msgspec import Struct
 
-from allworlds.judging import (
-    Case,
-    Check,
-    Checks,
-    Violation,
-    ambiguity_law,
-    bound_law,
-    map_law,
-    paper_bound,
-)
+from allworlds.judging import Case, Violation, paper_bound
+from allworlds.judging.laws.law_table import Check, Checks, bound_law, map_law
+from allworlds.judging.laws.quotient_answers import ambiguity_law
 from allworlds.maps import CombinatorialMap, isomorphism, to_networkx
 from allworlds.protocol import Estimate, Move
 

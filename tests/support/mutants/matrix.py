@@ -28,7 +28,6 @@ from allworlds.judging import (
     LAWS,
     Answered,
     Case,
-    Setting,
     Undecided,
     any_ending_of,
     canonical_world,
@@ -36,8 +35,9 @@ from allworlds.judging import (
     judge,
     paper_bound,
     play,
-    task_named,
 )
+from allworlds.judging.laws.law_table import Setting
+from allworlds.judging.tasks import task_named
 from allworlds.maps import (
     CombinatorialMap,
     rooted_code,
@@ -48,7 +48,8 @@ from allworlds.maps import (
 from allworlds.protocol import Choices
 from allworlds.studies.check import check
 from allworlds.words import plural
-from allworlds.world import Directional, World, lighthouse_named
+from allworlds.world import Directional, World
+from allworlds.world.lighthouses.kinds import lighthouse_named
 from enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from errands import WEAK_TASK_JUDGES, WRONG_ERRANDS, WeakTaskJudge, WrongErrand
 from judges import WEAK_JUDGES, WeakJudge

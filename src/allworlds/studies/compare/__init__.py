@@ -27,21 +27,16 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.compare.climb import (
-        GrowingWorlds as GrowingWorlds,
-    )
     from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
     from allworlds.studies.compare.comparison import (
         ComparedRow as ComparedRow,
         Comparison as Comparison,
     )
     from allworlds.studies.compare.contest import (
-        SameWorlds as SameWorlds,
         compare as compare,
         compared as compared,
     )
     from allworlds.studies.compare.contest_report import ContestReport as ContestReport
-    from allworlds.studies.compare.contestants import Contestant as Contestant
     from allworlds.studies.compare.growth import (
         CostRatio as CostRatio,
         Exponent as Exponent,

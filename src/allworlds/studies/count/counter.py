@@ -25,6 +25,11 @@ from allworlds.engines import (
     COMPILER,
     GATE,
     WHOLE,
+    AskedCluster,
+    AskedDirectory,
+    AskedListener,
+    AskedShard,
+    AskedTime,
     LevelUnit,
     ReadyEngine,
     Sweep,
@@ -35,15 +40,21 @@ from allworlds.engines import (
     told_scope,
 )
 from allworlds.inputs import answers, lack_of
-from allworlds.maps import Extent, MapClass, automorphisms, source_of
+from allworlds.maps import AskedExtent, Extent, MapClass, automorphisms, source_of
 from allworlds.outcome import Ending
-from allworlds.studies.count.count_request import CountRequest
+from allworlds.world import AskedWhere
 
 TOLD_EVERY = 1000
 """Maps after which the listener is told."""
 
 UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
+
+
+class CountRequest(
+    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, AskedWhere, AskedExtent
+):
+    """Request of ``count``: a class, its bounds and the effort."""
 
 
 class CountRow(Document):

@@ -6,10 +6,10 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.judging import FindingWords as FindingWords
-    from allworlds.studies.explain.explain_request import (
+    from allworlds.studies.explain.explaining import (
         AskedExplanation as AskedExplanation,
         ExplainRequest as ExplainRequest,
+        explain as explain,
     )
-    from allworlds.studies.explain.explaining import explain as explain
 else:
     open_door(__name__)

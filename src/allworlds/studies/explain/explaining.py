@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from allworlds.document import replace
-from allworlds.engines import Limits, played_elsewhere, single_run, subject_of
+from allworlds.engines import AskedPatience, Limits, played_elsewhere, single_run, subject_of
 from allworlds.inputs import InputError, answers, show
 from allworlds.judging import (
     Chirality,
@@ -13,7 +15,18 @@ from allworlds.judging import (
     may_be_misread,
     needs_a_chiral_world,
 )
-from allworlds.studies.explain.explain_request import ExplainRequest
+
+
+class AskedExplanation(AskedPatience):
+    """Options for the explanation of a finding."""
+
+
+class ExplainRequest(AskedExplanation, kw_only=False):
+    """Request of ``explain``: the finding, and how it is explained."""
+
+    finding: Annotated[Finding, "the finding"]
+    number: Annotated[int, "the number of the finding in its report, from 1 on"] = 1
+    findings: Annotated[int, "how many findings the report holds"] = 1
 
 
 @answers(ExplainRequest)

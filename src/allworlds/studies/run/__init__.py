@@ -1,11 +1,9 @@
 """One world, told step by step.
 
 ``run_request``
-    what is asked for;
+    what is asked for, and the names that a WORLD can have;
 ``single``
     the verb;
-``world_names``
-    the names that a WORLD can have;
 ``hypotheses``
     the hypotheses that Algorithm 1 tests in a run, heard while it is played once more.
 """
@@ -20,8 +18,11 @@ if TYPE_CHECKING:
         embedded as embedded,
         hypotheses_in as hypotheses_in,
     )
-    from allworlds.studies.run.run_request import AskedRun as AskedRun, RunRequest as RunRequest
+    from allworlds.studies.run.run_request import (
+        AskedRun as AskedRun,
+        RunRequest as RunRequest,
+        WorldNames as WorldNames,
+    )
     from allworlds.studies.run.single import run as run
-    from allworlds.studies.run.world_names import WorldNames as WorldNames
 else:
     open_door(__name__)

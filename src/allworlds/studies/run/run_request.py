@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any
 
+from allworlds.document import Report, Text, about
 from allworlds.engines import AskedPatience
 from allworlds.inputs import RULES, InputError, Option, Taken, an_integer, show
 from allworlds.judging import AskedRules
@@ -48,3 +49,14 @@ class RunRequest(AskedRun, kw_only=False):
         "map, lighthouse and start; or what :func:`allworlds.world.named.world_named` reads; None: "
         "the one of ``family``",
     ] = None
+
+
+class WorldNames(Report):
+    """Report of 'run --list'.
+
+    The names that a WORLD can have; a capital letter stands for a number.
+    """
+
+    maps: Annotated[tuple[Text, ...], about("small maps")]
+    families: Annotated[tuple[Text, ...], about("families of maps, small or large")]
+    corpus: Annotated[tuple[Text, ...], about("worlds of the corpus")]
