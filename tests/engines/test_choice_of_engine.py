@@ -22,7 +22,6 @@ from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.studies.check.time_estimate import is_worth_a_guess
-from allworlds.studies.play.costs import costs_beside, not_compared
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
