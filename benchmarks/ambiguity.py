@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Hashable, Sequence
 from functools import partial
 
-from allworlds.maps import CombinatorialMap, Labelled, family, named_map, project
+from allworlds.maps import CombinatorialMap, family, named_map, project
 from allworlds.studies.ambiguity import census, class_of
 from allworlds.world import Position, World
 
@@ -50,7 +50,7 @@ def naive(labels: Sequence[Hashable], map_: CombinatorialMap) -> list[int]:
 def beside_the_naive(name: str, repeats: int) -> str:
     """One line: both refinements of one world, and how many times as long the naive one took."""
     world = World(family(name), Position(0))
-    labelled = Labelled(world.map, world.percepts, 0)
+    labelled = (world.map, world.percepts, 0)
     mine, theirs = project(labelled).classes, naive(world.percepts, world.map)
     if not len(set(mine)) == len(set(theirs)) == len(set(zip(mine, theirs, strict=True))):
         raise SystemExit(f"the refinements of {name} differ: this measures nothing")
@@ -71,7 +71,7 @@ def main() -> None:
         print(" ", beside_the_naive(name, options.repeats))
     for name in ALONE:
         world = World(family(name), Position(0))
-        labelled = Labelled(world.map, world.percepts, 0)
+        labelled = (world.map, world.percepts, 0)
         taken = seconds(partial(project, labelled), options.repeats)
         print(f"  {name:<16}{len(labelled.labels):>7} darts  {taken:8.3f} s")
     wheel = World(named_map("wheel-4"), Position(0))

@@ -131,44 +131,6 @@ DUDEK_BOUND = "3*n*(n-1)//2 + (m-n+1)*(5*n+2*D-4)"
 
 # name: options of the check, provenance, what must come out; "dearest" by the number of edges.
 CHECKS: dict[str, tuple[dict[str, object], str, dict[str, object]]] = {
-    "remembering": (
-        {"explore": "remembering", "edges": 4},
-        "an independent implementation of the explorer",
-        {
-            "bound": "paper",
-            "worlds": 792,
-            "runs": 3684,
-            "traversals": 21070,
-            "dearest": [1, 4, 11, 22],
-        },
-    ),
-    "greedy": (
-        {"explore": "greedy", "edges": 4},
-        "an independent implementation of the explorer",
-        {
-            "bound": "paper",
-            "worlds": 792,
-            "runs": 3684,
-            "traversals": 17888,
-            "dearest": [1, 3, 10, 21],
-        },
-    ),
-    "prudent": (
-        {"explore": "prudent", "edges": 4},
-        "as greedy: no world with 4 edges is long",
-        {
-            "bound": "paper",
-            "worlds": 792,
-            "runs": 3684,
-            "traversals": 17888,
-            "dearest": [1, 3, 10, 21],
-        },
-    ),
-    "remembering-all-schedules": (
-        {"explore": "remembering", "edges": 3, "schedules": "all"},
-        "the bound is proved for every order of darts and hypotheses",
-        {"bound": "paper", "worlds": 86, "runs": 309},
-    ),
     "dudek91-simple": (
         {"explore": "dudek91", "edges": 5, "map_class": "simple"},
         "right in simple worlds (Dudek, Jenkin, Milios, Wilkes 1991), within its own bound",

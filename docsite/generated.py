@@ -115,6 +115,7 @@ def _cell(text: str) -> str:
 MODULES = {
     "testing": "Assertions for tests: [how to use them](../how-to/pytest.md).",
     "strategies": "Hypothesis strategies: [how to use them](../how-to/pytest.md).",
+    "claims": "For the claims of a paper: [ledger](command-line.md#ledger).",
 }
 """The modules of the public API beside ``import allworlds``."""
 
@@ -123,7 +124,7 @@ def names() -> str:
     """The public API: the names of ``import allworlds`` and of the modules beside it."""
     verbs = [verb.function.replace(":", ".") for verb in VERBS if verb.python.count(".") > 1]
     text = (
-        "# Python\n\nThe public API: the names of `import allworlds` and of two modules. An "
+        "# Python\n\nThe public API: the names of `import allworlds` and of three modules. An "
         "explorer needs the classes, and the functions are the verbs: they take the options of the "
         "[command line](command-line.md) as keywords. Everything else in the package may change "
         "without notice; *Inside the package* describes it.\n\n"

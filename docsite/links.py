@@ -20,13 +20,14 @@ OUTSIDE = "repository/"
 LINK = re.compile(r"\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 ADDRESS = re.compile(r"https?://[^\s)>\]`'\"|]+")
 FENCED = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
-FOLDERS = ("benchmarks", "corpus", "examples", "proofs")
+FOLDERS = ("benchmarks", "corpus", "examples", "papers", "proofs")
 """Where pages lie beside ``docs``."""
 
 
 def outside() -> list[str]:
-    """The pages of the repository that lie outside of ``docs``, in the order of the navigation."""
+    """The pages outside of ``docs``, in the order of the navigation, and the figures of papers."""
     found = [page for folder in FOLDERS for page in (ROOT / folder).rglob("*.md")]
+    found += (ROOT / "papers").rglob("*.svg")
     return ["README.md", "CHANGELOG.md", *sorted(p.relative_to(ROOT).as_posix() for p in found)]
 
 

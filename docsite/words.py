@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 APART = ("decisions", "research")
-WRITTEN = ("documents.md", "claims.md")
+WRITTEN = "documents.md"
 PART = re.compile(r"<!-- ([\w ]+): written by .*?<!-- end of \1 -->", re.DOTALL)
 BLOCK = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
 
@@ -24,7 +24,7 @@ def by_hand(root: Path) -> list[Path]:
     pages = sorted((root / "docs").rglob("*.md"))
     return [
         root / "README.md",
-        *(p for p in pages if p.parent.name not in APART and p.name not in WRITTEN),
+        *(p for p in pages if p.parent.name not in APART and p.name != WRITTEN),
     ]
 
 

@@ -60,7 +60,7 @@ def theorems_in(means: Means, folder: Path, names: list[str]) -> Found | NotChec
 
 @cache
 def _assumptions(folder: Path) -> dict[str, str] | str:
-    """What Coq prints that each theorem rests on; or how the build failed."""
+    """The axioms that Coq prints for each theorem; or how the build failed."""
     with TemporaryDirectory(prefix="allworlds-coq-") as directory:
         base = Path(directory) / "proofs" / "coq"
         shutil.copytree(PROOFS / "coq", base, ignore=COMPILED)

@@ -29,6 +29,8 @@ NEEDED = {
         "examples/javascript/algorithm1.js",
         "proofs/check.py",
         "proofs/coq/Main.v",
+        "papers/minimal_information/ledger.toml",
+        "papers/lower_bounds/coq/Main.v",
         "CHANGELOG.md",
         "CONTRIBUTING.md",
         "CITATION.cff",

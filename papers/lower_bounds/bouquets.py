@@ -10,7 +10,6 @@ from functools import cache
 from math import prod
 
 from allworlds import CombinatorialMap, Percept, World
-from allworlds.maps import Dart
 
 MANY = 10**12
 """More than the worlds of any search."""
@@ -31,7 +30,7 @@ def number_of_bouquets(loops: int) -> int:
     return prod(range(1, 2 * loops, 2))
 
 
-def _matchings(darts: Sequence[Dart]) -> Iterator[list[tuple[Dart, Dart]]]:
+def _matchings(darts: Sequence[int]) -> Iterator[list[tuple[int, int]]]:
     if not darts:
         yield []
         return

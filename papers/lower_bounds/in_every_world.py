@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from allworlds import CombinatorialMap, Estimate, Move, Percept, World
-from allworlds.maps import Dart, rooted_code
+from allworlds.maps import rooted_code
 from minimax import Branch, Strategy, StrategyLeaf
 
 
@@ -47,7 +47,7 @@ def _node_after(percept: Percept, branches: Sequence[Branch]) -> int | None:
     return next((branch.node for branch in branches if branch.percept == percept), None)
 
 
-def _is_right(answer: Estimate, map_: CombinatorialMap, dart: Dart) -> bool:
+def _is_right(answer: Estimate, map_: CombinatorialMap, dart: int) -> bool:
     found = answer.map
     return rooted_code(found.sigma, found.alpha, answer.here) == rooted_code(
         map_.sigma, map_.alpha, dart

@@ -10,7 +10,6 @@ from math import factorial, prod
 from allworlds import CombinatorialMap, World, ambiguity
 from allworlds.claims import Found, Means, truth
 from allworlds.maps import (
-    Labelled,
     Quotient,
     automorphisms,
     class_size,
@@ -27,7 +26,7 @@ def _by_quotient(edges: int) -> Iterator[dict[object, list[tuple[CombinatorialMa
     for m in range(1, edges + 1):
         alike: dict[object, list[tuple[CombinatorialMap, Quotient]]] = defaultdict(list)
         for map_ in rooted_maps(m):
-            quotient = project(Labelled(map_, World(map_, "position").percepts, 0)).quotient
+            quotient = project((map_, World(map_, "position").percepts, 0)).quotient
             alike[quotient.sigma, quotient.alpha, quotient.degree, quotient.labels].append(
                 (map_, quotient)
             )

@@ -19,7 +19,9 @@ from typing import NamedTuple, TypeAlias
 from msgspec import Struct
 
 from allworlds import CombinatorialMap, Estimate, Percept
-from allworlds.maps import Code, Dart, numbering
+
+Code: TypeAlias = tuple[tuple[int, ...], tuple[int, ...]]
+"""Of a rooted map: (sigma, alpha) in canonical numbering."""
 
 Known: TypeAlias = tuple[int, ...]
 """The numbers of the places that are possible, ascending; one percept is sensed in all of them."""
@@ -38,7 +40,7 @@ class Place(NamedTuple):
     """
 
     code: Code
-    pointed: Dart
+    pointed: int
 
 
 class SensedKnowledge(NamedTuple):
@@ -72,9 +74,9 @@ class Places:
         self._turned: dict[int, int] = {}
         self._answers: dict[Code, int] = {}
 
-    def number(self, map_: CombinatorialMap, robot: Dart, pointed: Dart) -> int:
+    def number(self, map_: CombinatorialMap, robot: int, pointed: int) -> int:
         """The number of the place of a robot in a world."""
-        order = numbering(map_.sigma, map_.alpha, robot)
+        order = numbering(map_, robot)
         number = {dart: i for i, dart in enumerate(order)}
         code = (
             tuple(number[map_.sigma[dart]] for dart in order),
@@ -330,7 +332,7 @@ class Solved(Struct, frozen=True):
 
 
 def minimax(
-    given: Iterable[tuple[CombinatorialMap, Dart, Dart]], told_apart: ToldApart | None = None
+    given: Iterable[tuple[CombinatorialMap, int, int]], told_apart: ToldApart | None = None
 ) -> Solved:
     """Find the fewest traversals that suffice in all these worlds, and a strategy for them.
 
@@ -350,3 +352,14 @@ def minimax(
     most = max(search.value(part.known) for part in starts)
     maker = _Maker(search)
     return Solved(most, Strategy(maker.branches(starts, most), tuple(maker.nodes)))
+
+
+def numbering(map_: CombinatorialMap, root: int) -> list[int]:
+    """The darts by canonical number: breadth-first from the root, sigma first."""
+    order, seen = [root], {root}
+    for dart in order:
+        for other in (map_.sigma[dart], map_.alpha[dart]):
+            if other not in seen:
+                seen.add(other)
+                order.append(other)
+    return order

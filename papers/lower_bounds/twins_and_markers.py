@@ -9,7 +9,6 @@ from allworlds import Drop, Move, Pick, World, ambiguity, check
 from allworlds.claims import Found, Means, Picture, Unfinished, of_check, truth
 from allworlds.maps import (
     CombinatorialMap,
-    Labelled,
     MapClass,
     from_rotation,
     named_map,
@@ -112,7 +111,7 @@ def trees_need_none(_: Means, *, edges: int) -> Found:
     for m in range(1, edges + 1):
         for map_ in rooted_maps(m):
             labels = [0] * len(map_.sigma)
-            quotient = project(Labelled(map_, labels, 0)).quotient
+            quotient = project((map_, labels, 0)).quotient
             learnt = (quotient.sigma, quotient.alpha, quotient.degree)
             alike[learnt].add(unrooted_code(map_))
             compared += 1

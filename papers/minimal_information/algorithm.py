@@ -18,7 +18,7 @@ from allworlds.claims import (
     of_check,
     truth,
 )
-from allworlds.maps import Labelled, project, rooted_maps
+from allworlds.maps import project, rooted_maps
 from passes import played
 from position import marked, pair_of_corpus
 
@@ -218,7 +218,7 @@ def no_twins_with_direction(_: Means, *, edges: int) -> Found:
     met = set()
     whole = True
     for world in worlds(edges=edges, places="all"):
-        quotient = project(Labelled(world.map, world.percepts, 0)).quotient
+        quotient = project((world.map, world.percepts, 0)).quotient
         whole = whole and quotient.sheets == 1
         met.add((quotient.sigma, quotient.alpha, quotient.labels))
         runs += 1

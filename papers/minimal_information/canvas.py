@@ -9,7 +9,7 @@ from typing import Any
 from msgspec import Struct, field
 
 from allworlds import CombinatorialMap
-from allworlds.reports import Layout, layout
+from allworlds.claims import layout
 
 INK, FAINT, PAPER = "#1a1a1a", "#c9c9c9", "white"
 """Colours of known parts, of unknown parts, and of the ground."""
@@ -24,14 +24,14 @@ class Canvas(Struct, frozen=True):
     Attributes:
         axes: of matplotlib.
         map: what is drawn.
-        layout: where it lies.
+        layout: where it lies, as ``layout`` gives it.
         name: ``map-0`` in the first axes of a figure.  A file has the path of each edge, and of
             the beginning of each dart, under an id, ``map-0-edge-3`` and ``map-0-dart-3``.
     """
 
     axes: Any
     map: CombinatorialMap
-    layout: Layout
+    layout: Any
     name: str
     _named: set[str] = field(default_factory=set)
 

@@ -63,7 +63,7 @@ class TwinsFigure(Struct, frozen=True):
                 "black vertex v0. The darts stand round every vertex in their true cyclic order."
             ),
             (
-                "ints of one colour are of one class of a bisimulation, which was checked: "
+                "Darts of one colour are of one class of a bisimulation, which was checked: "
                 "wherever a motion leads in one map, it leads to a dart of the same colour in the "
                 "other, and there the same is sensed. So no motion tells the two worlds apart."
             ),

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from functools import partial
+from itertools import groupby
 from pathlib import Path
+from random import Random
+from statistics import mean
 from typing import Any
 
 from msgspec import Struct
 
-from allworlds.engines import Limits, Silent, subject_of
-from allworlds.studies.compare import (
-    LEVEL,
-    CompareRequest,
-    Contestant,
-    GrowingWorlds,
-    GrowRow,
-    Growth,
-    Member,
-    drawn_places,
-)
+from allworlds import CombinatorialMap, Percept, run
+from allworlds.claims import mean_interval
+from allworlds.maps import family, rooted_code
 from drawn import Table
 from formulas import paper_bound, printed_bound
 
@@ -32,18 +29,19 @@ LADDERS: Mapping[str, tuple[str, ...]] = {
 }
 """The graphs of each family before edges are removed: squares, and complete graphs."""
 
-OTHERS = Path(__file__).parents[1] / "lower_bounds" / "explorers.py"
-
 WHO = (
     ("algorithm1", "fifo"),
     ("algorithm1", "lifo"),
     ("algorithm1", "nearest"),
-    (f"{OTHERS}:remembering", "fifo"),
-    (f"{OTHERS}:greedy", ""),
-    (f"{OTHERS}:prudent", ""),
+    ("remembering", "fifo"),
+    ("greedy", ""),
+    ("prudent", ""),
     ("dudek91", "fifo"),
 )
 """Explorers, each with the policy that answers its choices, if it asks any."""
+
+OTHERS = Path(__file__).parents[1] / "lower_bounds"
+"""The folder of the explorers that the package does not have."""
 
 TITLES = {
     "lattice": "lattices, 10 % of the edges removed",
@@ -51,23 +49,91 @@ TITLES = {
 }
 
 
+class Graph(Struct, frozen=True):
+    """A graph of a family, with the words that name it on the command line."""
+
+    text: str
+    seed: int
+
+    @property
+    def name(self) -> str:
+        """Words that name it: ``lattice:4x4 --holes 10% --seed 1``."""
+        return f"{self.text} --holes {HOLES} --seed {self.seed}"
+
+    def map(self) -> CombinatorialMap:
+        """The map; a robot starts at dart 0."""
+        return family(self.text, holes=0.1, seed=self.seed)
+
+
+class Costs(Struct, frozen=True):
+    """What one explorer walked in one graph.
+
+    Attributes:
+        family: of the graph.
+        vertices, edges: of the graph.
+        explorer: its name, and its policy.
+        world: the words that name the graph.
+        by_place: traversals, by the direction of the marker.
+        right: whether no run broke a law.
+    """
+
+    family: str
+    vertices: int
+    edges: int
+    explorer: str
+    world: str
+    by_place: Mapping[int, int]
+    right: bool
+
+    @property
+    def mean(self) -> float:
+        """Over the directions."""
+        return mean(self.by_place.values())
+
+
+class Size(Struct, frozen=True):
+    """The costs of one explorer in the graphs of one size."""
+
+    family: str
+    vertices: int
+    edges: int
+    explorer: str
+    costs: Sequence[Costs]
+
+    @property
+    def mean(self) -> float:
+        """Over the graphs."""
+        return mean(one.mean for one in self.costs)
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Of the mean, by a bootstrap over the graphs; the mean twice if they are too few."""
+        return mean_interval([one.mean for one in self.costs]) or (self.mean, self.mean)
+
+
 class Holes(Struct, frozen=True):
     """Costs of the runs.
 
     Attributes:
-        growth: of every explorer in every graph.
-        worlds: how many graphs of each size.
+        costs: of every explorer in every graph; those of a size and an explorer side by side.
+        worlds: how many graphs of each size were drawn; isomorphic ones count once.
         seed: of the first of them.
     """
 
-    growth: Growth
+    costs: Sequence[Costs]
     worlds: int
     seed: int
 
     @property
     def right(self) -> bool:
         """Whether no run broke a law."""
-        return not self.growth.facts.refuted
+        return all(one.right for one in self.costs)
+
+    @property
+    def sizes(self) -> list[Size]:
+        """The costs by family, size and explorer."""
+        kinds = groupby(self.costs, lambda c: (c.family, c.vertices, c.edges, c.explorer))
+        return [Size(*kind, list(some)) for kind, some in kinds]
 
     def table(self) -> Table:
         """Rows, one for each run."""
@@ -75,29 +141,29 @@ class Holes(Struct, frozen=True):
         header += ["bound_1_plus_2", "bound_3_as_printed", "twice_the_edges"]
         return header, [
             [
-                row.family,
-                row.vertices,
-                row.edges,
-                row.explorer,
-                one.name,
+                one.family,
+                one.vertices,
+                one.edges,
+                one.explorer,
+                one.world,
                 place,
                 cost,
-                paper_bound(row.vertices, row.edges),
-                round(printed_bound(row.vertices, row.edges)),
-                2 * row.edges,
+                paper_bound(one.vertices, one.edges),
+                round(printed_bound(one.vertices, one.edges)),
+                2 * one.edges,
             ]
-            for row in self.growth.rows
-            for one in row.members
-            for place, cost in zip(one.ran, one.costs, strict=True)
+            for one in self.costs
+            for place, cost in one.by_place.items()
         ]
 
     def caption(self) -> Sequence[str]:
         """The lines that stand below the figure."""
-        last = {row.family: row for row in self.growth.rows if row.explorer == _name(*WHO[0])}
-        runs = sum(row.runs for row in self.growth.rows)
+        sizes = self.sizes
+        last = {size.family: size for size in sizes if size.explorer == _name(*WHO[0])}
+        runs = sum(len(one.by_place) for one in self.costs)
         sentences = [
             (
-                f"Traversals by edges, means with their {LEVEL:.0%} intervals by a bootstrap over "
+                f"Traversals by edges, means with their 95% intervals by a bootstrap over "
                 f"{self.worlds} graphs a size, in each over at most {PLACES} directions of the "
                 f"marker, which are drawn; seeds {self.seed} to {self.seed + self.worlds - 1}: "
                 "squares of a lattice and complete graphs, "
@@ -106,13 +172,13 @@ class Holes(Struct, frozen=True):
                 "axes, which the bounds leave at once; below the same with logarithmic ones."
             ),
         ]
-        for family, row in last.items():
+        for name, row in last.items():
             bound = paper_bound(row.vertices, row.edges)
             sentences.append(
-                f"{family}, m = {row.edges}: Algorithm 1 (fifo) walks {row.mean:,.0f}, {bound:,} "
+                f"{name}, m = {row.edges}: Algorithm 1 (fifo) walks {row.mean:,.0f}, {bound:,} "
                 f"is its bound (1)+(2), {bound / row.mean:,.0f} times as much."
             )
-        above = all(row.mean > 2 * row.edges for row in self.growth.rows)
+        above = all(size.mean > 2 * size.edges for size in sizes)
         sentences.append(
             "As the paper says, the cost lies far below the bound. 2m, which it calls a lower "
             "bound, is none: a cycle is mapped by m traversals; here "
@@ -131,64 +197,105 @@ class Holes(Struct, frozen=True):
 
     def draw(self, figure: Any) -> None:
         """Draw, for each family, linear axes above logarithmic ones."""
-        families = [family for family in LADDERS if any(self._rows(family))]
+        families = list(dict.fromkeys(one.family for one in self.costs))
         figure.set_size_inches(11, 9)
         panels = figure.subplots(2, max(1, len(families)), squeeze=False)
-        for column, family in enumerate(families):
+        for column, name in enumerate(families):
             for line, scale in enumerate(("linear", "log")):
-                self._panel(panels[line][column], family, scale)
+                self._panel(panels[line][column], name, scale)
         handles, labels = panels[0][0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside lower center", ncols=5, fontsize="small")
 
-    def _rows(self, family: str) -> Iterator[GrowRow]:
-        return (row for row in self.growth.rows if row.family == family)
-
-    def _panel(self, axes: Any, family: str, scale: str) -> None:
-        highest = 0.0
-        for explorer in self.growth.names:
-            rows = [row for row in self._rows(family) if row.explorer == explorer]
-            means = [row.mean for row in rows]
-            highest = max([highest, *means])
-            low, high = zip(*(row.interval or (row.mean, row.mean) for row in rows), strict=True)
-            at = [row.edges for row in rows]
+    def _panel(self, axes: Any, name: str, scale: str) -> None:
+        shown = [size for size in self.sizes if size.family == name]
+        for explorer in (_name(*who) for who in WHO):
+            sizes = [size for size in shown if size.explorer == explorer]
+            low, high = zip(*(size.interval for size in sizes), strict=True)
+            at, means = [size.edges for size in sizes], [size.mean for size in sizes]
             (line,) = axes.plot(at, means, label=explorer, marker="o", markersize=3, linewidth=1.2)
             axes.fill_between(at, low, high, color=line.get_color(), alpha=0.25, linewidth=0)
-        sizes = sorted({(row.edges, row.vertices) for row in self._rows(family)})
-        edges = [m for m, _ in sizes]
+        both = sorted({(size.edges, size.vertices) for size in shown})
+        edges = [m for m, _ in both]
         for label, style, values in (
-            ("bound (1)+(2)", "-", [paper_bound(n, m) for m, n in sizes]),
-            ("(3) as printed", ":", [printed_bound(n, m) for m, n in sizes]),
+            ("bound (1)+(2)", "-", [paper_bound(n, m) for m, n in both]),
+            ("(3) as printed", ":", [printed_bound(n, m) for m, n in both]),
             ("2m", "--", [2 * m for m in edges]),
         ):
             axes.plot(edges, values, style, color="black", linewidth=1, label=label)
-        axes.set(title=TITLES[family], xlabel="edges", ylabel="traversals")
+        axes.set(title=TITLES[name], xlabel="edges", ylabel="traversals")
         if scale == "log":
             axes.set(xscale="log", yscale="log")
             axes.set_xticks(edges, labels=list(map(str, edges)))
             axes.set_xticks([], minor=True)
         else:
-            axes.set(ylim=(0, 1.08 * highest))
+            axes.set(ylim=(0, 1.08 * max(size.mean for size in shown)))
 
 
 def figure_3(worlds: int = 30, seed: int = 1) -> Holes:
-    """Run every explorer in every graph. Cost: some minutes."""
-    limits = Limits()
-    ladders = {
-        family: [[Member(text, HOLES, seed + number) for number in range(worlds)] for text in texts]
-        for family, texts in LADDERS.items()
-    }
-    contestants = [_contestant(name, policy, limits) for name, policy in WHO]
-    effort = CompareRequest(listener=Silent())
-    sweep = GrowingWorlds(contestants, ladders, effort, partial(drawn_places, most=PLACES))
-    return Holes(sweep.answer(None), worlds, seed)
+    """Run every explorer in every graph. Cost: half an hour of two cores."""
+    costs: list[Costs] = []
+    with ProcessPoolExecutor() as processes:
+        for name, texts in LADDERS.items():
+            for text in texts:
+                graphs = distinct([Graph(text, seed + number) for number in range(worlds)])
+                by_graph = list(processes.map(partial(costs_of, name), graphs))
+                costs += [one for by_explorer in zip(*by_graph, strict=True) for one in by_explorer]
+    return Holes(costs, worlds, seed)
 
 
-def _contestant(name: str, policy: str, limits: Limits) -> Contestant:
-    subject = subject_of(name, limits)
-    request = CompareRequest(policy=policy) if policy else CompareRequest()
-    return Contestant(subject, request.rules(subject), _name(name, policy))
+def distinct(graphs: Sequence[Graph]) -> list[Graph]:
+    """The graphs; of those that are isomorphic as rooted maps the first."""
+    seen: dict[object, Graph] = {}
+    for graph in graphs:
+        map_ = graph.map()
+        seen.setdefault(rooted_code(map_.sigma, map_.alpha, 0), graph)
+    return list(seen.values())
+
+
+def costs_of(name: str, graph: Graph) -> list[Costs]:
+    """What each explorer walks in the graph of this family."""
+    return [_costs(name, graph, explorer, policy) for explorer, policy in WHO]
+
+
+def _costs(name: str, graph: Graph, explorer: str, policy: str) -> Costs:
+    """What one explorer walks; the marker of ``dudek91`` lies in its hand, not in a direction."""
+    map_ = graph.map()
+    places = places_of(graph, 1 if explorer == "dudek91" else map_.degree_at[0])
+    asked = {"family": graph.text, "holes": HOLES, "seed": graph.seed, "policy": policy or "fifo"}
+    explore = _explore(explorer)
+    told = {place: run(explore, place=place, **asked) for place in places}
+    return Costs(
+        family=name,
+        vertices=map_.vertex_count,
+        edges=map_.edge_count,
+        explorer=_name(explorer, policy),
+        world=graph.name,
+        by_place={place: one.outcome.cost for place, one in told.items()},
+        right=all(one.finding is None for one in told.values()),
+    )
+
+
+def places_of(graph: Graph, places: int) -> Sequence[int]:
+    """The numbers of all places, or of some of them, drawn by the name of the graph."""
+    if places <= PLACES:
+        return range(places)
+    return sorted(Random(f"places/{graph.name}").sample(range(places), PLACES))  # noqa: S311  # reproducible, not secret
+
+
+def _explore(name: str) -> str | Callable[[Percept], Any]:
+    """The explorer; one that the package does not have is played in this process."""
+    if name not in ("remembering", "greedy", "prudent"):
+        return name
+    sys.path.append(str(OTHERS))
+    import explorers
+
+    explore = getattr(explorers, name)
+
+    def played_here(first: Percept) -> Any:
+        return (yield from explore(first))
+
+    return played_here
 
 
 def _name(explorer: str, policy: str) -> str:
-    own = explorer.rpartition(":")[2]
-    return f"{own}, {policy}" if policy else own
+    return f"{explorer}, {policy}" if policy else explorer

@@ -15,6 +15,7 @@ from typing_extensions import override
 
 from allworlds import Checkpoint, Choices, Estimate, Percept, World, worlds
 from allworlds.claims import Algorithm1, Unfinished
+from formulas import paper_bound
 
 
 class PassWalked(Struct, frozen=True):
@@ -118,7 +119,7 @@ def passes_of(world: World, policy: str = "fifo") -> list[PassWalked]:
     """The passes of Algorithm 1 in a world, in their order.
 
     Raises:
-        Unfinished: where the run shows no checkpoint for a pass.
+        Unfinished: where the run does not end, or shows no checkpoint for a pass.
     """
     watched = Watched(world.first, Choices(POLICIES[policy]()))
     met = played(watched.explore(), world, watched)
@@ -128,8 +129,13 @@ def passes_of(world: World, policy: str = "fifo") -> list[PassWalked]:
 def played(
     exploring: Generator[Any, Any, Estimate], world: World, watched: Watched | None = None
 ) -> Played:
-    """A run without a judge: each checkpoint with the traversals before it, and how many in all."""
+    """A run without a judge: each checkpoint with the traversals before it, and how many in all.
+
+    Raises:
+        Unfinished: where it takes more than eight times the bound.
+    """
     state, seen, cost = world.initial, None, 0
+    most = 8 * paper_bound(world.map.vertex_count, world.map.edge_count) + 100
     shown: list[tuple[int, Checkpoint]] = []
     while True:
         try:
@@ -141,6 +147,8 @@ def played(
             shown.append((cost, said))
             continue
         cost += 1
+        if cost > most:
+            raise Unfinished(f"Algorithm 1 has no answer after {most} traversals")
         if watched is not None:
             watched.steps = cost
         state, seen = world.step(state, said)

@@ -6,7 +6,7 @@ from collections import defaultdict
 
 from allworlds import World, ambiguity, check, worlds
 from allworlds.claims import Found, Means, Picture, Unfinished, of_check, truth
-from allworlds.maps import Labelled, project
+from allworlds.maps import project
 from formulas import two_vertices_bound
 
 
@@ -60,7 +60,7 @@ def _twins_under(kind: str, map_class: str, edges: int) -> Found:
     compared = 0
     for world in worlds(edges=edges, map_class=map_class, lighthouse=kind, places="all"):
         compared += 1
-        quotient = project(Labelled(world.map, world.percepts, 0)).quotient
+        quotient = project((world.map, world.percepts, 0)).quotient
         learnt = (quotient.sigma, quotient.alpha, quotient.labels, world.told)
         for one in alike[learnt]:
             if ambiguity.twins(one, world).twins:

@@ -8,7 +8,9 @@ keywords, and returns a :class:`Found` or a :class:`NotChecked`::
 """
 
 from allworlds.explorers import Algorithm1, FoldedLog
-from allworlds.studies.ledger.claim import (
+from allworlds.reports import layout
+from allworlds.studies.compare import mean_interval
+from allworlds.studies.ledger import (
     Found,
     Means,
     NotChecked,
@@ -28,6 +30,8 @@ __all__ = [
     "NotChecked",
     "Picture",
     "Unfinished",
+    "layout",
+    "mean_interval",
     "of_check",
     "truth",
 ]

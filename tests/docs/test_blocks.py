@@ -27,6 +27,7 @@ SLOW = {
     "docs/how-to/pytest.md",
     "docs/how-to/rows.md",
     "docs/python.md",
+    "docs/theory.md",
     "docs/trust.md",
     "docs/tutorial.md",
 }
@@ -34,17 +35,14 @@ SLOW = {
 
 LONGEST = {
     "docs/ambiguity.md",
-    "docs/explorers.md",
     "docs/how-to/bound.md",
     "docs/how-to/certificate.md",
     "docs/how-to/languages.md",
-    "docs/paper.md",
     "docs/research/class.md",
     "docs/research/cost.md",
     "docs/research/sensor.md",
     "docs/research/sequence.md",
     "docs/research/task.md",
-    "docs/theory.md",
 }
 """Pages that are left to the long run."""
 
@@ -75,7 +73,7 @@ def shell(tmp_path):
     """A shell in a folder like a clone."""
     clone = tmp_path / "clone"
     clone.mkdir()
-    for folder in ("benchmarks", "examples", "proofs"):
+    for folder in ("benchmarks", "examples", "papers", "proofs"):
         (clone / folder).symlink_to(ROOT / folder)
     (clone / "my_explorer.py").write_text(EXPLORER)
     shutil.copy(ROOT / "corpus/findings/mirror-image.json", clone / "finding.json")

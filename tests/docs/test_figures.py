@@ -14,11 +14,12 @@ import allworlds
 from allworlds.reports import layout
 
 ROOT = Path(__file__).parents[2]
+PAPER = ROOT / "papers" / "minimal_information"
 
 
-def beside(name):
+def beside(name, folder=ROOT / "docs"):
     """The module of a figure."""
-    spec = importlib.util.spec_from_file_location(name, ROOT / "docs" / "figures" / f"{name}.py")
+    spec = importlib.util.spec_from_file_location(name, folder / "figures" / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -80,12 +81,12 @@ EXPLORERS = {
 
 
 def test_the_table_of_figure_3_is_that_of_its_data():
-    page = (ROOT / "docs/paper.md").read_text(encoding="utf-8").partition("### Fig. 3")[2]
+    page = (PAPER / "README.md").read_text(encoding="utf-8").partition("### Fig. 3")[2]
     told = {
         name.strip(): [cell.strip(" *") for cell in cells]
         for name, *cells in re.findall(r"^\| (.*?) \| (.*?) \| (.*?) \|$", page, re.MULTILINE)
     }
-    with (ROOT / "docs/figures/figure-3-means.csv").open(encoding="utf-8", newline="") as file:
+    with (PAPER / "figures/figure-3-means.csv").open(encoding="utf-8", newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["edges"] in ("238", "248")]
     assert [row["family"] for row in rows] == ["lattice"] * 7 + ["dense"] * 7
     means = {}
@@ -103,13 +104,14 @@ def test_means_are_of_all_runs_of_a_size():
         {**same, "explorer": who, "world": world, "twice_the_edges": "6", "traversals": cost}
         for who, world, cost in (("a", "1", "1"), ("b", "1", "7"), ("a", "2", "3"), ("a", "2", "4"))
     ]
-    header, *lines = beside("means").means(runs)
+    means = beside("means", PAPER).means
+    header, *lines = means(runs)
     assert lines == [
         ["f", "2", "3", "a", 2, 3, "2.25", "", "", "9", "6"],
         ["f", "2", "3", "b", 1, 1, "7.00", "", "", "9", "6"],
     ]
     many = [{**runs[0], "world": str(i), "traversals": str(10 + i % 4)} for i in range(20)]
-    _, (*_, mean, low, high, _, _) = beside("means").means(many)
+    _, (*_, mean, low, high, _, _) = means(many)
     assert mean == "11.50"
     assert 10.8 < float(low) < 11.5 < float(high) < 12.2
     assert len(header) == 11

@@ -7,7 +7,6 @@ import pytest
 from allworlds.document import replace
 from allworlds.maps import (
     CombinatorialMap,
-    Labelled,
     classes_of_union,
     cycle,
     lattice,
@@ -44,8 +43,8 @@ def marked(map_, vertex=0):
 def labelled_maps(largest):
     for m in range(1, largest + 1):
         for map_ in rooted_maps(m):
-            yield Labelled(map_, marked(map_), 0)
-            yield Labelled(map_, [0] * (2 * m), 0)
+            yield (map_, marked(map_), 0)
+            yield (map_, [0] * (2 * m), 0)
 
 
 def test_hopcrofts_partition_is_moores_for_every_small_map():
@@ -118,8 +117,8 @@ def test_relabelling_the_darts_keeps_the_quotient(seed):
         for d, name in enumerate(names):
             other[name] = labels[d]
         mine, theirs = (
-            project(Labelled(map_, labels, 0)),
-            project(Labelled(map_.relabelled(names), other, names[0])),
+            project((map_, labels, 0)),
+            project((map_.relabelled(names), other, names[0])),
         )
         assert mine.quotient == theirs.quotient
         assert mine.classes == tuple(theirs.classes[name] for name in names)
@@ -141,13 +140,13 @@ def test_rooted_quotients_are_equal_exactly_if_the_roots_share_a_class_of_the_un
 
 def test_a_quotient_of_itself_under_another_root_is_another_rooted_quotient():
     map_ = CombinatorialMap((0, 2, 1, 3), (1, 0, 3, 2))
-    whole = project(Labelled(map_, [0, 1, 2, 3], 0)).quotient
-    assert whole.rerooted(3) == project(Labelled(map_, [0, 1, 2, 3], 3)).quotient
+    whole = project((map_, [0, 1, 2, 3], 0)).quotient
+    assert whole.rerooted(3) == project((map_, [0, 1, 2, 3], 3)).quotient
     assert whole.rerooted(3) != whole
 
 
 def test_an_unlabelled_cycle_has_one_class_which_is_a_semi_edge():
-    quotient, _ = project(Labelled(cycle(5), [0] * 10, 0))
+    quotient, _ = project((cycle(5), [0] * 10, 0))
     assert (quotient.sigma, quotient.alpha, quotient.sheets) == ((0,), (0,), 10)
     assert (quotient.cone_indices, quotient.semi_edges, quotient.beta1) == ((2,), (0,), 0)
 
@@ -157,14 +156,14 @@ def test_the_quotient_of_the_fig1_pair_has_four_sheets_and_one_semi_edge():
     # marked vertex alike (III, Fig. 1 of the paper: 'facing one of the edges').
     for name in ("fig1-left", "fig1-right"):
         map_ = named_map(name)
-        quotient, _ = project(Labelled(map_, marked(map_), 0))
+        quotient, _ = project((map_, marked(map_), 0))
         assert (quotient.sheets, len(quotient.semi_edges), quotient.beta1) == (4, 1, 1)
         assert quotient.cone_indices == (4, 1, 1)
 
 
 def test_darts_of_different_degree_are_never_alike_whatever_their_labels():
     map_ = lattice(2, 3)
-    _, classes = project(Labelled(map_, [0] * 14, 0))
+    _, classes = project((map_, [0] * 14, 0))
     for d, e in product(map_.darts, repeat=2):
         assert classes[d] != classes[e] or map_.degree_at[d] == map_.degree_at[e]
 
@@ -198,5 +197,5 @@ def looked_at(map_, monkeypatch):
         return split(self, chosen)
 
     monkeypatch.setattr(refinement._Partition, "split", counted)
-    project(Labelled(map_, marked(map_), 0))
+    project((map_, marked(map_), 0))
     return count

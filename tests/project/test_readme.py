@@ -63,6 +63,7 @@ def test_the_links_of_the_pages_lead_to_files():
         ROOT / "README.md",
         *(ROOT / "docs").rglob("*.md"),
         *(ROOT / "benchmarks").glob("*.md"),
+        *(ROOT / "papers").rglob("*.md"),
     ]
     assert len(pages) > 2
     for page in pages:
@@ -78,6 +79,7 @@ PAGES = [
     ROOT / "corpus" / "README.md",
     *(ROOT / "docs").rglob("*.md"),
     *(ROOT / "benchmarks").glob("*.md"),
+    *(ROOT / "papers").rglob("*.md"),
 ]
 
 # What looks like the path of a file, and is one only on the reader's machine, or none.

@@ -10,7 +10,6 @@ from pkgutil import iter_modules
 from typing import get_args, get_type_hints
 
 import pytest
-from allworlds.evidence.figures.figure_table import FIGURES
 
 import allworlds
 from allworlds import reports, strategies
@@ -119,13 +118,13 @@ def test_a_verb_is_a_function_of_the_package(name):
         assert verb.group in GROUPS
 
 
-def test_the_help_has_at_most_sixteen_entries_each_under_a_panel_that_issues_name():
+def test_the_help_has_at_most_fourteen_entries_each_under_a_panel_that_issues_name():
     entries = {verb.group or verb.name for verb in VERBS}
-    assert len(entries) <= 16
+    assert len(entries) <= 14
     panels = dict.fromkeys(verb.panel or GROUPS[verb.group].panel for verb in VERBS)
     assert [*panels] == [
         *("Everyday", "Long runs", "Costs", "Worlds"),
-        *("What no robot can tell apart", "The paper and this program"),
+        *("What no robot can tell apart", "Papers"),
     ]
 
 
@@ -189,8 +188,6 @@ ONLY_PYTHON = {
     "replay": {"explore", "finding"},
     "explain": {"finding", "findings"},
     "play": {"player"},
-    # It runs no explorers but the built-in ones.
-    "paper figure": {"answer_timeout"},
 }
 
 
@@ -269,13 +266,6 @@ def test_an_option_with_few_values_shows_them_all(verb, name, table):
 def test_the_help_of_an_option_lists_every_name_of_its_table(verb, name, table):
     words = re.findall(r"[\w:-]+", option(verb, name).help)
     assert {*map(str, table)} <= {*words}
-
-
-def test_every_figure_is_told_and_asked_for():
-    told = rows(page("docs/paper.md"))
-    assert told[: len(FIGURES)] == [*FIGURES]
-    arguments = {param.name: param for param in command_of(BY_NAME["paper figure"]).params}
-    assert arguments["name"].metavar == "|".join(FIGURES)
 
 
 def test_the_help_of_the_families_lists_every_one():

@@ -49,7 +49,7 @@ MOST_ROWS, MOST_ARROWS, MOST_ENTRIES = 12, 60, 21
 """What one can hold in the head."""
 
 # Wings without a door of their own: each folder in them has one.
-BY_FOLDER = {"studies", "evidence"}
+BY_FOLDER = {"studies"}
 
 # What lies beside the wings and holds no code, or code that no wing knows.
 BESIDE = {"corpus", "schemas", "py.typed"}
@@ -63,9 +63,9 @@ HOMES = {
     # Structs: in every wing, but not in what is loaded by "import allworlds".
     "msgspec": [
         *("document", "outcome", "maps", "protocol", "world", "explorers", "judging", "engines"),
-        *("reports", "studies", "evidence"),
+        *("reports", "studies"),
     ],
-    "matplotlib": ["reports.formats.plot", "evidence.figures"],
+    "matplotlib": ["reports.formats.plot"],
     "networkx": [
         "maps.postman",
         "maps.networks",
@@ -77,14 +77,13 @@ HOMES = {
     "pyarrow": ["reports.formats.csv"],
     "pysat": ["studies.ambiguity.smt"],
     "rich": ["cli", "reports"],
-    "sympy": ["evidence.claims.complexity"],
     "typer": ["cli", "reports"],
     "z3": ["studies.ambiguity.smt"],
 }
 # What comes with Python, or will.
 EVERYWHERE = {*sys.stdlib_module_names, "typing_extensions"}
 # Loaded only inside the functions that need them, or for types.
-LAZY = {"dask", "distributed", "matplotlib", "networkx", "rich", "sympy"}
+LAZY = {"dask", "distributed", "matplotlib", "networkx", "rich"}
 
 INPUTS = {"inputs", "inputs.checks", "inputs.requests"}
 """The door to checks of values, and what is behind it."""
@@ -309,15 +308,12 @@ def test_only_doors_pass_names_on():
             assert not MODULES[short], f"{short} passes names on"
 
 
-def test_a_study_imports_no_study_but_check_and_evidence_none_of_its_own():
+def test_a_study_imports_no_study_but_check():
     found = set()
     for short, _, own in own_imports():
         if wing(short) == wing(own) in BY_FOLDER and room(short) != room(own):
             found.add((room(short), own))
-    # The player's cost stands beside the optimum.
-    assert {pair for pair in found if pair[1] != "studies.check"} == {
-        ("studies.play", "studies.optimum")
-    }
+    assert {own for _, own in found} == {"studies.check"}
 
 
 def test_no_circle_is_closed_among_the_modules_of_the_ground():

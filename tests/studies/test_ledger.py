@@ -7,11 +7,10 @@ import pytest
 import allworlds
 from allworlds.document import replace
 from allworlds.inputs import InputError
-from allworlds.maps import Disagreement
 from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.reports import brief, file_of, text
-from allworlds.studies.ledger.checked_claims import LedgerReport, entry_with
-from allworlds.studies.ledger.claim import Found, Unfinished, claims_in, of_check
+from allworlds.studies.ledger.checked_claims import FAULTS, LedgerReport, entry_with
+from allworlds.studies.ledger.claim import Found, NotChecked, Unfinished, claims_in, of_check
 
 TOML = """
 [pairs]
@@ -143,10 +142,15 @@ def test_what_is_found_decides(paper, body, standing, code):
     assert report.claims[0].standing == "as-expected"
 
 
-@pytest.mark.parametrize("fault", [Unfinished, Disagreement])
+def test_a_witness_that_was_not_told_is_no_pass(paper):
+    found = with_function(paper, "pairs", 'return Found("holds", {"pairs": 3})')
+    one = entries(found)["pairs"]
+    assert one.verdict == one.standing == "vacuous"
+
+
+@pytest.mark.parametrize("fault", FAULTS)
 def test_a_disagreement_within_the_program_refutes_whatever_is_expected(paper, fault):
-    where = {Unfinished: "allworlds.claims", Disagreement: "allworlds.maps"}[fault]
-    body = f"from {where} import {fault.__name__} as Fault; raise Fault('3, and 4')"
+    body = f"from {fault.__module__} import {fault.__name__} as Fault; raise Fault('3, and 4')"
     one = entries(with_function(paper, "not_all", body))["not-all"]
     assert (one.verdict, one.standing) == ("refuted", "unexpected")
     assert one.differences == ("a disagreement within this program: 3, and 4",)
@@ -164,6 +168,14 @@ def test_what_was_not_checked_neither_passes_nor_fails_unless_it_is_required(pap
     assert [one.id for one in report.claims] == ["pairs", "proof"]
     assert report.exit_code == Exit.INCONCLUSIVE
     assert allworlds.ledger(paper, require=["pairs"]).exit_code == Exit.HOLDS
+
+
+def test_the_line_tells_what_those_need_that_were_not_checked(paper):
+    claims = claims_in(paper / "ledger.toml")
+    reasons = ("no Coq", "no Coq", "no time")
+    some = [entry_with(c, "quick", NotChecked(r)) for c, r in zip(claims, reasons, strict=True)]
+    told = brief("ledger", report_of(*some), 100)
+    assert told.startswith("VACUOUS: 3 claims: 3 not checked (2: no Coq; 1: no time)")
 
 
 def test_an_error_outweighs_an_interrupt_which_outweighs_a_difference(paper):

@@ -110,7 +110,7 @@ def test_directional_worlds_are_told_apart_unless_they_are_the_same():
 
 
 def same_start_class(one, other):
-    labelled = [twins_module.Labelled(w.map, w.percepts, w.start) for w in (one, other)]
+    labelled = [(w.map, w.percepts, w.start) for w in (one, other)]
     first, second = twins_module.classes_of_union(*labelled)
     return first[one.start] == second[other.start]
 

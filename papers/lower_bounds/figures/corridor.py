@@ -1,21 +1,25 @@
-"""Draw ``docs/assets/corridor.svg``: a corridor with two near hubs and one far hub.
+"""Draw ``corridor.svg``: a corridor with two near hubs and one far hub.
 
-``python docs/figures/corridor.py`` writes it anew.  Each hub has its darts in their true order.
+``python papers/lower_bounds/figures/corridor.py`` writes it anew.  Each hub has its darts in their
+true order.
 """
 
 from __future__ import annotations
 
+import sys
 from cmath import rect
 from math import pi, tau
 from pathlib import Path
 from xml.etree import ElementTree as ET
+
+sys.path.append(str(Path(__file__).parents[3] / "docs" / "figures"))
 
 from frame import framed
 
 from allworlds.maps.corridor import Corridor, CorridorShape, drawn_corridor
 from allworlds.reports import tag
 
-FILE = Path(__file__).parents[1] / "assets" / "corridor.svg"
+FILE = Path(__file__).with_suffix(".svg")
 SHAPE = CorridorShape(1, 18)
 WIDE, HIGH, RADIUS = 760, 250, 46.0
 STYLE = """\

@@ -1,7 +1,7 @@
-"""Draw ``docs/assets/greedy.svg``: greedy against Algorithm 1 on twelve families.
+"""Draw ``greedy.svg``: greedy against Algorithm 1 on twelve families.
 
-``python docs/figures/greedy.py`` draws it from ``docs/figures/growth.csv`` alone; matplotlib is in
-the extra ``figures``.
+``python papers/lower_bounds/figures/greedy.py`` draws it from ``growth.csv`` alone; matplotlib is
+in the extra ``figures``.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ import matplotlib as mpl
 from growth import Costs, by_family, costs, exact_sizes, read
 from matplotlib.figure import Figure
 
-from allworlds.studies.compare.intervals import mean_interval
+from allworlds.claims import mean_interval
 
-FILE = Path(__file__).parents[1] / "assets" / "greedy.svg"
+FILE = Path(__file__).with_suffix(".svg")
 WHO = {"algorithm1": ("Algorithm 1", "#b3261e"), "greedy": ("greedy", "#1d5fa8")}
 LEFT_OUT = "corridor"
 ROWS, COLUMNS, TICKS = 3, 4, (12, 25, 50, 100, 200)

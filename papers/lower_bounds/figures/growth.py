@@ -1,7 +1,7 @@
-"""The data of the tables and the figure of large worlds in ``docs/explorers.md``.
+"""The data of the tables and the figure of large worlds in the README.
 
     allworlds compare EXPLORER ... --family lattice,torus --to 200 --by world --csv a.csv
-    python docs/figures/growth.py a.csv ... > docs/figures/growth.csv
+    python papers/lower_bounds/figures/growth.py a.csv ... > papers/lower_bounds/figures/growth.csv
 
 keeps the columns of numbers: family and seed name each world, so that its code is left out.
 """
@@ -26,8 +26,9 @@ Costs: TypeAlias = dict[int, list[float]]
 
 
 def kept(rows: Iterable[Row]) -> Iterator[Row]:
-    """The columns that are kept, of each row."""
-    return ({name: row[name] for name in COLUMNS} for row in rows)
+    """The columns that are kept, of each row; an explorer has its name without its file."""
+    some = ({name: row[name] for name in COLUMNS} for row in rows)
+    return ({**row, "explorer": row["explorer"].rpartition(":")[2]} for row in some)
 
 
 def read(file: Path = FILE) -> list[Row]:

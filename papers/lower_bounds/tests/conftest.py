@@ -1,13 +1,13 @@
-"""The programs of this paper can be imported; drawn examples are the same each time."""
+"""The modules of this paper can be imported, and fixtures and settings are those of all tests.
+
+Both papers have modules of one name: ``pytest papers/minimal_information/tests`` and
+``pytest papers/lower_bounds/tests`` are two processes.
+"""
 
 import sys
 from pathlib import Path
 
-from hypothesis import settings
+TESTS = Path(__file__).parent
+sys.path[:0] = [str(TESTS.parent), str(TESTS)]
 
-sys.path.insert(0, str(Path(__file__).parents[1]))
-
-settings.register_profile(
-    "same-every-time", derandomize=True, database=None, deadline=None, max_examples=60
-)
-settings.load_profile("same-every-time")
+pytest_plugins = ["conftest"]

@@ -15,12 +15,12 @@ def compare(
     files: Files,
     output: OutputGroup,
 ) -> int:
-    """Example: allworlds compare algorithm1 greedy --edges 4
+    """Example: allworlds compare algorithm1 dudek91 --edges 4
 
     Explorers side by side on the same worlds, each under its own lighthouse; the first is
     compared with each other one, in each rooted map by the mean over the lighthouse's places.
     With --to one or more explorers in worlds that grow: cost by size, with fitted exponents, as in
-    allworlds compare algorithm1 greedy --family lattice,torus --to 100.
+    allworlds compare algorithm1 dudek91 --family lattice,torus --to 100.
     Every run is judged.  Exit code 0: no law is broken, 1: one is.
     """
     from allworlds.studies.compare import compared

@@ -33,7 +33,6 @@ if TYPE_CHECKING:
         ASIDE as ASIDE,
         IF_ANY as IF_ANY,
         AllRows as AllRows,
-        AnyShard as AnyShard,
         Aside as Aside,
         Bounded as Bounded,
         Different as Different,
@@ -47,7 +46,6 @@ if TYPE_CHECKING:
         Pair as Pair,
         Permutation as Permutation,
         Positive as Positive,
-        ReadBy as ReadBy,
         Seconds as Seconds,
         ShardText as ShardText,
         Some as Some,
@@ -62,7 +60,6 @@ if TYPE_CHECKING:
     )
     from allworlds.document.reading import taken as taken
     from allworlds.document.report import (
-        SCHEMA as SCHEMA,
         Host as Host,
         MadeBy as MadeBy,
         Paged as Paged,
@@ -71,9 +68,7 @@ if TYPE_CHECKING:
     )
     from allworlds.document.struct import (
         EXIT_CODE as EXIT_CODE,
-        NOTHING as NOTHING,
         Document as Document,
-        Key as Key,
         WrittenByFields as WrittenByFields,
         computed as computed,
         key as key,

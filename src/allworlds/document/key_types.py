@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias, TypeVar
 
-from msgspec import Meta, UnsetType
+from msgspec import Meta
 
 from allworlds.outcome import Exit
 
@@ -89,4 +89,3 @@ Vertices = Annotated[Positive, about("the number of vertices")]
 ExitCode = Annotated[Exit, about("the exit code of the command")]
 Bounded = Annotated[Positive | None, about("at most so many; null: not bounded")]
 WhichShard = Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
-AnyShard = Annotated[ShardText | UnsetType, about("`K/N`; missing: the whole")]

@@ -74,9 +74,7 @@ if TYPE_CHECKING:
     from allworlds.engines.python.examiner import (
         LOST as LOST,
         Examiner as Examiner,
-        Outcome as Outcome,
         Referee as Referee,
-        name_run as name_run,
     )
     from allworlds.engines.python.players import GOES_BY_HASHES as GOES_BY_HASHES
     from allworlds.engines.python.python_engine import PythonEngine as PythonEngine
@@ -103,12 +101,10 @@ if TYPE_CHECKING:
     from allworlds.engines.run_directory.finished_units import (
         ENDED as ENDED,
         Gap as Gap,
-        Merged as Merged,
         Records as Records,
         in_use as in_use,
         merged as merged,
         records_in as records_in,
-        shelf as shelf,
     )
     from allworlds.engines.run_directory.identity import (
         Identity as Identity,
@@ -122,8 +118,6 @@ if TYPE_CHECKING:
     from allworlds.engines.sweep import Sweep as Sweep
     from allworlds.engines.swept_report import (
         GATE as GATE,
-        STOPPED as STOPPED,
-        Gate as Gate,
         SweptExit as SweptExit,
         SweptReport as SweptReport,
         ToldGate as ToldGate,
@@ -144,11 +138,9 @@ if TYPE_CHECKING:
         AskedWorkers as AskedWorkers,
         Limits as Limits,
         TimeIsUp as TimeIsUp,
-        check_deadline as check_deadline,
-        time_until as time_until,
     )
     from allworlds.engines.units.gather import gather as gather
-    from allworlds.engines.units.kept_form import Form as Form, from_kept as from_kept
+    from allworlds.engines.units.kept_form import from_kept as from_kept
     from allworlds.engines.units.levels import (
         LevelUnit as LevelUnit,
         SweptLevel as SweptLevel,
@@ -156,7 +148,6 @@ if TYPE_CHECKING:
         drawn_units as drawn_units,
         is_counted as is_counted,
         level_size as level_size,
-        levels_of as levels_of,
         tell_of_size as tell_of_size,
         units_of_level as units_of_level,
     )
@@ -166,18 +157,14 @@ if TYPE_CHECKING:
         by_named as by_named,
     )
     from allworlds.engines.units.shards import (
-        UNMERGEABLE as UNMERGEABLE,
         WHOLE as WHOLE,
         AskedShard as AskedShard,
         Portion as Portion,
         Shard as Shard,
-        Whole as Whole,
-        a_shard as a_shard,
         dealt as dealt,
         shards_of as shards_of,
     )
     from allworlds.engines.units.unit import (
-        KeptUnits as KeptUnits,
         PartialResult as PartialResult,
         Transport as Transport,
     )

@@ -37,7 +37,6 @@ if TYPE_CHECKING:
         DEFAULT_EXPLORER as DEFAULT_EXPLORER,
         AskedExplorer as AskedExplorer,
         ExplorersWords as ExplorersWords,
-        ExplorerWords as ExplorerWords,
         ProgramWords as ProgramWords,
     )
     from allworlds.explorers.builtin.algorithm1 import (
@@ -45,22 +44,14 @@ if TYPE_CHECKING:
         Walk as Walk,
         algorithm1 as algorithm1,
     )
-    from allworlds.explorers.builtin.depth_first import dfs as dfs
-    from allworlds.explorers.builtin.dudek91 import dudek91 as dudek91
     from allworlds.explorers.builtin.explorer_table import BUILT_IN as BUILT_IN, BuiltIn as BuiltIn
     from allworlds.explorers.builtin.folded_log import OPEN as OPEN, FoldedLog as FoldedLog
     from allworlds.explorers.builtin.folding import (
         explore_folding as explore_folding,
-        folding as folding,
-        folding_oldest as folding_oldest,
         way as way,
     )
     from allworlds.explorers.builtin.quotient import quotient as quotient
     from allworlds.explorers.builtin.shield import Shield as Shield
-    from allworlds.explorers.builtin.undirected import (
-        algorithm1_cluster as algorithm1_cluster,
-        algorithm1_natural as algorithm1_natural,
-    )
     from allworlds.explorers.digest import (
         content_digest as content_digest,
         not_alike as not_alike,
@@ -68,8 +59,6 @@ if TYPE_CHECKING:
     )
     from allworlds.explorers.loading import load as load, source_of as source_of
     from allworlds.explorers.names import (
-        EXEC as EXEC,
-        NATIVE as NATIVE,
         SHIELD as SHIELD,
         TRANSLATED as TRANSLATED,
         command_of as command_of,

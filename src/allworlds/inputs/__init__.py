@@ -61,7 +61,6 @@ if TYPE_CHECKING:
         answer as answer,
         answers as answers,
         as_json as as_json,
-        ensure_takes as ensure_takes,
         fields_of as fields_of,
         given_again as given_again,
         in_scope as in_scope,

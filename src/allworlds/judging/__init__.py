@@ -36,7 +36,6 @@ if TYPE_CHECKING:
         integers as integers,
     )
     from allworlds.judging.episode import (
-        ADAPTERS_LAWS as ADAPTERS_LAWS,
         EndingOf as EndingOf,
         Environment as Environment,
         Episode as Episode,
@@ -99,7 +98,6 @@ if TYPE_CHECKING:
         Bound as Bound,
         bound_named as bound_named,
         paper_bound as paper_bound,
-        printed_bound as printed_bound,
     )
     from allworlds.judging.laws.case import Case as Case, Violation as Violation
     from allworlds.judging.laws.folding import fold as fold
@@ -111,7 +109,6 @@ if TYPE_CHECKING:
         PRECEDENCE as PRECEDENCE,
         Check as Check,
         Checks as Checks,
-        JudgedLaw as JudgedLaw,
         LawName as LawName,
         Setting as Setting,
         bound_law as bound_law,

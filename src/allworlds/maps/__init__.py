@@ -125,7 +125,6 @@ if TYPE_CHECKING:
         Alpha as Alpha,
         Dart as Dart,
         Sigma as Sigma,
-        Vertex as Vertex,
         cycles as cycles,
     )
     from allworlds.maps.completion_counts import completions as completions
@@ -135,7 +134,6 @@ if TYPE_CHECKING:
         LEGAL as LEGAL,
         AllOf as AllOf,
         Condition as Condition,
-        NamedCondition as NamedCondition,
         condition_named as condition_named,
         narrowing as narrowing,
     )
@@ -158,7 +156,6 @@ if TYPE_CHECKING:
     )
     from allworlds.maps.networks import from_planar_embedding as from_planar_embedding
     from allworlds.maps.quotient import (
-        Labelled as Labelled,
         Projection as Projection,
         classes_of_union as classes_of_union,
     )

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Sequence
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from msgspec import Struct
 
@@ -112,12 +112,8 @@ class Projection(NamedTuple):
     classes: tuple[int, ...]
 
 
-class Labelled(NamedTuple):
-    """A rooted map with a label at every dart."""
-
-    map: CombinatorialMap
-    labels: Sequence[Hashable]
-    root: Dart
+Labelled: TypeAlias = tuple[CombinatorialMap, Sequence[Hashable], Dart]
+"""A rooted map with a label at every dart: map, labels by dart, root."""
 
 
 def project(labelled: Labelled) -> Projection:
@@ -166,7 +162,7 @@ def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
         for representative in _breadth_first(root, block, sigma, alpha, set(number)):
             number[block[representative]] = len(number)
     all_classes = iter([number[b] for b in block])
-    return tuple(tuple(next(all_classes) for _ in part.map.darts) for part in parts)
+    return tuple(tuple(next(all_classes) for _ in map_.darts) for map_, _, _ in parts)
 
 
 def _breadth_first(

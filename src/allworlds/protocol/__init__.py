@@ -44,7 +44,6 @@ if TYPE_CHECKING:
         SEEDED as SEEDED,
         Choices as Choices,
         Kind as Kind,
-        Policy as Policy,
         Schedule as Schedule,
         Schedules as Schedules,
         a_schedule as a_schedule,

@@ -46,22 +46,7 @@ if TYPE_CHECKING:
         finding_in_words as finding_in_words,
         text as text,
     )
-    from allworlds.reports.rows import CsvRows as CsvRows, Value as Value
-    from allworlds.reports.telling import (
-        Block as Block,
-        Cell as Cell,
-        Headline as Headline,
-        Section as Section,
-        Shown as Shown,
-        Suite as Suite,
-        ToldCase as ToldCase,
-        ToldFacts as ToldFacts,
-        ToldPicture as ToldPicture,
-        ToldResult as ToldResult,
-        ToldTable as ToldTable,
-        Words as Words,
-        so_far as so_far,
-    )
+    from allworlds.reports.rows import CsvRows as CsvRows
     from allworlds.reports.text_layout import table as table
 else:
     open_door(__name__)

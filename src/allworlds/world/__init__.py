@@ -30,13 +30,11 @@ if TYPE_CHECKING:
     )
     from allworlds.world.lighthouses.cluster import Cluster as Cluster
     from allworlds.world.lighthouses.compass import Compass as Compass
-    from allworlds.world.lighthouses.composed import Composed as Composed
     from allworlds.world.lighthouses.directional import Directional as Directional
     from allworlds.world.lighthouses.kinds import (
         LIGHTHOUSES as LIGHTHOUSES,
         lighthouse_named as lighthouse_named,
     )
-    from allworlds.world.lighthouses.knowledge import Knowledge as Knowledge
     from allworlds.world.lighthouses.labels import Labels as Labels
     from allworlds.world.lighthouses.movable import Movable as Movable
     from allworlds.world.lighthouses.natural import Natural as Natural
@@ -44,10 +42,6 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.place_checks import InvalidWorld as InvalidWorld
     from allworlds.world.lighthouses.position import Position as Position
     from allworlds.world.lighthouses.sensing import Sensing as Sensing, Where as Where
-    from allworlds.world.lighthouses.written import (
-        Ports as Ports,
-        Whiteboard as Whiteboard,
-    )
     from allworlds.world.named import (
         code_of as code_of,
         map_of_code as map_of_code,

@@ -59,8 +59,6 @@ from allworlds.engines.kernel.worlds import settle
 # The addresses of an explorer, in their order.  There are two rooms for sigma and alpha, which take
 # turns: who reads what has just been written, in other portions, waits for it to get to memory.
 START, STEP, ANSWER_OF, CHOOSE, STATE, SENSED, ACTED, HERE, PICK, ASKED, SIGMA, ALPHA = range(12)
-ROOMS = 2
-ADDRESSES = SIGMA + 2 * ROOMS
 
 
 @entry

@@ -35,9 +35,6 @@ LEAST_TIMEOUT = 0.1
 POLL = LEAST_TIMEOUT
 """Seconds between two checks of other threads and processes."""
 
-LEAST_LIMIT = 1e-6
-"""Seconds; the shortest time limit of a part of a job."""
-
 DASK_TIMEOUT = 60.0
 """Seconds of silence after which a part of a cluster is given up, unless others are named."""
 
@@ -282,15 +279,3 @@ def check_deadline(deadline: float | None) -> None:
     """
     if deadline is not None and time.monotonic() > deadline:
         raise TimeIsUp
-
-
-def time_until(deadline: float | None) -> float | None:
-    """The time limit of a part of a job, in seconds; None without a deadline.
-
-    Raises:
-        TimeIsUp: after the deadline.
-    """
-    if deadline is None:
-        return None
-    check_deadline(deadline)
-    return max(deadline - time.monotonic(), LEAST_LIMIT)

@@ -8,7 +8,6 @@ import re
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import cache
 from typing import Any
 
@@ -37,15 +36,6 @@ def paper_terms(vertices: int, edges: int) -> tuple[int, int]:
         n + 2 * (n - 1) * (2 * m - 2 * (n - 1) - 2 * (i - 1)) for i in range(1, m - n + 2)
     )
     return growing, closing
-
-
-def printed_bound(vertices: int, edges: int) -> Fraction:
-    """(3) of Section VI as it is printed, without the terms that it does not state.
-
-    The formula lacks 5mn, which is of the order of terms that it keeps: it is below (1) + (2).
-    """
-    n, m = vertices, edges
-    return 2 * m**2 * n - 2 * m * n**2 + Fraction(2 * n**3, 3) - 2 * m**2 - Fraction(5 * n**2, 2)
 
 
 def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:

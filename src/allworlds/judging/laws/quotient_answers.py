@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from allworlds.judging.laws.case import Case, Violation
-from allworlds.maps import Labelled, Quotient, is_ambiguous, numbering, project
+from allworlds.maps import Quotient, is_ambiguous, numbering, project
 from allworlds.protocol import Ambiguous
 
 
@@ -19,7 +19,7 @@ def ambiguity_law(case: Case) -> Violation | None:
         return None
     map_, v0 = case.map, case.map.vertex_of[case.start]
     marks = [int(vertex == v0) for vertex in map_.vertex_of]
-    quotient, classes = project(Labelled(map_, marks, case.start))
+    quotient, classes = project((map_, marks, case.start))
     # The criterion wants the root at v0; the robot may be elsewhere.
     if not is_ambiguous(quotient):
         return Violation(

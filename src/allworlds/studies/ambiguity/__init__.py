@@ -36,18 +36,12 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.studies.ambiguity.ambiguity_requests import (
-        DEFAULT_LIMIT as DEFAULT_LIMIT,
-        AskedMembers as AskedMembers,
-        CensusRequest as CensusRequest,
-        ClassRequest as ClassRequest,
         SearchRequest as SearchRequest,
-        TwinsRequest as TwinsRequest,
     )
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
         CensusCell as CensusCell,
         CensusRow as CensusRow,
-        CensusSweep as CensusSweep,
         census as census,
     )
     from allworlds.studies.ambiguity.members import (
@@ -60,7 +54,6 @@ if TYPE_CHECKING:
         has_model_without as has_model_without,
     )
     from allworlds.studies.ambiguity.smt.result import SearchResult as SearchResult
-    from allworlds.studies.ambiguity.smt.solvers import SolversDisagree as SolversDisagree
     from allworlds.studies.ambiguity.smt.twin_search import search as search
     from allworlds.studies.ambiguity.telling_apart import (
         ComparedWorlds as ComparedWorlds,

@@ -20,7 +20,6 @@ from allworlds.maps import (
     Code,
     CombinatorialMap,
     Disagreement,
-    Labelled,
     MapClass,
     Projection,
     Quotient,
@@ -91,7 +90,7 @@ class AmbiguityClass(Report):
 
 def projection_of(world: World) -> Projection:
     """The projection of the world to its quotient, rooted at the start; labels are the percepts."""
-    return project(Labelled(world.map, world.percepts, world.start))
+    return project((world.map, world.percepts, world.start))
 
 
 @answers(ClassRequest)

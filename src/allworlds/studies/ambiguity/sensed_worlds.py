@@ -16,7 +16,6 @@ from allworlds.maps import (
     CombinatorialMap,
     Disagreement,
     Extent,
-    Labelled,
     Quotient,
     class_size,
     is_ambiguous,
@@ -88,7 +87,7 @@ class SensedParts(Struct):
 
     def meet(self, world: World) -> None:
         """Take in one world: a start of the map, with the lighthouse at a place."""
-        quotient = project(Labelled(world.map, world.percepts, world.start)).quotient
+        quotient = project((world.map, world.percepts, world.start)).quotient
         roots = (quotient.rerooted(q) for q in range(len(quotient.sigma)))
         key = json.dumps([min(map(_quotient_code, roots)), _told(world)])
         self.parts.setdefault(key, {}).setdefault(_world_code(world), world.to_json())

@@ -16,7 +16,7 @@ from allworlds.document import (
     narrowed,
 )
 from allworlds.inputs import InputError, answers
-from allworlds.maps import Dart, Disagreement, Labelled, carries, classes_of_union, numbering
+from allworlds.maps import Dart, Disagreement, carries, classes_of_union, numbering
 from allworlds.protocol import Move, Percept
 from allworlds.studies.ambiguity.ambiguity_requests import TwinsRequest
 from allworlds.world import LIGHTHOUSES, World, a_world, flaw, kind_of
@@ -95,7 +95,7 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
             f"under the lighthouse {kinds[0]} the robot leaves marks itself, and twins are "
             f"compared by motions alone; legal are {standing()}"
         )
-    first, second = classes_of_union(*(Labelled(w.map, w.percepts, w.start) for w in (a, b)))
+    first, second = classes_of_union(*((w.map, w.percepts, w.start) for w in (a, b)))
     proof: dict[str, Any]
     if a.told != b.told:
         proof = {"motions": (), "percepts": ((a.first,), (b.first,)), "told": (a.told, b.told)}

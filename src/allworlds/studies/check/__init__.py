@@ -35,7 +35,6 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.studies.check.confirmation import Confirmation as Confirmation
     from allworlds.studies.check.exhaustive import (
-        CheckSweep as CheckSweep,
         check as check,
         estimate as estimate,
     )
@@ -47,7 +46,6 @@ if TYPE_CHECKING:
     from allworlds.studies.check.report import CheckReport as CheckReport
     from allworlds.studies.check.requests import (
         CheckRequest as CheckRequest,
-        EstimateRequest as EstimateRequest,
         ManyRuns as ManyRuns,
         ManyWorlds as ManyWorlds,
     )

@@ -4,7 +4,7 @@ Each explorer is run under its own lighthouse unless one is named, and every run
 rooted map an explorer's cost is the mean over the places of its lighthouse; a map in which one of
 the explorers has no place is left out for all.  Of a growing family a few members of each size are
 drawn from seeds, and isomorphic ones count once; every member has a name that gives it back
-(``allworlds run greedy --family torus:6x6 --seed 1``).
+(``allworlds run algorithm1 --family torus:6x6 --seed 1``).
 
 ``compare_request``, ``compare_keywords``
     what is asked for;
@@ -29,7 +29,6 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.studies.compare.climb import (
         GrowingWorlds as GrowingWorlds,
-        drawn_places as drawn_places,
     )
     from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
     from allworlds.studies.compare.comparison import (
@@ -43,7 +42,6 @@ if TYPE_CHECKING:
     )
     from allworlds.studies.compare.contest_report import ContestReport as ContestReport
     from allworlds.studies.compare.contestants import Contestant as Contestant
-    from allworlds.studies.compare.growing_families import Member as Member
     from allworlds.studies.compare.growth import (
         CostRatio as CostRatio,
         Exponent as Exponent,
@@ -56,6 +54,7 @@ if TYPE_CHECKING:
         LEAST_SIZES as LEAST_SIZES,
         LEAST_WORLDS as LEAST_WORLDS,
         LEVEL as LEVEL,
+        mean_interval as mean_interval,
     )
 else:
     open_door(__name__)

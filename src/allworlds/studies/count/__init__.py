@@ -5,10 +5,8 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.count.count_request import CountRequest as CountRequest
     from allworlds.studies.count.counter import (
         Census as Census,
-        CountSweep as CountSweep,
         count as count,
     )
 else:

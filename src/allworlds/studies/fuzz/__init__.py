@@ -17,9 +17,8 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.fuzz.drive import FuzzSweep as FuzzSweep, fuzz as fuzz
+    from allworlds.studies.fuzz.drive import fuzz as fuzz
     from allworlds.studies.fuzz.fuzz_request import (
-        FuzzRequest as FuzzRequest,
         MapsRequest as MapsRequest,
     )
     from allworlds.studies.fuzz.given import refuted_in as refuted_in

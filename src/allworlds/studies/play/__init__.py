@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.play.costs import CostBeside as CostBeside, Walker as Walker
+    from allworlds.studies.play.costs import Walker as Walker
     from allworlds.studies.play.playing import (
         Play as Play,
         PlayRequest as PlayRequest,

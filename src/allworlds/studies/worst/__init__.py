@@ -18,15 +18,11 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.studies.worst.all_worlds import (
-        SchedulesSweep as SchedulesSweep,
         worst as worst,
     )
     from allworlds.studies.worst.every_schedule import (
         EverySchedule as EverySchedule,
-        Planned as Planned,
-        WrongTest as WrongTest,
     )
     from allworlds.studies.worst.worst_report import WorstReport as WorstReport
-    from allworlds.studies.worst.worst_request import WorstRequest as WorstRequest
 else:
     open_door(__name__)

@@ -1,7 +1,7 @@
 """Print the means of figure 3's data, a line for each family, size and explorer.
 
-    allworlds paper figure 3 --out figure-3.svg
-    python docs/figures/means.py figure-3.csv > docs/figures/figure-3-means.csv
+    python papers/minimal_information/figures.py 3 --out figure-3.svg
+    python papers/minimal_information/figures/means.py figure-3.csv > figure-3-means.csv
 
 The data themselves have a line for each run. A world counts with its mean over the directions of
 the marker; low and high are the ends of the 95% interval by a bootstrap over the worlds.
@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from statistics import mean
 
-from allworlds.studies.compare.intervals import mean_interval
+from allworlds.claims import mean_interval
 
 
 def means(rows: Iterable[dict[str, str]]) -> Iterator[list[object]]:

@@ -1,0 +1,67 @@
+"""A paper is written against public names, as anybody else's would be."""
+
+import ast
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from allworlds import claims
+
+PAPERS = Path(__file__).parents[2] / "papers"
+FILES = sorted(path for path in PAPERS.rglob("*.py") if "tests" not in path.parts)
+PUBLIC = {
+    "allworlds",
+    "allworlds.ambiguity",
+    "allworlds.claims",
+    "allworlds.maps",
+    "allworlds.strategies",
+    "allworlds.testing",
+}
+
+
+def imported(source):
+    """Each name that a source imports from the package, as (module, name); no name: all of it."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            yield from ((alias.name, "") for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield from ((node.module, alias.name) for alias in node.names)
+
+
+def private(source):
+    """Those of the imports that are not public names of the package."""
+    for module, name in imported(source):
+        if module.partition(".")[0] != "allworlds":
+            continue
+        if module not in PUBLIC or (name and name not in dir(import_module(module))):
+            yield f"{module}:{name}"
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PAPERS)))
+def test_a_paper_imports_public_names_alone(path):
+    assert [*private(path.read_text(encoding="utf-8"))] == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "import allworlds.engines",
+        "from allworlds.judging import paper_bound",
+        "from allworlds.maps import no_such_name",
+    ],
+)
+def test_another_import_is_noticed(line):
+    assert [*private(line)]
+
+
+def test_the_names_that_claims_need_are_twelve_at_most():
+    assert len(claims.__all__) <= 12
+    for name in claims.__all__:
+        assert getattr(claims, name).__doc__
+
+
+def test_every_paper_has_its_parts():
+    for paper in sorted(path for path in PAPERS.iterdir() if path.is_dir()):
+        for part in ("README.md", "ledger.toml", "claims.py", "tests"):
+            assert (paper / part).exists(), f"{paper.name} has no {part}"
