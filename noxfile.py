@@ -94,7 +94,7 @@ def mutants(session: nox.Session) -> None:
 
 @nox.session
 def papers(session: nox.Session) -> None:
-    """Check each paper's ledger to its full extent (nox -s proofs builds Coq's part), and test it."""
+    """Check each paper's ledger to its full extent, with Coq, and test it."""
     session.install(".[test]")
     for paper in ("papers/minimal_information", "papers/lower_bounds"):
         session.run("allworlds", "ledger", paper, "--budget", "full")

@@ -15,7 +15,7 @@ explorer may show it when the robot is there again (:class:`~allworlds.protocol.
 an answer still depends on a second undecided dart, one of the two edges is fixed, that of the dart
 with fewer allowed pairs: all answers stay true, but the bound is not proved then.
 
-Source: ``docs/research/lower-bounds.md``, 'Testers of home words'.
+Source: ``lower-bounds.md``, 'Testers of home words'.
 """
 
 from __future__ import annotations
@@ -26,19 +26,12 @@ from typing import Any, NamedTuple, TypeAlias
 import explorers
 from allworlds import Checkpoint, Choices, Move, Percept, World
 from allworlds.claims import Algorithm1
-from allworlds.maps import CorridorShape, drawn_corridor
+from corridors import Dart, Shape, drawn_corridor
 from matching import augmented
 from playing import Played, played, run_here
 
 Word: TypeAlias = tuple[int, ...]
 """Motions, each from the dart by which one has arrived; 0, the way back, does not occur."""
-
-Dart: TypeAlias = int
-
-
-def usual_shape(far: int) -> CorridorShape:
-    """The corridor with so many far hubs whose hubs all have different types: of degree 12F + 6."""
-    return CorridorShape(far, 12 * far + 6)
 
 
 class Spot(NamedTuple):
@@ -73,7 +66,7 @@ class Deciding:
     initial = None
     first = Percept(2, 1, 0)
 
-    def __init__(self, shape: CorridorShape, seed: int = 0) -> None:
+    def __init__(self, shape: Shape, seed: int = 0) -> None:
         self._corridor = drawn_corridor(shape, seed)
         darts = self._corridor.free
         self._hub = shape.degree
@@ -298,7 +291,7 @@ class Decisions(NamedTuple):
         return bool(self.run.transcript.actions == self.walk.actions)
 
 
-def against(name: str, shape: CorridorShape, seed: int = 0) -> Decisions:
+def against(name: str, shape: Shape, seed: int = 0) -> Decisions:
     """Play an explorer against the adversary, and run it in the world that is left.
 
     Those of this folder tell what they settle, when they do; Algorithm 1 shows it.

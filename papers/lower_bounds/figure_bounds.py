@@ -11,8 +11,9 @@ from typing import Any
 
 from msgspec import Struct
 
-from adversary import against, usual_shape
+from adversary import against
 from allworlds import worlds, worst
+from corridors import usual_shape
 from drawn import Table, write
 from optima import fewest_traversals
 from testers import paper_bound

@@ -8,10 +8,11 @@ from math import comb, prod
 from random import Random
 from typing import NamedTuple
 
-from adversary import Dart, against, usual_shape
+from adversary import against
 from allworlds import CombinatorialMap, World
 from allworlds.claims import Found, Means, Unfinished, truth
-from allworlds.maps import CorridorShape, family
+from allworlds.maps import family
+from corridors import Dart, Shape, usual_shape
 from playing import run_here
 
 
@@ -56,7 +57,7 @@ def order_exact(_: Means, *, far: int, explorers: list[str]) -> Found:
 Word = tuple[int, ...]
 
 
-def home_words(map_: CombinatorialMap, shape: CorridorShape) -> Iterator[tuple[Dart, Word]]:
+def home_words(map_: CombinatorialMap, shape: Shape) -> Iterator[tuple[Dart, Word]]:
     """Far darts with words of simple paths home: every way through far hubs, every way down."""
     for dart in map_.darts:
         if _level(dart, shape) > shape.near:
@@ -65,7 +66,7 @@ def home_words(map_: CombinatorialMap, shape: CorridorShape) -> Iterator[tuple[D
 
 
 def _ways(
-    map_: CombinatorialMap, shape: CorridorShape, dart: Dart, avoided: frozenset[int]
+    map_: CombinatorialMap, shape: Shape, dart: Dart, avoided: frozenset[int]
 ) -> Iterator[Word]:
     here = _level(dart, shape)
     if not here:
@@ -82,12 +83,12 @@ def _ways(
                 yield (motion % shape.degree, *word)
 
 
-def _level(dart: Dart, shape: CorridorShape) -> int:
+def _level(dart: Dart, shape: Shape) -> int:
     """The number of the dart's vertex: 0, or that of its hub."""
     return 0 if dart < 2 else 1 + (dart - 2) // shape.degree
 
 
-def wrong_walkers(map_: CombinatorialMap, shape: CorridorShape, own: Dart, word: Word) -> int:
+def wrong_walkers(map_: CombinatorialMap, shape: Shape, own: Dart, word: Word) -> int:
     """The number of other far darts from which a home word leads to v0, at any time."""
     walkers = [d for d in map_.darts if _level(d, shape) > shape.near and d != own]
     for motion in word:

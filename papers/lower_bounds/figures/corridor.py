@@ -12,15 +12,14 @@ from math import pi, tau
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-sys.path.append(str(Path(__file__).parents[3] / "docs" / "figures"))
+sys.path += [str(Path(__file__).parents[1]), str(Path(__file__).parents[3] / "docs" / "figures")]
 
-from frame import framed
+from frame import framed, tag
 
-from allworlds.maps.corridor import Corridor, CorridorShape, drawn_corridor
-from allworlds.reports import tag
+from corridors import Corridor, Shape, drawn_corridor
 
 FILE = Path(__file__).with_suffix(".svg")
-SHAPE = CorridorShape(1, 18)
+SHAPE = Shape(1, 18)
 WIDE, HIGH, RADIUS = 760, 250, 46.0
 STYLE = """\
 .hub { fill: #e4eaf0; stroke: #1c2126; stroke-width: 1.5; }
@@ -39,7 +38,7 @@ def centre(level: int) -> complex:
 
 def end(corridor: Corridor, dart: int, radius: float) -> complex:
     """The point at which a dart leaves the circle of its vertex; clockwise, y goes downwards."""
-    level = corridor.level(dart)
+    level = corridor.shape.level(dart)
     if level == 0:
         return centre(0) + rect(18, 0.6 if dart == 0 else -0.6)
     place = (dart - 2) % corridor.shape.degree
@@ -62,7 +61,7 @@ def figure() -> ET.Element:
     parts: list[ET.Element] = []
     for dart, other in enumerate(corridor.alpha):
         if dart < other:
-            loop = corridor.level(dart) == corridor.level(other)
+            loop = corridor.shape.level(dart) == corridor.shape.level(other)
             name, reach = ("loop", 28.0) if loop else ("skeleton", 50.0)
             parts.append(curve(corridor, dart, name, reach))
     for dart in corridor.free:

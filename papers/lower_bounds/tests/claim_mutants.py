@@ -21,8 +21,8 @@ import twins_and_markers
 from allworlds import CombinatorialMap, World, ambiguity
 from allworlds.corpus import explorers as wrong
 from allworlds.document import replace
-from allworlds.maps import CorridorShape, named_map
-from allworlds.maps.corridor import corridor_skeleton
+from allworlds.maps import named_map
+from allworlds.maps.corridor import CorridorShape, corridor_skeleton
 from allworlds.maps.criterion import pose_count
 from allworlds.studies.worst import EverySchedule
 from enumerators import map_doubled, mirror_images_merged

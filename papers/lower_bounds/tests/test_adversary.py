@@ -8,11 +8,12 @@ import pytest
 
 import adversary
 import explorers
-from adversary import Deciding, against, usual_shape
+from adversary import Deciding, against
 from allworlds import Checkpoint, Choices, Move, World, run
 from allworlds.claims import Algorithm1
-from allworlds.maps import CorridorShape, family, rooted_isomorphism
+from allworlds.maps import family, rooted_isomorphism
 from allworlds.protocol import policy_named
+from corridors import Shape, usual_shape
 from matching import augmented
 from playing import played
 from small import long
@@ -23,7 +24,7 @@ TESTERS = ("algorithm1", "remembering", "greedy", "prudent")
 
 def shape_of(size):
     """The shape with F far hubs, or with F hubs of degree R."""
-    return CorridorShape(*size) if isinstance(size, tuple) else usual_shape(size)
+    return Shape(*size) if isinstance(size, tuple) else usual_shape(size)
 
 
 def made(explorer, policy="fifo"):
@@ -107,7 +108,7 @@ def test_the_bound_of_testers_is_of_the_order_of_the_bound_of_the_paper():
         shape.bound_of_testers / (shape.edges**2 * (shape.hubs + 1))
         for far in range(1, 60)
         for degree in range(12 * far + 6, 40 * far + 60, 14)
-        for shape in [CorridorShape(far, degree)]
+        for shape in [Shape(far, degree)]
     ]
     assert min(shares) == shares[0] > 0.03
     assert max(shares) < 1 / 9

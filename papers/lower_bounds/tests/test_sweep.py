@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 
 import sweep
-from adversary import Deciding, usual_shape
+from adversary import Deciding
 from allworlds import check, run
+from corridors import usual_shape
 from playing import named, played
 from small import long
 

@@ -137,11 +137,6 @@ if TYPE_CHECKING:
         condition_named as condition_named,
         narrowing as narrowing,
     )
-    from allworlds.maps.corridor import (
-        CorridorShape as CorridorShape,
-        drawn_corridor as drawn_corridor,
-        usual_degree as usual_degree,
-    )
     from allworlds.maps.count_source import source_name as source_name, source_of as source_of
     from allworlds.maps.counting.sources import source_for as source_for
     from allworlds.maps.criterion import Disagreement as Disagreement, pose_count as pose_count

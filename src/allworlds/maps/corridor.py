@@ -14,7 +14,7 @@ all near hubs differ: g = 1 and N = 2F.  In all
 
     n = N + F + 1,  m = (N + F)R/2 + 1,  M = F(R - 4)/2 + 1.
 
-Source: ``docs/research/lower-bounds.md``, 'Testers of home words'.
+Source: ``papers/lower_bounds/lower-bounds.md``, 'Testers of home words'.
 """
 
 from __future__ import annotations
@@ -88,22 +88,6 @@ class CorridorShape(Struct, frozen=True):
         """The number m of edges."""
         return self.hubs * self.degree // 2 + 1
 
-    @property
-    def pairs(self) -> int:
-        """The number M of edges between free darts."""
-        return self.far * (self.degree - 4) // 2 + 1
-
-    @property
-    def excluded_by_testers(self) -> int:
-        """The number of pairs of free darts that the tests of a tester exclude, at least."""
-        return self.pairs * (self.pairs - 1 - 4 * self.far)
-
-    @property
-    def bound_of_testers(self) -> int:
-        """The traversals that every tester needs in the world that the adversary makes of it."""
-        private = self.near - self.far - self.window + 2
-        return 2 * private * self.excluded_by_testers
-
 
 class Corridor(Struct, frozen=True):
     """A world of the family before its free darts are matched.
@@ -119,17 +103,6 @@ class Corridor(Struct, frozen=True):
     sigma: tuple[int, ...]
     alpha: tuple[int, ...]
     free: tuple[int, ...]
-
-    def level(self, dart: int) -> int:
-        """The number of the dart's vertex: 0, or that of its hub."""
-        return 0 if dart < 2 else 1 + (dart - 2) // self.shape.degree
-
-    def turned(self, dart: int, motion: int) -> int:
-        """The dart that is ``motion`` places on, clockwise, at the same vertex."""
-        if dart < 2:
-            return (dart + motion) % 2
-        place = (dart - 2) % self.shape.degree
-        return dart - place + (place + motion) % self.shape.degree
 
     def matched(self, partners: Sequence[tuple[int, int]]) -> CombinatorialMap:
         """The map with these edges between the free darts."""

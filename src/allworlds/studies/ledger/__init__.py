@@ -19,6 +19,12 @@ if TYPE_CHECKING:
         ledger as ledger,
     )
     from allworlds.studies.ledger.claim import (
+        Found as Found,
+        Means as Means,
+        NotChecked as NotChecked,
+        Picture as Picture,
+        Unfinished as Unfinished,
+        of_check as of_check,
         truth as truth,
     )
 else:

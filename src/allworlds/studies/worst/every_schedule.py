@@ -16,7 +16,7 @@ from typing import Literal, TypeAlias, TypeVar
 
 from msgspec import Struct
 
-from allworlds.maps import CombinatorialMap, Dart
+from allworlds.maps import CombinatorialMap, Dart, Disagreement
 from allworlds.protocol import Choices, Kind
 
 T = TypeVar("T")
@@ -31,7 +31,7 @@ Path: TypeAlias = tuple[Dart, ...]
 """The darts by which a simple path in S leaves its vertices."""
 
 
-class WrongTest(Exception):
+class WrongTest(Disagreement):
     """Raised when a false hypothesis was confirmed, which would refute Algorithm 1."""
 
 

@@ -14,6 +14,7 @@ from typing import Literal, TypeAlias
 from msgspec import Struct
 
 from allworlds.inputs import InputError, show
+from allworlds.maps import Disagreement
 
 Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 
@@ -24,7 +25,7 @@ LONGEST_WAIT = 10**6
 """The most seconds that a solver can be waited for: both count milliseconds in 32 bits."""
 
 
-class SolversDisagree(RuntimeError):
+class SolversDisagree(Disagreement):
     """Two solvers gave two answers to one formula: a fault of this program, or of theirs."""
 
 
