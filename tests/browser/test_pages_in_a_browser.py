@@ -1,10 +1,11 @@
 """Pages as a reader has them: in Chromium, with keys, slider and play, on a desk and on a phone."""
 
 import re
+from pathlib import Path
 
 import pytest
 
-from allworlds import claims, run, twins
+from allworlds import ledger, run, twins
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import CombinatorialMap, family
 from allworlds.reports import file_of
@@ -16,6 +17,7 @@ axe = pytest.importorskip("axe_core_python.sync_playwright", reason="needs the e
 
 pytestmark = [pytest.mark.slow, pytest.mark.no_cover]
 
+PAPER = Path(__file__).parents[2] / "papers" / "minimal_information"
 DESK, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844}
 GENUS_2 = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
 
@@ -39,7 +41,7 @@ PAGES = {
     "four findings": lambda: file_of(
         "check", "html", check("algorithm1", lighthouse="position", edges=3, max_findings=4)
     ),
-    "claims": lambda: file_of("paper claims", "html", claims(only=["cycles", "fig1"])),
+    "claims": lambda: file_of("ledger", "html", ledger(PAPER, only=["cycles", "fig1"])),
     "twins": lambda: file_of(
         "ambiguity twins",
         "html",

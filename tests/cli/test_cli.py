@@ -368,4 +368,5 @@ def test_only_the_verb_that_is_meant_gets_its_options():
     commands = command_line("count").commands
     assert len(commands["count"].params) > 3
     assert not commands["check"].params
-    assert all(each.params for each in command_line("paper").commands["paper"].commands.values())
+    ambiguity = command_line("ambiguity").commands["ambiguity"]
+    assert all(each.params for each in ambiguity.commands.values())

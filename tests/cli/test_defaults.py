@@ -27,7 +27,7 @@ DEFAULTS = {
     allworlds.run: {**RULES, "choices": ()},
     allworlds.compare: MANY,
     allworlds.replay: PATIENCE,
-    allworlds.optimum: {},
+    allworlds.ledger: {"workers": 1, "only": (), "require": (), "budget": "quick"},
     allworlds.count: {"map_class": "maps", **CLUSTER},
     allworlds.worst: {
         "explore": "algorithm1",

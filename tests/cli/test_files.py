@@ -115,7 +115,7 @@ def test_what_is_read_and_what_is_a_source_is_not_written(
 
 def test_a_new_file_may_have_the_name_of_an_explorer_or_a_world(tmp_path, monkeypatch, cli):
     monkeypatch.chdir(tmp_path)
-    assert cli("run", "greedy", "theta", "--csv", "theta")[0] == 0
+    assert cli("run", "folding", "theta", "--csv", "theta")[0] == 0
     assert (tmp_path / "theta").exists()
 
 

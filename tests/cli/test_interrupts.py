@@ -19,7 +19,6 @@ ROWS = {
     "count": ("allworlds.engines.sweep.gather", "--edges 4", "rows"),
     "ambiguity census": ("allworlds.engines.sweep.gather", "--edges 4", "rows"),
     "worst": ("allworlds.engines.sweep.gather", "--edges 4", "rows"),
-    "optimum": ("allworlds.studies.optimum.optimum_table.minimax", "--edges 3", "rows"),
 }
 
 

@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -16,6 +17,7 @@ from printed import without_made_by
 from recorded.record import least
 from small import long
 
+PAPER = Path(__file__).parents[2] / "papers" / "minimal_information"
 NAMES = [verb.name for verb in VERBS]
 # What takes a number of workers, with more to do than one of them does at a time.
 WORKING = {
@@ -23,9 +25,8 @@ WORKING = {
     "check, compiled": "check --engine kernel --edges 4",
     "fuzz": "fuzz allworlds.corpus.explorers:pose_lost --edges 8 --runs 130",
     "worst": "worst --edges 4",
-    "compare": "compare algorithm1 greedy --edges 3",
-    "paper claims": "paper claims --only fig1 --only cycles",
-    "paper figure": "paper figure bounds --edges 2 --out {tmp}/bounds.svg",
+    "compare": "compare algorithm1 folding --edges 3",
+    "ledger": f"ledger {PAPER} --only fig1 --only cycles",
 }
 # Runs commands in one process, and prints a line for each: its exit code and its document.
 DRIVER = """

@@ -99,7 +99,8 @@ def test_all_streams_may_be_closed():
 
 @pytest.mark.parametrize("columns", ["100", "50"])
 @pytest.mark.parametrize(
-    "words", ["count --edges 2", "--version", "--help", "", "check --help", "paper", "paper -h"]
+    "words",
+    ["count --edges 2", "--version", "--help", "", "check --help", "ambiguity", "ambiguity -h"],
 )
 def test_a_reader_that_has_gone_is_no_error(cli, monkeypatch, words, columns):
     monkeypatch.setenv("COLUMNS", columns)

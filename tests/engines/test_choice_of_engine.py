@@ -3,7 +3,7 @@ from functools import partial
 
 import pytest
 
-from allworlds import check, claims, count, optimum, worlds, worst
+from allworlds import check, count, worst
 from allworlds.engines import (
     ENGINES,
     Job,
@@ -22,7 +22,6 @@ from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.studies.check.time_estimate import is_worth_a_guess
-from allworlds.studies.play.costs import costs_beside, not_compared
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -212,22 +211,14 @@ def test_the_compiler_is_not_asked_for_where_the_memory_is_limited(wrong):
 
 
 @pytest.mark.usefixtures("no_compiler")
-@pytest.mark.parametrize("asked", [partial(worst, edges=99), partial(optimum, edges=99)])
-def test_the_compiler_is_not_asked_for_where_there_is_no_room(asked):
+def test_the_compiler_is_not_asked_for_where_there_is_no_room():
     with pytest.raises(InputError, match="99") as refusal:
-        asked()
+        worst(edges=99)
     assert "numba" not in str(refusal.value)
 
 
 @pytest.mark.usefixtures("no_compiler")
-@pytest.mark.parametrize("asked", [worst, claims, optimum, partial(check, engine="kernel")])
+@pytest.mark.parametrize("asked", [worst, partial(check, engine="kernel")])
 def test_what_needs_the_compiler_says_how_to_install_it(asked):
     with pytest.raises(InputError, match=r"needs numba: .*pip install '\.\[fast\]'"):
         asked()
-
-
-@pytest.mark.usefixtures("no_compiler")
-def test_without_a_compiler_the_optimum_is_left_out_of_the_costs_of_a_game():
-    world = next(iter(worlds(edges=2)))
-    assert {cost.who.value for cost in costs_beside(world)} == {"algorithm1", "every-edge"}
-    assert "needs numba" in not_compared(world)

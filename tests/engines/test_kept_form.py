@@ -4,9 +4,8 @@ import json
 from collections import Counter
 
 import pytest
-from allworlds.studies.optimum.optimum_table import OptimumRows
 
-from allworlds import check, optimum
+from allworlds import check
 from allworlds.document import replace
 from allworlds.engines import CostTally, Tally
 from allworlds.engines.python.tally import AtRun, Row
@@ -46,7 +45,6 @@ RESULTS = {
     "counted": lambda: Counted(Counter({(2, 0): 3}), Counter({(2, 0): 4})),
     "parts": lambda: SensedParts(5, Counter({(2, 1): 3}), {"q": {"code": {"sigma": [0]}}}),
     "schedules": lambda: ScheduleCostsBySize.of([ScheduleCosts(2, 1, 3, 2, 1, 0, (0, 1), (1, 0))]),
-    "optimum": lambda: OptimumRows([*optimum(edges=2).rows]),
     "tally": tally,
     "costs": costs,
     "side by side": lambda: CostsOfAll({0: costs(), 2: CostTally(1)}),
@@ -90,19 +88,10 @@ def test_what_is_damaged_is_refused(name):
             from_kept(told, type(result))
 
 
-@pytest.mark.parametrize("name", ["parts", "optimum", "tally", "costs", "side by side"])
+@pytest.mark.parametrize("name", ["parts", "tally", "costs", "side by side"])
 def test_of_what_is_larger_every_field_is_checked(name):
     result = RESULTS[name]()
     whole = json.loads(json.dumps(to_kept(result)))
     for told in [None, [], {}, {**whole, "more": 0}, *({**whole, key: 1.5} for key in whole)]:
         with pytest.raises(InputError):
             from_kept(told, type(result))
-
-
-def test_a_node_of_a_strategy_is_told_by_its_keys():
-    result = RESULTS["optimum"]()
-    assert from_kept(json.loads(json.dumps(to_kept(result))), OptimumRows) == result
-    whole = json.loads(json.dumps(to_kept(result)))
-    whole["rows"][0]["strategy"]["nodes"][0]["else"] = 0
-    with pytest.raises(InputError, match="alternative"):
-        from_kept(whole, OptimumRows)

@@ -258,7 +258,7 @@ def test_an_explorer_of_ours_beats_while_it_walks_and_not_after():
     beats = []
     scope = Scope(Extent(MapClass.MAPS, 2), Rules("directional"))
     unit = next(iter(scope.units(2)))
-    for _ in PythonEngine(scope, 1).for_built_in(load("greedy"), Heard([0, 0])).parts(unit):
+    for _ in PythonEngine(scope, 1).for_built_in(load("folding"), Heard([0, 0])).parts(unit):
         pass
     assert max(beats) > (1, 0)
     assert beats[-1] == (1, 0)

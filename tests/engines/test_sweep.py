@@ -8,7 +8,7 @@ import json
 import pytest
 
 import allworlds
-from allworlds import ambiguity, check, compare, count, fuzz, optimum, worst
+from allworlds import ambiguity, check, compare, count, fuzz, worst
 from allworlds.engines import Silent, TimeIsUp, Unsettled, sweep
 from allworlds.verbs import VERBS
 from clusters import cluster_here
@@ -24,16 +24,17 @@ SWEEPS = {
         f"{WRONG}:here_of_another", edges=3, max_findings=3, **more
     ),
     "worst": lambda **more: worst(edges=4, **more),
-    "check all": lambda **more: check("remembering", edges=2, schedules="all", **more),
-    "compare": lambda **more: compare("algorithm1", "greedy", edges=3, **more),
+    "check all": lambda **more: check(edges=2, schedules="all", **more),
+    "compare": lambda **more: compare("algorithm1", "folding", edges=3, **more),
     "compare refuted": lambda **more: compare(
         "algorithm1", f"{WRONG}:here_of_another", edges=3, **more
     ),
-    "compare one world": lambda **more: compare("greedy", "prudent", family="lattice:3x3", **more),
-    "compare --to": lambda **more: compare(
-        "algorithm1", "greedy", family=["lattice", "thick"], to=50, worlds=2, **more
+    "compare one world": lambda **more: compare(
+        "algorithm1", "folding", family="lattice:3x3", **more
     ),
-    "optimum": lambda **more: optimum(edges=3, **more),
+    "compare --to": lambda **more: compare(
+        "algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, worlds=2, **more
+    ),
     "fuzz": lambda **more: fuzz(edges=7, runs=600, **more),
     "fuzz refuted": lambda **more: fuzz(f"{WRONG}:everywhere", edges=4, runs=600, **more),
     "count": lambda **more: count(edges=4, **more),
@@ -41,8 +42,6 @@ SWEEPS = {
     "ambiguity census": lambda **more: ambiguity.census(edges=4, **more),
 }
 """Small jobs by their verb, and what is special about them."""
-
-SHARDED = [name for name in SWEEPS if name != "optimum"]
 
 
 def text(report):
@@ -141,7 +140,7 @@ def test_as_many_worlds_are_done_in_each_level_as_were_announced(name):
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("name", SHARDED)
+@pytest.mark.parametrize("name", SWEEPS)
 def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
     job = SWEEPS[name]
     code = json.loads(undisturbed(name)).get("exit_code", 0)
@@ -161,7 +160,7 @@ def cluster():
 
 @pytest.mark.no_cover
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
-@pytest.mark.parametrize("name", SHARDED)
+@pytest.mark.parametrize("name", SWEEPS)
 def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
     name, undisturbed, cluster, tmp_path, monkeypatch
 ):
@@ -208,7 +207,7 @@ def test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name):
     assert cut.exit_code == (1 if refuted else 3)
 
 
-@pytest.mark.parametrize("name", ["optimum", "fuzz", "compare --to", "count", "check all"])
+@pytest.mark.parametrize("name", ["worst", "fuzz", "compare --to", "count", "check all"])
 def test_the_status_of_every_verb_is_told(name, cli, tmp_path):
     SWEEPS[name](run=tmp_path)
     code, out, _ = cli("status", tmp_path)

@@ -74,14 +74,14 @@ def test_what_is_no_python_has_no_functions():
 @pytest.mark.parametrize(
     ("names", "short"),
     [
-        (["algorithm1", "greedy"], ["algorithm1", "greedy"]),
+        (["algorithm1", "folding"], ["algorithm1", "folding"]),
         (["a.py:explore", "b.py:other"], ["explore", "other"]),
         (["a.py:explore", "b.py:explore"], ["a.py:explore", "b.py:explore"]),
         (["x/a.py:explore", "y/a.py:explore"], ["x/a.py:explore", "y/a.py:explore"]),
         (["/x/a.py:explore", "/x/b.py:explore", "c:go"], ["a.py:explore", "b.py:explore", "go"]),
-        (["exec:python3 the/longest/path", "greedy"], ["exec:python3 the/lon", "greedy"]),
+        (["exec:python3 the/longest/path", "folding"], ["exec:python3 the/lon", "folding"]),
         (["exec:python3 the/long/a", "exec:python3 the/long/b"],) * 2,
-        (["greedy", "greedy"], ["greedy", "greedy"]),
+        (["folding", "folding"], ["folding", "folding"]),
     ],
 )
 def test_the_shortest_ends_tell_names_apart(names, short):

@@ -12,7 +12,7 @@ from ground import grammar
 from ground.law import Case
 from recorded.record import LEAST
 
-COSTLY = ("worst", "optimum")
+COSTLY = ("worst",)
 """Verbs that are tried with values alone that they refuse: what is legal takes seconds."""
 
 REFUSED = ("", "x", "-1", "1.5", "1_0", "nan", "9" * 5000, "9" * 3000, "\x1b[31m", grammar.LONG)

@@ -37,7 +37,7 @@ CODES = {
     "fuzz": {0, 1, 3, 4},
     "run": {0, 1, 3},
     "replay": {0, 5},
-    "optimum": {0, 3},
+    "ledger": {0, 1, 3, 4},
     "worst": {0, 1, 4},
     "ambiguity search": {0, 3, 4},
     "count": {0, 4},

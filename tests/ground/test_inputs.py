@@ -161,7 +161,7 @@ def test_a_traceback_is_found(monkeypatch):
 
 
 def test_a_name_that_is_nearly_one_is_told():
-    assert did_you_mean("algorthm1", ["greedy", "algorithm1"]) == "; did you mean 'algorithm1'?"
-    assert did_you_mean("sun", ["greedy", "algorithm1"]) == ""
+    assert did_you_mean("algorthm1", ["folding", "algorithm1"]) == "; did you mean 'algorithm1'?"
+    assert did_you_mean("sun", ["folding", "algorithm1"]) == ""
     with pytest.raises(InputError, match="did you mean 'algorithm1'"):
         check("algorthm1", edges=1)

@@ -21,7 +21,7 @@ GIVEN = {"map_class": "simple", "shard": (0, 2), "laws": ["map", "pose"], "bound
 
 
 def test_what_users_give_becomes_values_and_stays_so():
-    request = CheckRequest("greedy", **GIVEN)
+    request = CheckRequest("folding", **GIVEN)
     assert request.map_class is MapClass.SIMPLE
     assert request.shard == Shard(0, 2)
     assert (request.laws, str(request.bound)) == (("map", "pose"), "7")

@@ -31,7 +31,7 @@ FORMS = [
     *sorted((HOME / "web").glob("*.py")),
 ]
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
-SLOW = {"paper claims", "ambiguity search"}
+SLOW = {"ledger", "ambiguity search"}
 
 
 def with_rows():
@@ -90,8 +90,8 @@ def test_each_column_of_a_verbs_rows_has_one_type_whatever_is_missing(verb, cli,
     "words",
     [
         ["check", WRONG, "--edges", 3, "--max-findings", 3],
-        ["compare", WRONG, "algorithm1-cluster", "remembering", "--edges", 2],
-        ["compare", WRONG, "greedy", "--family", "lattice,regular:4", "--to", 20],
+        ["compare", WRONG, "algorithm1-cluster", "folding", "--edges", 2],
+        ["compare", WRONG, "algorithm1", "--family", "lattice,regular:4", "--to", 20],
         ["run", WRONG, "theta"],
     ],
     ids=["check", "compare", "growth", "run"],

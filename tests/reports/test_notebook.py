@@ -130,7 +130,7 @@ def test_every_report_knows_its_verb(verb):
 
 @pytest.mark.slow
 def test_runs_transcripts_and_findings_are_shown(world):
-    run = allworlds.run("greedy", world)
+    run = allworlds.run("folding", world)
     assert "srcdoc=" in run._repr_html_()
     rows = ET.fromstring(run.transcript._repr_html_()).find("tbody")
     assert len(rows) == len(run.transcript.steps) + 1
@@ -175,9 +175,3 @@ def test_a_job_shows_a_bar_in_a_notebook_and_nothing_elsewhere(bars, monkeypatch
     assert '<progress value="10" max="10">' in last._repr_html_()
     monkeypatch.delitem(sys.modules, "IPython")
     assert isinstance(progress.usual_listener(), progress.Silent)
-
-
-def test_a_verb_that_asks_others_shows_one_bar(bars, monkeypatch):
-    monkeypatch.setattr("allworlds.studies.optimum.optimum_table._KNOWN", {})
-    allworlds.optimum(edges=2)
-    assert [one[0] == "new" for one in bars].count(True) == 1

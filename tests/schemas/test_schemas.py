@@ -4,11 +4,9 @@ import copy
 import functools
 import json
 import tempfile
+from pathlib import Path
 
 import pytest
-from allworlds.evidence.claims import claims
-from allworlds.evidence.figures import figure
-from allworlds.studies.optimum import optimum
 from jsonschema import Draft202012Validator
 
 from allworlds import Move
@@ -16,13 +14,14 @@ from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
 from allworlds.judging import explain
 from allworlds.maps import named_map
-from allworlds.outcome import Interrupted, Stopped
+from allworlds.outcome import Interrupted
 from allworlds.studies.ambiguity import census, class_of, search, twins
 from allworlds.studies.check import check
 from allworlds.studies.compare import compare
 from allworlds.studies.count import count
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.init import init
+from allworlds.studies.ledger import ledger
 from allworlds.studies.merge import merge
 from allworlds.studies.play import play
 from allworlds.studies.replay import replay
@@ -38,6 +37,7 @@ from schemas.validating import SCHEMAS, complaints
 pytestmark = pytest.mark.usefixtures("compiled")
 
 WRONG = {mutant.name: mutant for mutant in WRONG_EXPLORERS if mutant.name != "confirmed-too-early"}
+PAPER = Path(__file__).parents[2] / "papers" / "minimal_information"
 THETA = named_map("theta")
 
 
@@ -88,28 +88,20 @@ def kept(verb):
         return verb(directory).to_json()
 
 
-def drawn():
-    with tempfile.TemporaryDirectory() as folder:
-        return figure("2", out=f"{folder}/figure.svg").to_json()
-
-
 def skeleton():
     with tempfile.TemporaryDirectory() as directory:
         return init(directory).to_json()
+
+
+def begun_ledger():
+    with tempfile.TemporaryDirectory() as directory:
+        return init(f"{directory}/paper", ledger=True).to_json()
 
 
 def back_and_forth():
     """A player of two motions."""
     actions = iter([Move(1), Move(0), None])
     return lambda percept, refused: next(actions)
-
-
-def without_optimum():
-    """A report whose last row was not finished in time."""
-    report = optimum(edges=2)
-    *rows, last = report.rows
-    rows.append(replace(last, strategy=None, replayed=None, explorers={}))
-    return replace(report, ending=Stopped("the time limit"), rows=tuple(rows))
 
 
 DOCUMENTS = {
@@ -126,7 +118,6 @@ DOCUMENTS = {
         for name, ask in {
             "count": lambda: count(edges=2),
             "worst": lambda: worst(edges=2),
-            "optimum": lambda: optimum(edges=1),
             "ambiguity-census": lambda: census(edges=2),
         }.items()
     },
@@ -134,16 +125,15 @@ DOCUMENTS = {
         whole("check"),
         lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),
     ),
-    "compare": (whole("compare"), lambda: compare("algorithm1", "greedy", edges=2).to_json()),
-    "figure": (whole("figure"), drawn),
-    "growth": (whole("growth"), lambda: compare("greedy", family="strip", to=30).to_json()),
+    "compare": (whole("compare"), lambda: compare("algorithm1", "folding", edges=2).to_json()),
+    "growth": (whole("growth"), lambda: compare("algorithm1", family="strip", to=30).to_json()),
     "compare in a family": (
         whole("compare"),
-        lambda: compare("algorithm1", "greedy", family="cycle:4").to_json(),
+        lambda: compare("algorithm1", "folding", family="cycle:4").to_json(),
     ),
     "compare refuted": (
         whole("compare"),
-        lambda: compare("greedy", WRONG["mirror-image"].explorer(), edges=3).to_json(),
+        lambda: compare("folding", WRONG["mirror-image"].explorer(), edges=3).to_json(),
     ),
     "fuzz": (whole("check"), lambda: fuzz(edges=6, runs=3).to_json()),
     "fuzz refuted": (
@@ -152,6 +142,7 @@ DOCUMENTS = {
     ),
     "count": (whole("count"), lambda: count(edges=3).to_json()),
     "init": (whole("init"), skeleton),
+    "init of a ledger": (whole("ledgerskeleton"), begun_ledger),
     "play": (whole("play"), lambda: play("theta", player=back_and_forth()).to_json()),
     "header": (whole("header"), lambda: init(header=True).to_json()),
     "count simple": (whole("count"), lambda: count(vertices=4, map_class="simple").to_json()),
@@ -172,20 +163,15 @@ DOCUMENTS = {
         whole("replay"),
         lambda: replay(finding_of("mirror-image"), WRONG["mirror-image"].explorer()).to_json(),
     ),
-    "claims": (
-        whole("claims"),
-        lambda: claims(only=["fig1", "printed-3", "bound-polynomial", "coq-2m"]).to_json(),
-    ),
-    "optimum": (whole("optimum"), lambda: optimum(edges=2).to_json()),
-    "optimum not found": (
-        whole("optimum"),
-        lambda: without_optimum().to_json(),
+    "ledger": (
+        whole("ledger"),
+        lambda: ledger(PAPER, only=["fig1", "printed-3", "bound-polynomial", "coq-2m"]).to_json(),
     ),
     "manifest": (whole("manifest"), manifest),
     "worst": (whole("worst"), lambda: worst(edges=2).to_json()),
     "every schedule": (
         whole("check"),
-        lambda: check("remembering", edges=2, schedules="all").to_json(),
+        lambda: check(edges=2, schedules="all").to_json(),
     ),
     "worst of a shard": (whole("worst"), lambda: worst(edges=2, shard=(0, 2)).to_json()),
     "census of a shard": (

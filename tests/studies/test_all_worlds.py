@@ -198,7 +198,10 @@ def test_threads_change_nothing():
         ({"edges": 0}, "0"),
         ({"edges": 13}, "13"),
         ({"workers": 0}, "0"),
-        ({"explore": "greedy"}, "not of 'greedy'; 'allworlds check EXPLORER --schedules all' has"),
+        (
+            {"explore": "folding"},
+            "not of 'folding'; 'allworlds check EXPLORER --schedules all' has",
+        ),
     ],
 )
 def test_bad_options_are_refused_by_name(options, value):

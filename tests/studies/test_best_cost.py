@@ -32,8 +32,8 @@ def costs_of(report, edges):
 
 @pytest.mark.parametrize("edges", [2, long(3)])
 def test_the_costs_are_those_of_every_schedule_played_by_hand(edges):
-    report = check("remembering", edges=edges, schedules="all", workers=2)
-    assert costs_of(report, edges) == by_hand("remembering", edges)
+    report = check("algorithm1", edges=edges, schedules="all", workers=2)
+    assert costs_of(report, edges) == by_hand("algorithm1", edges)
     assert any(row.best_cost < row.max_cost for row in report.rows)
 
 
@@ -47,8 +47,8 @@ def test_a_user_s_explorer_that_is_played_twice_has_the_same_costs():
 def test_costs_of_shards_add_up(tmp_path):
     parts = [tmp_path / str(k) for k in range(2)]
     for k, part in enumerate(parts):
-        check("remembering", edges=2, schedules="all", shard=(k, 2), run=part)
-    assert merge(*parts).rows == check("remembering", edges=2, schedules="all").rows
+        check("algorithm1", edges=2, schedules="all", shard=(k, 2), run=part)
+    assert merge(*parts).rows == check("algorithm1", edges=2, schedules="all").rows
 
 
 def stays_or_goes(first, choices):
@@ -65,7 +65,7 @@ def test_the_cheapest_schedule_may_cost_nothing():
 
 
 def test_the_best_cost_is_told_of_every_schedule_alone():
-    one, every = (check("remembering", edges=1, schedules=which) for which in ("one", "all"))
+    one, every = (check("algorithm1", edges=1, schedules=which) for which in ("one", "all"))
     assert all("best_cost" not in row for row in one.to_json()["rows"] + one.records())
     assert all(row["best_cost"] == 1 for row in every.to_json()["rows"] + every.records())
     assert ("best cost" in text("check", every, 100)) > ("best cost" in text("check", one, 100))

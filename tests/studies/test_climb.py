@@ -13,7 +13,7 @@ import pytest
 from allworlds import compare, run
 from allworlds.document import replace
 from allworlds.engines import SweptLevel, TimeIsUp, Unsettled
-from allworlds.explorers import load
+from allworlds.explorers import algorithm1, load
 from allworlds.inputs import InputError
 from allworlds.judging import Rules
 from allworlds.maps import (
@@ -25,7 +25,7 @@ from allworlds.maps import (
     rooted_isomorphism,
 )
 from allworlds.outcome import Completed, Interrupted
-from allworlds.protocol import Estimate
+from allworlds.protocol import Estimate, Move
 from allworlds.reports import file_of, text as text_of
 from allworlds.studies.compare import CompareRequest, GrowRow, Growth
 from allworlds.studies.compare.climb import GrowingWorlds
@@ -39,7 +39,7 @@ from kept_jobs import EXPLORERS
 
 @pytest.fixture(scope="module")
 def report():
-    return compare("algorithm1", "greedy", family=["lattice", "thick"], to=50, worlds=2)
+    return compare("algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, worlds=2)
 
 
 @pytest.mark.no_cover
@@ -57,16 +57,25 @@ def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
                 assert run(row.explorer, world).outcome.cost == cost
 
 
+def hesitates(first):
+    """Algorithm 1, but first there and back as often as the bearing says."""
+    for _ in range(2 * first.bearing):
+        yield Move(0)
+    return (yield from algorithm1(first))
+
+
 def test_isomorphic_worlds_count_once_and_every_direction_is_run():
-    told = compare("algorithm1", "greedy", family="torus", to=18, worlds=10)
+    told = compare("algorithm1", hesitates, family="torus", to=18, worlds=10)
     one, other = told.rows
     assert (one.seeds, one.worlds, one.places, one.runs) == (10, 1, 4, 4)
     assert (one.drawn_from, one.exact, one.interval) == (1, True, None)
     # Of one world `compare` without `to` walks in every place too.
-    (row,) = compare("algorithm1", "greedy", family="torus:3x3", seed=1).rows
-    assert {"algorithm1": one.mean, "greedy": other.mean} == row.mean
-    assert {"algorithm1": one.worst, "greedy": other.worst} == row.worst
-    assert len({cost for member in other.members for cost in member.costs}) > 1
+    (row,) = compare("algorithm1", hesitates, family="torus:3x3", seed=1).rows
+    assert [one.mean, other.mean] == [*row.mean.values()]
+    assert [one.worst, other.worst] == [*row.worst.values()]
+    assert [cost for member in one.members for cost in member.costs] == [one.worst] * 4
+    costs = sorted(cost for member in other.members for cost in member.costs)
+    assert costs == [one.worst + 2 * bearing for bearing in range(4)]
 
 
 def test_no_two_worlds_of_a_size_are_isomorphic_and_every_seed_is_isomorphic_to_one():
@@ -84,7 +93,7 @@ def test_no_two_worlds_of_a_size_are_isomorphic_and_every_seed_is_isomorphic_to_
 )
 def test_a_sample_is_exact_if_it_is_the_whole_family_in_every_place(seeds, places, exact):
     asked = {"family": "lattice", "to": 12, "worlds": seeds, "places": places}
-    report = compare("algorithm1", "greedy", **asked)
+    report = compare("algorithm1", "folding-oldest", **asked)
     one, other = report.rows
     # A square of 3 x 3 vertices has 24 darts, and 4 turns carry it to itself.
     assert one.drawn_from == 24 // 4
@@ -96,20 +105,20 @@ def test_a_sample_is_exact_if_it_is_the_whole_family_in_every_place(seeds, place
 
 
 def test_every_start_of_an_exact_sample_has_the_same_chance():
-    (row,) = compare("greedy", family="lattice", to=12, worlds=30, places=4).rows
+    (row,) = compare("folding-oldest", family="lattice", to=12, worlds=30, places=4).rows
     map_ = map_of_family("lattice:3x3", None, 1)
     means = []
     for start in map_.darts:
         rooted = CombinatorialMap(*rooted_code(map_.sigma, map_.alpha, start))
         places = Directional.places(rooted, 0)
-        costs = [run("greedy", World(rooted, place)).cost for place in places]
+        costs = [run("folding-oldest", World(rooted, place)).cost for place in places]
         means.append(mean(costs))
     assert row.mean == pytest.approx(mean(means))
 
 
 @pytest.mark.parametrize("family", ["dense", "cubic", "bouquet", "corridor"])
 def test_a_family_of_which_seeds_draw_more_than_the_start_is_never_exact(family):
-    (row, *_) = compare("greedy", family=family, to=30, worlds=2).rows
+    (row, *_) = compare("algorithm1", family=family, to=30, worlds=2).rows
     assert (row.drawn_from, row.exact) == (None, False)
 
 
@@ -125,9 +134,11 @@ def test_of_many_places_a_sample_is_drawn_and_said():
 
 def test_rows_stand_by_family_size_and_explorer_whoever_was_faster(report):
     names = [(row.family, row.edges, row.explorer) for row in report.rows]
-    order = {"lattice": 0, "thick": 1, "algorithm1": 0, "greedy": 1}
+    order = {"lattice": 0, "cubic": 1, "algorithm1": 0, "folding-oldest": 1}
     assert names == sorted(names, key=lambda key: (order[key[0]], key[1], order[key[2]]))
-    again = compare("algorithm1", "greedy", family=["lattice", "thick"], to=50, worlds=2, workers=2)
+    again = compare(
+        "algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, worlds=2, workers=2
+    )
     assert again.rows == report.rows
 
 
@@ -166,7 +177,7 @@ def grown(costs, explorers=("who",)):
         ending=Completed(),
         request=CompareRequest(to=40, worlds=5, places=1, seed=1),
         extent=Extent(MapClass.MAPS, 1),
-        contestants=tuple(Contestant(load("greedy"), Rules(), name) for name in explorers),
+        contestants=tuple(Contestant(load("folding-oldest"), Rules(), name) for name in explorers),
         families=("torus",),
         rows=tuple(rows),
     )
@@ -246,7 +257,7 @@ def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():
 
 def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
     walked = GrowingWorlds._units
-    whole = compare("greedy", family=["bouquet", "strip"], to=60, worlds=1)
+    whole = compare("algorithm1", family=["bouquet", "strip"], to=60, worlds=1)
     for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
 
         def units(growth, size, error=error):
@@ -255,7 +266,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
             yield from walked(growth, size)
 
         monkeypatch.setattr(GrowingWorlds, "_units", units)
-        told = compare("greedy", family=["bouquet", "strip"], to=60, worlds=1, time_limit=1000)
+        told = compare("algorithm1", family=["bouquet", "strip"], to=60, worlds=1, time_limit=1000)
         assert told.exit_code == code
         # Of each family the smallest size.
         smallest = [min(r.edges for r in whole.rows if r.family == f) for f in whole.families]
@@ -272,7 +283,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
 def test_finished_worlds_of_a_begun_size_are_in_the_rows_and_marked(monkeypatch):
     walked = GrowingWorlds._units
     asked = {"family": "cubic", "to": 30, "worlds": 3, "by": "world"}
-    whole = compare("greedy", "algorithm1", **asked)
+    whole = compare("folding-oldest", "algorithm1", **asked)
 
     def units(growth, size):
         for number, unit in enumerate(walked(growth, size)):
@@ -282,15 +293,15 @@ def test_finished_worlds_of_a_begun_size_are_in_the_rows_and_marked(monkeypatch)
 
     monkeypatch.setattr(GrowingWorlds, "_units", units)
     monkeypatch.setattr(GrowingWorlds, "levels", _unsized)
-    told = compare("greedy", "algorithm1", **asked, time_limit=1000)
-    first, second = (row.edges for row in whole.rows if row.explorer == "greedy")
+    told = compare("folding-oldest", "algorithm1", **asked, time_limit=1000)
+    first, second = (row.edges for row in whole.rows if row.explorer == "folding-oldest")
     assert {row.edges for row in told.rows} == {first}
     every, kept = whole.records(), told.records()
     assert all(row["finished"] for row in every)
-    # Greedy in all three worlds; the unit at which the time was up may be asked for early.
+    # The first in all three worlds; the unit at which the time was up may be asked for early.
     begun = [row for row in kept if not row["finished"]]
     assert [(row["explorer"], row["seed"]) for row in begun[:3]] == [
-        ("greedy", seed) for seed in (1, 2, 3)
+        ("folding-oldest", seed) for seed in (1, 2, 3)
     ]
     assert len(begun) <= 4
     assert all(row["edges"] == second for row in begun)
@@ -345,7 +356,7 @@ def test_the_plot_names_its_families_and_explorers(report):
     pytest.importorskip("matplotlib")
     plot = file_of("compare", "plot", report)
     assert "<svg" in plot
-    assert all(text in plot for text in ("lattice", "thick", "greedy", "algorithm1"))
+    assert all(text in plot for text in ("lattice", "cubic", "folding-oldest", "algorithm1"))
     assert "exact" not in plot
 
 
@@ -354,13 +365,15 @@ def test_the_plot_names_its_families_and_explorers(report):
 def test_the_plot_is_the_same_for_the_same_report(report):
     pytest.importorskip("matplotlib")
     assert file_of("compare", "plot", report) == file_of("compare", "plot", report)
-    assert ">greedy, exact<" in file_of("compare", "plot", compare("greedy", family="torus", to=18))
+    assert ">folding-oldest, exact<" in file_of(
+        "compare", "plot", compare("folding-oldest", family="torus", to=18)
+    )
 
 
 def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
     file = tmp_path / "rows.csv"
     code, out, _ = cli(
-        *("compare", "greedy", "--family", "strip", "--to", 20, "--json", "--csv", file)
+        *("compare", "folding-oldest", "--family", "strip", "--to", 20, "--json", "--csv", file)
     )
     assert code == 0
     assert json.loads(out)["verdict"] == "not-refuted"
@@ -369,7 +382,7 @@ def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
 
 def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused, monkeypatch):
     monkeypatch.setattr("allworlds.inputs.checks.find_spec", lambda _: None)
-    said = refused("compare", "greedy", "--family", "strip", "--to", 20, "--plot", "x.svg")
+    said = refused("compare", "folding-oldest", "--family", "strip", "--to", 20, "--plot", "x.svg")
     assert ".[figures]" in said
 
 
@@ -393,33 +406,35 @@ def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused,
 )
 def test_bad_input_is_named(options, said):
     with pytest.raises(InputError, match=said):
-        compare("greedy", **{"to": 400, **options})
+        compare("folding-oldest", **{"to": 400, **options})
 
 
 @pytest.mark.parametrize("family", ["lattice", "regular:6", "lattice,torus", ["bouquet"]])
 def test_a_family_without_a_size_is_refused_with_both_spellings(family):
     with pytest.raises(InputError, match=r"lattice:3x4, for one world, or --to M for worlds"):
-        compare("greedy", "algorithm1", family=family)
+        compare("folding-oldest", "algorithm1", family=family)
 
 
 def test_what_grows_is_asked_for_by_to(refused):
-    assert "worlds = 2 is for worlds that grow" in refused("compare", "greedy", "--worlds", 2)
-    assert "--to" in refused("compare", "greedy", "--family", "strip", "--plot", "x.svg")
+    assert "worlds = 2 is for worlds that grow" in refused(
+        "compare", "folding-oldest", "--worlds", 2
+    )
+    assert "--to" in refused("compare", "folding-oldest", "--family", "strip", "--plot", "x.svg")
 
 
 def test_a_seed_left_out_is_the_first(cli):
-    one = ("compare", "greedy", "algorithm1", "--family", "random:8", "--json")
+    one = ("compare", "folding-oldest", "algorithm1", "--family", "random:8", "--json")
     assert cli(*one)[1:2] != cli(*one, "--seed", 1)[1:2]
     at_zero, left_out = (json.loads(cli(*one, *more)[1]) for more in (("--seed", 0), ()))
     assert at_zero["rows"] == left_out["rows"]
-    grown = ("compare", "greedy", "--family", "random", "--to", 20, "--worlds", 1, "--json")
+    grown = ("compare", "folding-oldest", "--family", "random", "--to", 20, "--worlds", 1, "--json")
     at_one, left_out = (json.loads(cli(*grown, *more)[1]) for more in (("--seed", 1), ()))
     assert at_one["rows"] == left_out["rows"]
 
 
 def test_an_explorer_twice_or_none_is_refused():
     with pytest.raises(InputError, match="named twice"):
-        compare("greedy", "greedy", family=["strip"], to=400)
+        compare("folding-oldest", "folding-oldest", family=["strip"], to=400)
     with pytest.raises(InputError, match="an explorer at least"):
         compare(family=["strip"], to=400)
 

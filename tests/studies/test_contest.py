@@ -28,7 +28,7 @@ CLUSTER = "algorithm1-cluster"
 
 @pytest.fixture(scope="module")
 def report():
-    return compare("algorithm1", "greedy", "remembering", edges=3, workers=2)
+    return compare("algorithm1", "folding", "folding-oldest", edges=3, workers=2)
 
 
 def costs_by_hand(name, edges):
@@ -43,7 +43,7 @@ def costs_by_hand(name, edges):
 
 @pytest.mark.no_cover
 def test_means_and_comparisons_are_those_of_single_runs(report):
-    paper, mine = costs_by_hand("algorithm1", 3), costs_by_hand("greedy", 3)
+    paper, mine = costs_by_hand("algorithm1", 3), costs_by_hand("folding", 3)
     means = {
         key: (Fraction(sum(paper[key]), len(paper[key])), Fraction(sum(mine[key]), len(mine[key])))
         for key in paper
@@ -52,15 +52,15 @@ def test_means_and_comparisons_are_those_of_single_runs(report):
         if row.edges == 3:
             here = [pair for (vertices, _), pair in means.items() if vertices == row.vertices]
             assert row.worlds == len(here)
-            assert row.mean["greedy"] == round(float(sum(b for _, b in here) / len(here)), 6)
+            assert row.mean["folding"] == round(float(sum(b for _, b in here) / len(here)), 6)
             ratios = [float(b / a) for a, b in here]
-            assert row.ratio["greedy"] == pytest.approx(geometric_mean(ratios), abs=1e-6)
-            assert row.less["greedy"] == sum(a < b for a, b in here)
-            assert row.equal["greedy"] == sum(a == b for a, b in here)
-            assert row.more["greedy"] == sum(a > b for a, b in here)
+            assert row.ratio["folding"] == pytest.approx(geometric_mean(ratios), abs=1e-6)
+            assert row.less["folding"] == sum(a < b for a, b in here)
+            assert row.equal["folding"] == sum(a == b for a, b in here)
+            assert row.more["folding"] == sum(a > b for a, b in here)
     most = max(abs(a - b) for a, b in means.values())
     costs = report.differ_most.costs
-    assert abs(costs["algorithm1"] - costs["greedy"]) == pytest.approx(float(most), abs=1e-5)
+    assert abs(costs["algorithm1"] - costs["folding"]) == pytest.approx(float(most), abs=1e-5)
     # The least in the order of the enumeration.
     most_expensive = [key for key, (a, b) in means.items() if abs(a - b) == most]
     vertices, least = min(most_expensive, key=lambda key: (key[0], key[1].sigma, key[1].alpha))
@@ -79,25 +79,25 @@ def test_the_rows_agree_with_a_check(report):
 
 
 def test_an_explorer_beside_itself_under_another_name_differs_nowhere():
-    report = compare("greedy", "allworlds.explorers:greedy", edges=2)
+    report = compare("algorithm1", "allworlds.explorers:algorithm1", edges=2)
     assert report.exit_code == 0
     assert report.differ_most is None
     assert [*report.walks()] == []
-    assert all(row.equal["allworlds.explorers:greedy"] == row.worlds for row in report.rows)
+    assert all(row.equal["allworlds.explorers:algorithm1"] == row.worlds for row in report.rows)
 
 
 def test_a_map_without_a_place_for_one_is_left_out_for_all():
-    report = compare("greedy", CLUSTER, edges=2)
+    report = compare("folding", CLUSTER, edges=2)
     assert [(row.edges, row.vertices, row.worlds) for row in report.rows] == [
         (1, 2, 1),
         (2, 2, 4),
         (2, 3, 2),
     ]
-    assert compare("greedy", CLUSTER, edges=1, vertices=2).exit_code == 0
+    assert compare("folding", CLUSTER, edges=1, vertices=2).exit_code == 0
 
 
 def test_nothing_to_compare_is_vacuous():
-    report = compare("greedy", CLUSTER, family="bouquet:0", lighthouse="natural")
+    report = compare("folding", CLUSTER, family="bouquet:0", lighthouse="natural")
     assert (report.verdict.value, report.exit_code) == ("vacuous", 4)
     assert "no world" in text_of("compare", report, 100)
 
@@ -108,7 +108,7 @@ def stops_at_once(first):
 
 
 def test_a_broken_law_ends_the_comparison_with_a_finding():
-    report = compare("greedy", stops_at_once, edges=3)
+    report = compare("folding", stops_at_once, edges=3)
     assert (report.verdict.value, report.exit_code) == ("refuted", 1)
     assert {row.edges for row in report.rows} == {1}
     (finding,) = report.findings
@@ -117,10 +117,11 @@ def test_a_broken_law_ends_the_comparison_with_a_finding():
 
 
 def test_one_world_of_a_family_is_compared_over_every_place():
-    report = compare("algorithm1", "prudent", family="lattice:4x4", holes="10%", seed=5)
+    report = compare("algorithm1", "dfs", family="lattice:4x4", holes="10%", seed=5)
     (row,) = report.rows
     assert (row.edges, row.vertices, row.worlds) == (22, 16, 1)
-    assert row.ratio["prudent"] < 0.75
+    assert row.mean["dfs"] <= 2 * 22 < row.mean["algorithm1"]
+    assert row.ratio["dfs"] == pytest.approx(row.mean["dfs"] / row.mean["algorithm1"], abs=1e-6)
     document = report.to_json()
     scope = document["scope"]
     assert (scope["family"], scope["holes"], scope["seed"]) == (["lattice:4x4"], "10%", 5)
@@ -140,7 +141,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
     begun = SameWorlds._units
     for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
         monkeypatch.setattr(SameWorlds, "_units", ends(error))
-        report = compare("algorithm1", "greedy", edges=3, time_limit=1000)
+        report = compare("algorithm1", "folding", edges=3, time_limit=1000)
         assert report.exit_code == code
         assert [row.edges for row in report.rows] == [1, 1]
         assert "finished levels" in text_of("compare", report, 100)
@@ -163,9 +164,9 @@ def test_the_csv_has_a_line_for_each_size_and_explorer(report):
     rows = [*csv.DictReader(io.StringIO(file_of("compare", "csv", report)))]
     assert len(rows) == len(report.rows) * 3
     last = rows[-2]
-    assert last["explorer"] == "greedy"
-    assert float(last["mean"]) == pytest.approx(float(report.rows[-1].mean["greedy"]))
-    assert int(last["more"]) == report.rows[-1].more["greedy"]
+    assert last["explorer"] == "folding"
+    assert float(last["mean"]) == pytest.approx(float(report.rows[-1].mean["folding"]))
+    assert int(last["more"]) == report.rows[-1].more["folding"]
 
 
 def test_the_page_holds_both_walks_and_the_document(report):
@@ -179,15 +180,19 @@ def test_the_page_holds_both_walks_and_the_document(report):
 @pytest.mark.parametrize(
     ("explorers", "options", "said"),
     [
-        (["greedy"], {"edges": 2}, "two explorers"),
-        (["greedy", "greedy"], {"edges": 2}, "named twice"),
-        (["greedy", "prudent"], {}, "edges, vertices or a family"),
-        (["greedy", "prudent"], {"edges": 2, "family": "cycle:3"}, "'cycle:3' is one world"),
-        (["greedy", "prudent"], {"edges": 2, "holes": "10%"}, "10%"),
-        (["greedy", "prudent"], {"family": "ring:3"}, "ring:3"),
-        (["greedy", "prudent"], {"edges": 0}, "0"),
-        (["greedy", "lazy"], {"edges": 1}, "lazy"),
-        (["greedy", "prudent"], {"edges": 1, "lighthouse": "lamp"}, "lamp"),
+        (["folding"], {"edges": 2}, "two explorers"),
+        (["folding", "folding"], {"edges": 2}, "named twice"),
+        (["folding", "folding-oldest"], {}, "edges, vertices or a family"),
+        (
+            ["folding", "folding-oldest"],
+            {"edges": 2, "family": "cycle:3"},
+            "'cycle:3' is one world",
+        ),
+        (["folding", "folding-oldest"], {"edges": 2, "holes": "10%"}, "10%"),
+        (["folding", "folding-oldest"], {"family": "ring:3"}, "ring:3"),
+        (["folding", "folding-oldest"], {"edges": 0}, "0"),
+        (["folding", "lazy"], {"edges": 1}, "lazy"),
+        (["folding", "folding-oldest"], {"edges": 1, "lighthouse": "lamp"}, "lamp"),
     ],
 )
 def test_bad_input_is_named(explorers, options, said):
@@ -197,15 +202,15 @@ def test_bad_input_is_named(explorers, options, said):
 
 def test_an_unknown_option_is_a_type_error():
     with pytest.raises(TypeError, match="colour"):
-        compare("greedy", "prudent", edges=1, colour="red")
+        compare("folding", "folding-oldest", edges=1, colour="red")
 
 
 def test_the_command_writes_every_file(cli, tmp_path):
     names = {kind: tmp_path / f"report.{kind}" for kind in ("csv", "html")}
     options = [part for kind, path in names.items() for part in (f"--{kind}", path)]
-    code, out, _ = cli("compare", "algorithm1", "greedy", "--edges", 2, "--json", *options)
+    code, out, _ = cli("compare", "algorithm1", "folding", "--edges", 2, "--json", *options)
     assert code == 0
-    assert json.loads(out)["explorers"][1]["name"] == "greedy"
+    assert json.loads(out)["explorers"][1]["name"] == "folding"
     assert names["csv"].read_text().startswith("edges,vertices")
     assert names["html"].read_text().startswith("<!DOCTYPE html>")
 

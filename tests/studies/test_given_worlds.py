@@ -25,8 +25,8 @@ def folder(tmp_path, monkeypatch):
 @pytest.mark.parametrize("workers", [1, 2])
 def test_given_worlds_are_tried_as_they_are_in_a_check_of_all(workers):
     given = allworlds.worlds(edges=3, places="all")
-    report = allworlds.check("greedy", worlds=given, workers=workers)
-    every = allworlds.check("greedy", edges=3)
+    report = allworlds.check("folding", worlds=given, workers=workers)
+    every = allworlds.check("folding", edges=3)
     assert (report.verdict, report.exit_code) == (every.verdict, 0)
     assert (report.worlds, report.runs) == (every.runs, every.runs)
     assert report.traversals == every.traversals

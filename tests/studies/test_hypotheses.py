@@ -75,7 +75,7 @@ def test_where_s_has_gone_wrong_nothing_is_told_of_it():
 
 
 def test_an_explorer_that_does_not_tell_has_none_and_neither_has_one_that_walks_otherwise():
-    assert hypotheses_in(run("greedy", "k4-torus")) == ()
+    assert hypotheses_in(run("folding", "k4-torus")) == ()
     told = run("algorithm1", "k4-torus")
     assert hypotheses_in(told)
     episode = told.outcome.episode

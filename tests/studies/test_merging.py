@@ -42,8 +42,8 @@ def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path)
 def test_a_merge_has_the_rows_that_the_whole_has(worlds, by, tmp_path):
     runs = [tmp_path / str(k) for k in range(2)]
     for k, run in enumerate(runs):
-        allworlds.compare("greedy", "algorithm1", **worlds, shard=(k, 2), run=run)
-    whole = allworlds.compare("greedy", "algorithm1", **worlds, by=by).records()
+        allworlds.compare("folding-oldest", "algorithm1", **worlds, shard=(k, 2), run=run)
+    whole = allworlds.compare("folding-oldest", "algorithm1", **worlds, by=by).records()
     assert allworlds.merge(*runs, by=by).records() == whole
     assert len(whole) > 2
 
@@ -173,7 +173,7 @@ def test_the_gate_stands_over_the_union(report, tmp_path, monkeypatch):
 SHARDED = (
     "check --edges 1",
     "worst --edges 1",
-    "compare greedy prudent --edges 1",
+    "compare folding folding-oldest --edges 1",
     "count --edges 1",
     "fuzz --edges 2 --runs 3",
     "ambiguity census --edges 1",

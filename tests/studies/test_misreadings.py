@@ -180,7 +180,9 @@ def test_another_slip_is_none_of_these(slip, file):
 
 @pytest.mark.parametrize("convention", CONVENTIONS)
 def test_a_translator_makes_a_right_explorer_wrong(convention):
-    report = check(f"translated:{convention}:allworlds.explorers.builtin.greedy:greedy", edges=3)
+    report = check(
+        f"translated:{convention}:allworlds.explorers.builtin.algorithm1:algorithm1", edges=3
+    )
     assert report.exit_code == 1
 
 
@@ -298,7 +300,7 @@ def test_a_finding_without_its_explorer_is_explained_all_the_same(file):
 
 def test_a_convention_that_is_none_is_refused():
     with pytest.raises(InputError, match=r"convention 'x' is not one of motions-anticlockwise, "):
-        check("translated:x:greedy")
+        check("translated:x:folding")
     with pytest.raises(InputError, match=r"convention '' is not one of"):
         check("translated:")
 

@@ -95,7 +95,7 @@ def test_rows_that_are_added_up_keep_the_least_of_the_most_expensive():
 
 
 def test_each_is_played_again_at_its_cost():
-    report = check("greedy", edges=3)
+    report = check("folding", edges=3)
     played = [*most_expensive_runs(report)]
     rows = sorted(report.tally.rows.items())
     assert len(rows) == len(played) == 9

@@ -162,7 +162,7 @@ def test_a_condition_that_is_true_of_no_drawn_map_is_refused_in_one_line(folder,
 
 
 def test_explorers_are_compared_in_it():
-    report = allworlds.compare("algorithm1", "greedy", edges=3, where="trees")
+    report = allworlds.compare("algorithm1", "folding", edges=3, where="trees")
     assert sum(row.runs for row in report.rows if row.edges == 3) > 0
     assert {row.vertices - row.edges for row in report.rows} == {1}
 

@@ -13,15 +13,14 @@ from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import World, flaw, own_corpus
 from allworlds.world.corpus import MANIFEST, load_corpus
-from small import long, slow
+from small import long
 
 CORPUS = own_corpus()
 
 
-def entries(kind, later=()):
-    """A test of each entry of a kind; these ones are left to ``pytest -m slow``."""
-    found = [slow(e) if e.name in later else e for e in CORPUS.of_kind(kind)]
-    return pytest.mark.parametrize("entry", found, ids=lambda entry: entry.name)
+def entries(kind):
+    """A test of each entry of a kind."""
+    return pytest.mark.parametrize("entry", CORPUS.of_kind(kind), ids=lambda entry: entry.name)
 
 
 @entries("world")
@@ -94,7 +93,7 @@ def test_the_enumeration_gives_the_known_numbers(entry, most):
 
 @pytest.mark.early
 @pytest.mark.no_cover
-@entries("check", later=["check-remembering-all-schedules"])
+@entries("check")
 def test_an_explorer_gets_its_verdict_at_the_known_cost(entry):
     expected = dict(entry.expected)
     report = check(**CORPUS.document(entry), workers=2).to_json()

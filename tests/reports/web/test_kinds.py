@@ -58,7 +58,7 @@ def results(finding, tmp_path_factory):
             out=str(tmp_path_factory.mktemp("search")),
         ),
         "worst": worst(edges=2),
-        "compare": compare("algorithm1", "greedy", edges=2),
+        "compare": compare("algorithm1", "folding", edges=2),
     }
 
 
