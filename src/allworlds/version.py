@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from allworlds.document import Host
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"
 """The version of the program."""
 
 

@@ -129,19 +129,19 @@ def test_bad_input_is_one_line_that_names_it(refused, arguments, named):
     ("text", "named"),
     [
         ("", "JSON"),
-        ('{"version": 1, "explorer"', "JSON"),
+        ('{"version": 2, "explorer"', "JSON"),
         ("[" * 100_000, "JSON"),
         ("[1, 2]", "[1, 2]"),
         ('{"version": 99}', "99"),
-        ('{"version": 1, "law": "map"}', "explorer"),
-        ('{"version": 1, "explorer": "algorithm1", "law": "nonsense"}', "nonsense"),
-        ('{"version": 1, "explorer": "algorithm1", "law": []}', "law"),
-        ('{"version": 1, "explorer": "algorithm1", "law": "map", "world": 3}', "transcript"),
+        ('{"version": 2, "law": "map"}', "explorer"),
+        ('{"version": 2, "explorer": "algorithm1", "law": "nonsense"}', "nonsense"),
+        ('{"version": 2, "explorer": "algorithm1", "law": []}', "law"),
+        ('{"version": 2, "explorer": "algorithm1", "law": "map", "world": 3}', "transcript"),
         (
-            '{"version": 1, "explorer": "algorithm1", "law": "map", "world": %s}' % EDGE,
+            '{"version": 2, "explorer": "algorithm1", "law": "map", "world": %s}' % EDGE,
             "transcript",
         ),
-        ('{"schema": 1, "verdict": "holds", "findings": []}', "holds"),
+        ('{"schema": 2, "verdict": "holds", "findings": []}', "holds"),
     ],
 )
 def test_a_file_that_is_no_finding_is_bad_input(refused, tmp_path, text, named):
@@ -245,7 +245,7 @@ def test_the_command_of_a_program_shows_the_same_law(cli):
 def test_the_exit_code_is_in_the_document(cli):
     code, out, err = cli("check", "--edges", "1", "--json", "--engine", "python")
     document = json.loads(out)
-    assert (code, document["exit_code"], document["schema"], err) == (0, 0, 1, "")
+    assert (code, document["exit_code"], document["schema"], err) == (0, 0, 2, "")
     assert document["scope"]["complete"] is True
 
 

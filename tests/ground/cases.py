@@ -167,7 +167,7 @@ def _worlds(random: Random) -> Case:
 def _findings(random: Random) -> Case:
     document: object = _finding(random)
     if random.random() < 0.2:
-        document = {"schema": 1, "verdict": "refuted", "findings": [document]}
+        document = {"schema": 2, "verdict": "refuted", "findings": [document]}
     content = grammar.mutated(document, random)
     words = random.choice((("explain",), ("explain",), ("replay",)))
     if words == ("replay",) and random.random() < 0.7:

@@ -23,7 +23,7 @@ from allworlds.world import own_corpus
 
 HERE = Path(__file__).parent
 FINDINGS = own_corpus().directory / "findings"
-PROOFS = HERE.parents[1] / "proofs"
+PAPER = HERE.parents[1] / "papers" / "minimal_information"
 RECORDS = HERE / "records"
 PATH_3 = '{"sigma":[0,2,1,3],"alpha":[1,0,3,2]}'
 HOSTILE = '{"sigma":[1,0],"alpha":[1,0],"start":5,"lighthouse":{"kind":"position","dart":0}}'
@@ -39,16 +39,14 @@ LEAST = {
     "play": "theta --html {tmp}/least-play.html",
     "merge": "{run}",
     "status": "{run}",
-    "compare": "algorithm1 greedy --edges 1",
+    "compare": "algorithm1 folding --edges 1",
     "worst": "--edges 1",
-    "optimum": "--edges 1",
     "count": "--edges 1",
     "ambiguity twins": "k4 k4",
     "ambiguity class": "k4",
     "ambiguity census": "--edges 1",
     "ambiguity search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
-    "paper claims": "--only fig1",
-    "paper figure": "1 --out {tmp}/least.svg",
+    "ledger": "{paper} --only fig1",
 }
 
 # What every command says is recorded under a name.
@@ -97,39 +95,26 @@ COMMANDS = {
     "worst": "worst --edges 3 --json",
     "worst-shortest": "worst --edges 4 --transit shortest",
     "worst-planar": "worst --edges 4 --class planar --json",
-    "compare": "compare algorithm1 greedy remembering --edges 3 --json",
+    "compare": "compare algorithm1 folding folding-oldest --edges 3 --json",
     "compare-text": "compare algorithm1 algorithm1-cluster --edges 3",
-    "compare-family": "compare greedy prudent --family thick:4x5 --seed 2 --json",
-    "compare-wrong": "compare greedy explorers.py:first_edge --edges 2 --json",
-    "compare-one": "compare greedy --edges 2",
+    "compare-family": "compare folding algorithm1 --family thick:4x5 --seed 2 --json",
+    "compare-wrong": "compare folding explorers.py:first_edge --edges 2 --json",
+    "compare-one": "compare folding --edges 2",
     "worst-shard": "worst --edges 3 --shard 0/2 --json",
-    "optimum": "optimum --edges 2 --json",
-    "claims": (
-        "paper claims --proofs {proofs} "
-        "--only lower-bound-2m --only coq-2m --only pass-kinds --json"
-    ),
-    "claims-text": "paper claims --only cycles",
-    "claims-required": (
-        "paper claims --proofs {proofs} --only bound-order --require coq-2m --json"
-    ),
-    "claims-junit": (
-        "paper claims --proofs {proofs} --only printed-3 --only coq-2m --junit /dev/stderr -q"
-    ),
-    "refused-claim": "paper claims --only fig-1",
-    "optimum-text": "optimum --edges 3",
+    "ledger": "ledger {paper} --only lower-bound-2m --only coq-2m --only pass-kinds --json",
+    "ledger-text": "ledger {paper} --only cycles",
+    "ledger-required": "ledger {paper} --only bound-order --require coq-2m --json",
+    "ledger-junit": "ledger {paper} --only printed-3 --only coq-2m --junit /dev/stderr -q",
+    "refused-claim": "ledger {paper} --only fig-1",
     "census-shard": "ambiguity census --edges 3 --shard 0/2 --json",
     "merge": "merge {run} --json",
     "merge-text": "merge {run}",
     "merge-gap": "merge {run}-0",
     "status": "status {run} --json",
     "status-text": "status {run}-0",
-    "growth": "compare algorithm1 greedy --family lattice,thick --to 50 --worlds 2 --json",
-    "growth-text": "compare remembering prudent --family regular:4 --to 40 --seed 3",
-    "figure": "paper figure 1 --out fig.svg --json",
-    "figure-text": "paper figure 2 --out fig.svg",
-    "figure-bounds": "paper figure bounds --edges 3 --out fig.svg --json",
-    "refused-figure": "paper figure 4",
-    "refused-family": "compare greedy --family lattice,ring --to 50",
+    "growth": "compare algorithm1 folding-oldest --family lattice,thick --to 50 --worlds 2 --json",
+    "growth-text": "compare algorithm1 folding-oldest --family regular:4 --to 40 --seed 3",
+    "refused-family": "compare algorithm1 --family lattice,ring --to 50",
     "replay": "replay finding.json --json",
     "replay-text": "replay finding.json",
     "replay-fixed": "replay finding.json --explorer algorithm1 --json",
@@ -184,7 +169,7 @@ def least(verb: str, tmp: str) -> list[str]:
 
 def words(command: str | list[str], tmp: str) -> list[str]:
     names = {"tmp": tmp, "python": sys.executable}
-    names |= {"findings": str(FINDINGS), "proofs": str(PROOFS)}
+    names |= {"findings": str(FINDINGS), "paper": str(PAPER)}
     given = command if isinstance(command, list) else command.split()
     if any("{run}" in word for word in given):
         names["run"] = str(run_directory(Path(tmp) / "run"))

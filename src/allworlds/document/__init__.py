@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     )
     from allworlds.document.reading import taken as taken
     from allworlds.document.report import (
+        SCHEMA as SCHEMA,
         Host as Host,
         MadeBy as MadeBy,
         Paged as Paged,

@@ -11,7 +11,7 @@ from allworlds.document.struct import Document
 from allworlds.lazy import loaded
 from allworlds.outcome import Exit, Facts
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 """The version of every document that a verb writes, and of a corpus's manifest."""
 
 
@@ -96,7 +96,7 @@ class MadeBy(Document):
 class Report(Paged, Document):
     """A document that a verb writes."""
 
-    schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
+    schema: Annotated[Literal[2], about("the version of the document")] = SCHEMA
     made_by: Annotated[MadeBy | UnsetType, about("in Python; always there on the command line")] = (
         UNSET
     )

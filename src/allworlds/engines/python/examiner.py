@@ -157,7 +157,7 @@ class Referee:
 
     def _found(self, world: World, place: int, **told: Any) -> Finding:
         told |= {"options": self.rules.recorded, "under": self.rules}
-        return Finding(version=1, explorer=self.explorer, world=world, at=place, **told)
+        return Finding(version=2, explorer=self.explorer, world=world, at=place, **told)
 
 
 class Examiner(Referee):

@@ -12,10 +12,10 @@ from allworlds.inputs import show
 from allworlds.version import __version__
 from allworlds.words import plural
 
-FORMAT = 2
+FORMAT = 3
 """The format of identities and of what is kept under them: raised whenever either changes.
 
-1: version 0.1.0, whose identities hold no number.  2: version 0.2.0.
+1: version 0.1.0, whose identities hold no number.  2: version 0.2.0.  3: version 0.3.0.
 """
 
 

@@ -9,6 +9,7 @@ from functools import cached_property, partial
 from typing import Annotated, Any, Final, Literal
 
 from allworlds.document import (
+    SCHEMA,
     Aside,
     Document,
     FromJson,
@@ -31,7 +32,7 @@ from allworlds.maps import Code, numbering, rooted_code
 from allworlds.protocol import Estimate, Transcript
 from allworlds.world import World
 
-VERSION: Final = 1
+VERSION: Final = 2
 
 NOT_RECORDED = "not recorded"
 
@@ -64,7 +65,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     and the ``misreading`` what a translator did.
     """
 
-    version: Annotated[Literal[1], about("the version of findings")]
+    version: Annotated[Literal[2], about("the version of findings")]
     explorer: Annotated[str, about("its name")]
     law: Annotated[LawName, about("the broken law")]
     world: Annotated[
@@ -203,15 +204,17 @@ def findings_of(document: Any) -> Sequence[Any]:
     """The documents of the findings of a report; any other document by itself.
 
     Raises:
-        InputError: if the report holds none.
+        InputError: if the report holds none, or is of another version.
     """
     match document:
-        case {"schema": 1, "findings": [_, *_]}:
+        case {"schema": schema} if schema != SCHEMA:
+            raise InputError(f"report of schema {show(schema)}; this program reads {SCHEMA}")
+        case {"schema": _, "findings": [_, *_]}:
             findings: Sequence[Any] = document["findings"]
             return findings
-        case {"schema": 1, "finding": {} as finding}:
+        case {"schema": _, "finding": {} as finding}:
             return [finding]
-        case {"schema": 1, "verdict": verdict}:
+        case {"schema": _, "verdict": verdict}:
             raise InputError(f"the report, with the verdict {show(verdict)}, holds no finding")
         case _:
             return [document]
