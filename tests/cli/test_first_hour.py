@@ -8,11 +8,11 @@ import pytest
 from allworlds.explorers.command_words import missing_script, syntax_error
 from allworlds.world import world_named
 
-FOLDING = """
-from allworlds.explorers import folding
+MINE = """
+from allworlds.explorers import algorithm1
 
 def explore(first):
-    return (yield from folding(first))
+    return (yield from algorithm1(first))
 """
 
 
@@ -51,7 +51,7 @@ def test_a_name_of_no_explorer_is_told_with_the_nearest_legal_one(
     (tmp_path / "folder").mkdir()
     for file, text in (
         ("notes.txt", ""),
-        ("robot.py", FOLDING),
+        ("robot.py", MINE),
         ("divides.py", "1 / 0"),
         ("empty.py", ""),
     ):
@@ -62,7 +62,7 @@ def test_a_name_of_no_explorer_is_told_with_the_nearest_legal_one(
 def test_an_explorer_that_a_file_imports_is_found(cli, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "door.py").write_text(
-        "from allworlds.explorers import folding as explore\n", encoding="utf-8"
+        "from allworlds.explorers import algorithm1 as explore\n", encoding="utf-8"
     )
     assert cli("check", "door.py", "--edges", 1, "-q")[0] == 0
 
@@ -128,7 +128,7 @@ def test_two_explorers_of_one_name_are_told_apart(tmp_path, cli):
     files = [tmp_path / folder / "mine.py" for folder in ("one", "two")]
     for file in files:
         file.parent.mkdir()
-        file.write_text(FOLDING, encoding="utf-8")
+        file.write_text(MINE, encoding="utf-8")
     code, out, _ = cli("compare", *files, "--edges", 1)
     assert code == 0
     assert "one/mine.py:explore mean" in " ".join(out.split())
@@ -144,7 +144,7 @@ def test_a_world_has_one_name_in_run_play_and_compare(name, cli, tmp_path):
     assert json.loads(ran)["world"] == json.loads(played)["world"]
     assert json.loads(ran)["world"]["lighthouse"]["kind"] == "labels"
     if ":" in name:
-        code, out, _ = cli("compare", "folding", "algorithm1", "--family", name, "-q")
+        code, out, _ = cli("compare", "folding-oldest", "algorithm1", "--family", name, "-q")
         assert code == 0
         code, out, _ = cli("run", "dfs", "--family", name, "--lighthouse", "labels", "--json")
         assert json.loads(out)["world"] == json.loads(ran)["world"]

@@ -88,7 +88,7 @@ def test_a_quotient_keeps_what_its_darts_have_in_common():
 @pytest.mark.no_cover
 def test_over_each_class_lie_k_darts_and_over_each_vertex_k_by_b_vertices():
     for labelled in labelled_maps(4):
-        map_ = labelled.map
+        map_, _, _ = labelled
         quotient, classes = project(labelled)
         k = quotient.sheets
         assert all(classes.count(q) == k for q in range(len(quotient.sigma)))
