@@ -112,7 +112,7 @@ COMMANDS = {
     "merge-gap": "merge {run}-0",
     "status": "status {run} --json",
     "status-text": "status {run}-0",
-    "growth": "compare algorithm1 folding-oldest --family lattice,thick --to 50 --worlds 2 --json",
+    "growth": "compare algorithm1 dudek91 --family lattice,dense --to 50 --worlds 2 --json",
     "growth-text": "compare algorithm1 folding-oldest --family regular:4 --to 40 --seed 3",
     "refused-family": "compare algorithm1 --family lattice,ring --to 50",
     "replay": "replay finding.json --json",
