@@ -11,6 +11,10 @@ from msgspec import Struct
 T = TypeVar("T")
 
 
+class Disagreement(RuntimeError):
+    """Raised if two ways to one answer disagree: a fault of this program."""
+
+
 class Exit(IntEnum):
     """The exit codes of the command."""
 

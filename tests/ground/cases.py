@@ -113,7 +113,7 @@ def _least(verb: str) -> list[str]:
     return (
         LEAST[verb]
         .replace("{findings}/lucky-guess.json", "f.json")
-        .format(tmp=".", run="run")
+        .format(tmp=".", run="run", paper=".")
         .split()
     )
 

@@ -454,7 +454,7 @@ def test_a_relative_import_of_a_package_starts_in_the_package():
 
 def test_a_name_is_found_behind_its_doors():
     assert defining(Import("allworlds", "check")) == "studies.check.exhaustive"
-    assert defining(Import("allworlds.maps", "cycle")) == "maps.build"
+    assert defining(Import("allworlds.maps", "from_cycles")) == "maps.build"
     assert defining(Import("allworlds.maps", "build")) == "maps.build"
     assert defining(Import("allworlds.maps.build", "cycle")) == "maps.build"
 

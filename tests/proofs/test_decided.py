@@ -41,7 +41,7 @@ def decided(checkers, monkeypatch, tmp_path):
 
 @pytest.fixture
 def certificate(decided, tmp_path):
-    """What a certificate is found to be if its checker ends with this code."""
+    """The outcome for a certificate whose checker ends with this code."""
 
     def found(code):
         (tmp_path / "check.py").write_text(CHECKER.format(code=code))
@@ -107,7 +107,7 @@ def test_the_proofs_of_a_paper_are_built_beside_those_they_rest_on(decided, coq)
 
 
 def named(kind, key):
-    """What claims of this kind name, with the folder of their paper."""
+    """The names in claims of this kind, with the folder of their paper."""
     for ledger in PAPERS:
         for claim in claims_in(ledger):
             if claim.id.startswith(kind):

@@ -5,7 +5,8 @@ import pytest
 from allworlds.document import replace
 from allworlds.engines import Silent
 from allworlds.inputs import InputError
-from allworlds.maps import Disagreement, bruteforce, rooted_maps
+from allworlds.maps import bruteforce, rooted_maps
+from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import census
 from allworlds.studies.ambiguity.marked_code import is_least_rooting, least_rooting
 from small import slow

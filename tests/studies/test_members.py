@@ -2,7 +2,6 @@ import pytest
 
 from allworlds.inputs import InputError
 from allworlds.maps import (
-    Disagreement,
     automorphisms,
     class_size,
     isomorphism,
@@ -11,6 +10,7 @@ from allworlds.maps import (
     pose_count,
     rooted_maps,
 )
+from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import class_of, members, projection_of, twins
 from allworlds.studies.ambiguity.marked_code import is_least_rooting
 from allworlds.world import Compass, Directional, Nothing, Position, World

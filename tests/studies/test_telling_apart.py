@@ -4,7 +4,8 @@ from itertools import combinations, combinations_with_replacement, pairwise, pro
 import pytest
 
 from allworlds.inputs import InputError
-from allworlds.maps import Disagreement, named_map, rooted_code, rooted_maps
+from allworlds.maps import named_map, rooted_code, rooted_maps
+from allworlds.outcome import Disagreement
 from allworlds.protocol import Move
 from allworlds.reports import text
 from allworlds.studies.ambiguity import class_of, twins

@@ -1,4 +1,4 @@
-"""What the tests of every paper share: its claims, mutations of them, and how a claim is tried.
+"""Parts of the tests of every paper: its claims, mutations of them, and how a claim is tried.
 
 A mutation changes the program that the claim looks at, or makes a false cousin of its sentence
 (of a sentence that must be refuted, a true one).  The paper is the one whose ``claims`` can be

@@ -85,11 +85,7 @@ if TYPE_CHECKING:
         Placed as Placed,
         UnitOfRuns as UnitOfRuns,
     )
-    from allworlds.engines.python.scope import (
-        Given as Given,
-        Sample as Sample,
-        Scope as Scope,
-    )
+    from allworlds.engines.python.scope import Given as Given, Sample as Sample, Scope as Scope
     from allworlds.engines.python.tally import (
         AtRun as AtRun,
         Row as Row,
@@ -160,9 +156,6 @@ if TYPE_CHECKING:
         dealt as dealt,
         shards_of as shards_of,
     )
-    from allworlds.engines.units.unit import (
-        PartialResult as PartialResult,
-        Transport as Transport,
-    )
+    from allworlds.engines.units.unit import PartialResult as PartialResult, Transport as Transport
 else:
     open_door(__name__)

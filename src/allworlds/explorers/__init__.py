@@ -46,10 +46,7 @@ if TYPE_CHECKING:
     )
     from allworlds.explorers.builtin.explorer_table import BUILT_IN as BUILT_IN, BuiltIn as BuiltIn
     from allworlds.explorers.builtin.folded_log import OPEN as OPEN, FoldedLog as FoldedLog
-    from allworlds.explorers.builtin.folding import (
-        explore_folding as explore_folding,
-        way as way,
-    )
+    from allworlds.explorers.builtin.folding import explore_folding as explore_folding, way as way
     from allworlds.explorers.builtin.quotient import quotient as quotient
     from allworlds.explorers.builtin.shield import Shield as Shield
     from allworlds.explorers.digest import (
@@ -88,10 +85,7 @@ if TYPE_CHECKING:
         files_of_explorer as files_of_explorer,
         place_of_explorer as place_of_explorer,
     )
-    from allworlds.explorers.spelling import (
-        short_names as short_names,
-        whole_name as whole_name,
-    )
+    from allworlds.explorers.spelling import short_names as short_names, whole_name as whole_name
     from allworlds.explorers.subject import (
         HASH_SEED as HASH_SEED,
         Subject as Subject,

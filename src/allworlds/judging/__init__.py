@@ -111,11 +111,7 @@ if TYPE_CHECKING:
         judge as judge,
     )
     from allworlds.judging.laws.second_opinion import same_map as same_map
-    from allworlds.judging.tasks import (
-        MAP as MAP,
-        Judge as Judge,
-        Task as Task,
-    )
+    from allworlds.judging.tasks import MAP as MAP, Judge as Judge, Task as Task
     from allworlds.judging.walk_log import WalkLog as WalkLog
 else:
     open_door(__name__)

@@ -103,11 +103,7 @@ if TYPE_CHECKING:
 # For other parts of the program.
 if TYPE_CHECKING:
     from allworlds.maps.bruteforce import rooted_maps_by_permutations as rooted_maps_by_permutations
-    from allworlds.maps.build import (
-        NoSuchMap as NoSuchMap,
-        dense as dense,
-        lattice as lattice,
-    )
+    from allworlds.maps.build import NoSuchMap as NoSuchMap, dense as dense, lattice as lattice
     from allworlds.maps.canonical import (
         Code as Code,
         Mismatch as Mismatch,
@@ -138,16 +134,9 @@ if TYPE_CHECKING:
     )
     from allworlds.maps.count_source import source_name as source_name, source_of as source_of
     from allworlds.maps.counting.sources import source_for as source_for
-    from allworlds.maps.criterion import Disagreement as Disagreement, pose_count as pose_count
-    from allworlds.maps.enumeration import (
-        Gluing as Gluing,
-        prefixes as prefixes,
-    )
-    from allworlds.maps.families import (
-        FORMS as FORMS,
-        edges_of as edges_of,
-        rootings as rootings,
-    )
+    from allworlds.maps.criterion import pose_count as pose_count
+    from allworlds.maps.enumeration import Gluing as Gluing, prefixes as prefixes
+    from allworlds.maps.families import FORMS as FORMS, edges_of as edges_of, rootings as rootings
     from allworlds.maps.quotient import (
         Projection as Projection,
         classes_of_union as classes_of_union,

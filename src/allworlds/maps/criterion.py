@@ -22,10 +22,6 @@ from math import factorial, gcd, perm, prod
 from allworlds.maps.quotient import Quotient
 
 
-class Disagreement(RuntimeError):
-    """Raised if two ways to compute one number disagree: a fault of this program."""
-
-
 def is_ambiguous(quotient: Quotient) -> bool:
     """Whether two or more worlds have this quotient under position.
 

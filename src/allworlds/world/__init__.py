@@ -25,30 +25,32 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.world.enumeration import worlds as worlds
     from allworlds.world.illegal_action import IllegalAction as IllegalAction
-    from allworlds.world.lighthouses.base import (
-        Lighthouse as Lighthouse,
-    )
+    from allworlds.world.lighthouses.base import Lighthouse as Lighthouse
     from allworlds.world.lighthouses.cluster import Cluster as Cluster
     from allworlds.world.lighthouses.compass import Compass as Compass
+    from allworlds.world.lighthouses.composed import Composed as Composed
     from allworlds.world.lighthouses.directional import Directional as Directional
     from allworlds.world.lighthouses.kinds import (
         LIGHTHOUSES as LIGHTHOUSES,
+        lighthouse_named as lighthouse_named,
     )
+    from allworlds.world.lighthouses.knowledge import Knowledge as Knowledge
+    from allworlds.world.lighthouses.labels import Labels as Labels
     from allworlds.world.lighthouses.movable import Movable as Movable
     from allworlds.world.lighthouses.natural import Natural as Natural
     from allworlds.world.lighthouses.nothing import Nothing as Nothing
     from allworlds.world.lighthouses.place_checks import InvalidWorld as InvalidWorld
     from allworlds.world.lighthouses.position import Position as Position
     from allworlds.world.lighthouses.sensing import Sensing as Sensing, Where as Where
+    from allworlds.world.lighthouses.written import Ports as Ports, Whiteboard as Whiteboard
     from allworlds.world.named import (
         code_of as code_of,
+        map_of_code as map_of_code,
         names_of_worlds as names_of_worlds,
         world_named as world_named,
     )
     from allworlds.world.state import State as State
-    from allworlds.world.world import (
-        World as World,
-    )
+    from allworlds.world.world import World as World, at_place as at_place
 
 # For other parts of the program.
 if TYPE_CHECKING:

@@ -35,9 +35,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.ambiguity.ambiguity_requests import (
-        SearchRequest as SearchRequest,
-    )
+    from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest as SearchRequest
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
         CensusCell as CensusCell,

@@ -19,7 +19,6 @@ from allworlds.inputs import InputError, an_integer, answers, show
 from allworlds.maps import (
     Code,
     CombinatorialMap,
-    Disagreement,
     MapClass,
     Projection,
     Quotient,
@@ -29,6 +28,7 @@ from allworlds.maps import (
     project,
     rooted_code,
 )
+from allworlds.outcome import Disagreement
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import ClassRequest
 from allworlds.studies.ambiguity.lifting import lifts

@@ -14,7 +14,6 @@ from allworlds.engines import LevelUnit
 from allworlds.inputs import InputError
 from allworlds.maps import (
     CombinatorialMap,
-    Disagreement,
     Extent,
     Quotient,
     class_size,
@@ -23,6 +22,7 @@ from allworlds.maps import (
     project,
     rooted_code,
 )
+from allworlds.outcome import Disagreement
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.marked_code import is_least_rooting
 from allworlds.studies.ambiguity.members import projection_of

@@ -16,7 +16,8 @@ from allworlds.document import (
     narrowed,
 )
 from allworlds.inputs import InputError, answers
-from allworlds.maps import Dart, Disagreement, carries, classes_of_union, numbering
+from allworlds.maps import Dart, carries, classes_of_union, numbering
+from allworlds.outcome import Disagreement
 from allworlds.protocol import Move, Percept
 from allworlds.studies.ambiguity.ambiguity_requests import TwinsRequest
 from allworlds.world import LIGHTHOUSES, World, a_world, flaw, kind_of

@@ -34,15 +34,10 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.studies.check.confirmation import Confirmation as Confirmation
-    from allworlds.studies.check.exhaustive import (
-        check as check,
-        estimate as estimate,
-    )
+    from allworlds.studies.check.exhaustive import check as check, estimate as estimate
     from allworlds.studies.check.gate import GateCell as GateCell, count_gate as count_gate
     from allworlds.studies.check.known_findings import UserCorpus as UserCorpus
-    from allworlds.studies.check.most_expensive import (
-        most_expensive_runs as most_expensive_runs,
-    )
+    from allworlds.studies.check.most_expensive import most_expensive_runs as most_expensive_runs
     from allworlds.studies.check.report import CheckReport as CheckReport
     from allworlds.studies.check.requests import (
         CheckRequest as CheckRequest,

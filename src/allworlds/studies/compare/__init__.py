@@ -32,10 +32,7 @@ if TYPE_CHECKING:
         ComparedRow as ComparedRow,
         Comparison as Comparison,
     )
-    from allworlds.studies.compare.contest import (
-        compare as compare,
-        compared as compared,
-    )
+    from allworlds.studies.compare.contest import compare as compare, compared as compared
     from allworlds.studies.compare.contest_report import ContestReport as ContestReport
     from allworlds.studies.compare.growth import (
         CostRatio as CostRatio,

@@ -41,8 +41,7 @@ from allworlds.inputs import (
     answers,
     show,
 )
-from allworlds.maps import Disagreement
-from allworlds.outcome import Exit, until_interrupted
+from allworlds.outcome import Disagreement, Exit, until_interrupted
 from allworlds.protocol import attribute_of, module_of_text, text_of
 from allworlds.studies.ledger.claim import (
     Budget,

@@ -16,7 +16,8 @@ from typing import Literal, TypeAlias, TypeVar
 
 from msgspec import Struct
 
-from allworlds.maps import CombinatorialMap, Dart, Disagreement
+from allworlds.maps import CombinatorialMap, Dart
+from allworlds.outcome import Disagreement
 from allworlds.protocol import Choices, Kind
 
 T = TypeVar("T")

@@ -14,7 +14,7 @@ from typing import Literal, TypeAlias
 from msgspec import Struct
 
 from allworlds.inputs import InputError, show
-from allworlds.maps import Disagreement
+from allworlds.outcome import Disagreement
 
 Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 
