@@ -170,7 +170,7 @@ def _wrong_report(arguments: tuple[str, ...], out: str) -> list[str]:
         document = json.loads(out)
     except ValueError:
         return ["a document that is no JSON"]
-    whole = isinstance(document, dict) and document.get("schema") == 1 and "made_by" in document
+    whole = isinstance(document, dict) and document.get("schema") == 2 and "made_by" in document
     return [] if whole else ["a document that is none of ours"]
 
 

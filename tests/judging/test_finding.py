@@ -66,7 +66,7 @@ def test_the_findings_of_all_numberings_are_one_finding():
 @pytest.mark.parametrize(
     ("change", "named"),
     [
-        ({"version": 2}, "2"),
+        ({"version": 1}, "1"),
         ({"explorer": 3}, "3"),
         ({"law": "luck"}, "luck"),
         ({"world": []}, r"\[\]"),

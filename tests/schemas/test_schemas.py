@@ -324,7 +324,7 @@ def wrongs(reference, document):
 
 # A document, what is changed in it, and the rule that it breaks then; "" for the schema itself.
 WRONG_VALUES = [
-    ("check holds", {"schema": 2}, ""),
+    ("check holds", {"schema": 1}, ""),
     ("check holds", {"verdict": "verified"}, ""),
     ("check holds", {"exit_code": 2}, ""),
     ("check holds", {"worlds": -1}, ""),
@@ -339,7 +339,7 @@ WRONG_VALUES = [
     ("replay fixed", {"exit_code": 0}, "the exit code is the outcome's"),
     ("replay reproduced", {"law_now": None}, "reproduced is what breaks a law now"),
     ("finding mirror-image", {"law": "maps"}, ""),
-    ("finding mirror-image", {"version": 2}, ""),
+    ("finding mirror-image", {"version": 1}, ""),
     ("finding mirror-image", {"seen": "a mirror image"}, "map and pose speak of rooted maps"),
     ("finding walks-too-much", {"expected": "one"}, "the bound speaks of integers"),
     ("finding no-answer", {"seen": 3}, "every other law speaks in sentences"),
