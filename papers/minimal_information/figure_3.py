@@ -9,7 +9,6 @@ from functools import partial
 from itertools import groupby
 from pathlib import Path
 from random import Random
-from statistics import mean
 from typing import Any
 
 from msgspec import Struct
@@ -88,7 +87,7 @@ class Costs(Struct, frozen=True):
     @property
     def mean(self) -> float:
         """Over the directions."""
-        return mean(self.by_place.values())
+        return sum(self.by_place.values()) / len(self.by_place)
 
 
 class Size(Struct, frozen=True):
@@ -103,7 +102,7 @@ class Size(Struct, frozen=True):
     @property
     def mean(self) -> float:
         """Over the graphs."""
-        return mean(one.mean for one in self.costs)
+        return sum(one.mean for one in self.costs) / len(self.costs)
 
     @property
     def interval(self) -> tuple[float, float]:

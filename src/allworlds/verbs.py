@@ -64,7 +64,7 @@ VERBS = (
         "check",
         "Run an explorer in every world of a class, for a verdict: the main job.",
         telling="reports.tellings.check:check_telling",
-        sweep="studies.check:CheckSweep",
+        sweep="studies.check.exhaustive:CheckSweep",
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
     ),
@@ -84,7 +84,7 @@ VERBS = (
         telling="reports.tellings.check:check_telling",
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
-        sweep="studies.fuzz:FuzzSweep",
+        sweep="studies.fuzz.drive:FuzzSweep",
         example="my_explorer.py:explore --edges 20 --min-edges 6 --runs 1000",
         help=(
             "Run an explorer in random worlds beyond the exhaustive bound, and shrink what "
@@ -167,7 +167,7 @@ VERBS = (
         telling="reports.tellings.compare:compare_telling",
         panel=COSTS,
         has=(ROWS, GROWTH),
-        sweep="studies.compare:SameWorlds",
+        sweep="studies.compare.contest:SameWorlds",
     ),
     Verb(
         "worst",
@@ -175,7 +175,7 @@ VERBS = (
         "worst",
         "Find the worst and best cost of Algorithm 1, over every schedule.",
         telling="reports.tellings.worst:worst_telling",
-        sweep="studies.worst:SchedulesSweep",
+        sweep="studies.worst.all_worlds:SchedulesSweep",
         panel=COSTS,
         example="--edges 5",
         help=(
@@ -192,7 +192,7 @@ VERBS = (
         "Count the maps of a class, in two independent ways.",
         telling="reports.tellings.count:count_telling",
         panel=WORLDS,
-        sweep="studies.count:CountSweep",
+        sweep="studies.count.counter:CountSweep",
         example="--edges 6",
         help=(
             "Enumerate every rooted map of a class, count, and compare the counts with an "
@@ -226,7 +226,7 @@ VERBS = (
         "ambiguity-census",
         "Classify the worlds of a class that no motion tells apart.",
         telling="reports.tellings.census:census_telling",
-        sweep="studies.ambiguity:CensusSweep",
+        sweep="studies.ambiguity.marked_worlds:CensusSweep",
         example="--edges 5",
         help=(
             "Classify every map with one marked vertex: which of them does no motion tell "
