@@ -11,7 +11,7 @@ from printed import without_made_by
 def test_twins_answer_yes_and_no_with_exit_code_zero(cli):
     code, out, err = cli("ambiguity", "twins", "fig1-left", "fig1-right", "--json")
     document = json.loads(out)
-    assert (code, err, document["schema"]) == (0, "", 1)
+    assert (code, err, document["schema"]) == (0, "", 2)
     assert (document["distinguishable"], document["twins"]) == (False, True)
     worlds = [World.from_json(world) for world in document["worlds"]]
     assert flaw(worlds, document["bisimulation"]) is None

@@ -195,7 +195,7 @@ def test_a_finding_is_replayed_from_its_report_and_from_its_command(cli, tmp_pat
     report = json.loads(out)
     assert (code, report["exit_code"], report["verdict"]) == (1, 1, "refuted")
     finding = report["findings"][0]
-    assert (finding["version"], finding["law"], finding["confirmed"]) == (1, "pose", True)
+    assert (finding["version"], finding["law"], finding["confirmed"]) == (2, "pose", True)
     for name, document in (("report", report), ("finding", finding)):
         (tmp_path / name).write_text(json.dumps(document))
         code, out, _ = cli("replay", tmp_path / name, "--json")

@@ -176,7 +176,7 @@ def test_a_wrong_kernel_is_found_out_by_the_replay(monkeypatch):
 
 def test_the_document_and_the_text(report):
     document = report.to_json()
-    assert document["schema"] == 1
+    assert document["schema"] == 2
     assert document["scope"]["transit"] == report.request.transit
     row = document["rows"][-1]
     assert {"edges", "vertices", "worst", "best", "bound", "world", "choices"} <= set(row)

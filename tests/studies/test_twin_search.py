@@ -350,7 +350,7 @@ def test_an_external_cadical_gives_the_same_answers_with_proofs(tmp_path):
 def test_the_document_holds_the_pair_its_bisimulation_and_its_files(tmp_path):
     result = allworlds.search(lighthouse="position", vertices=3, edges=2, out=tmp_path)
     document = json.loads(json.dumps(result.to_json()))
-    assert document["schema"] == 1
+    assert document["schema"] == 2
     assert document["status"] == "sat"
     a, b = (World.from_json(world) for world in document["pair"])
     assert [list(classes) for classes in bisimulation(a, b)] == document["bisimulation"]

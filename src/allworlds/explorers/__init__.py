@@ -44,11 +44,22 @@ if TYPE_CHECKING:
         Walk as Walk,
         algorithm1 as algorithm1,
     )
+    from allworlds.explorers.builtin.depth_first import dfs as dfs
+    from allworlds.explorers.builtin.dudek91 import dudek91 as dudek91
     from allworlds.explorers.builtin.explorer_table import BUILT_IN as BUILT_IN, BuiltIn as BuiltIn
     from allworlds.explorers.builtin.folded_log import OPEN as OPEN, FoldedLog as FoldedLog
-    from allworlds.explorers.builtin.folding import explore_folding as explore_folding, way as way
+    from allworlds.explorers.builtin.folding import (
+        explore_folding as explore_folding,
+        folding as folding,
+        folding_oldest as folding_oldest,
+        way as way,
+    )
     from allworlds.explorers.builtin.quotient import quotient as quotient
     from allworlds.explorers.builtin.shield import Shield as Shield
+    from allworlds.explorers.builtin.undirected import (
+        algorithm1_cluster as algorithm1_cluster,
+        algorithm1_natural as algorithm1_natural,
+    )
     from allworlds.explorers.digest import (
         content_digest as content_digest,
         not_alike as not_alike,
