@@ -57,10 +57,12 @@ def measured(explorer: list[str]) -> dict[str, Any]:
 
 
 def commit() -> str:
-    """The commit of the sources; ``unknown`` in a copy without its history."""
+    """The commit of the sources; ``unknown`` in a copy without its history, or without git."""
     line = ["git", "-C", str(HERE), "describe", "--always", "--dirty"]
-    told = subprocess.run(line, check=False, capture_output=True, text=True).stdout.strip()
-    return told or "unknown"
+    try:
+        return subprocess.run(line, check=True, capture_output=True, text=True).stdout.strip()
+    except (FileNotFoundError, subprocess.CalledProcessError):
+        return "unknown"
 
 
 def measure() -> dict[str, Any]:

@@ -82,3 +82,11 @@ def test_the_page_of_bounds_holds_the_table_of_the_effort():
     for kind in document["kinds"].values():
         assert kind["worlds"] == effort.worlds(kind["edges"])
         assert kind["seconds"] >= effort.LONG_ENOUGH > kind["smallest"]
+
+
+def test_a_copy_without_history_or_git_is_measured_too(monkeypatch, tmp_path):
+    effort = benchmark("effort")
+    monkeypatch.setattr(effort, "HERE", tmp_path)
+    assert effort.commit() == "unknown"
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert effort.commit() == "unknown"
