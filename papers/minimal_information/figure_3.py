@@ -106,8 +106,9 @@ class Size(Struct, frozen=True):
 
     @property
     def interval(self) -> tuple[float, float]:
-        """Of the mean, by a bootstrap over the graphs; the mean twice if they are too few."""
-        return mean_interval([one.mean for one in self.costs]) or (self.mean, self.mean)
+        """Of the mean, by a bootstrap over the graphs, to six digits; the mean if they are few."""
+        low, high = mean_interval([one.mean for one in self.costs]) or (self.mean, self.mean)
+        return round(low, 6), round(high, 6)
 
 
 class Holes(Struct, frozen=True):
