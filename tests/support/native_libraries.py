@@ -77,7 +77,6 @@ ATTACKS = {
     "kind = ALLWORLDS_AMBIGUOUS": ("illegal-action", "no function allworlds_quotient"),
     "kind = ALLWORLDS_DROP": ("illegal-action", "Drop"),
     "kind = ALLWORLDS_CHECKPOINT; count = 1 << 20": ("illegal-action", "1048576 darts"),
-    "here_is = episodes % 2": ("nondeterministic", "the second answer differs"),
     "if (fork() == 0) for (;;) pause()": ("", ""),
     "in_another_thread(do_nothing, 1)": ("", ""),
 }
