@@ -43,10 +43,6 @@ if TYPE_CHECKING:
         players_for as players_for,
         why_not_compiled as why_not_compiled,
     )
-    from allworlds.engines.isolation.failures import Unsettled as Unsettled
-    from allworlds.engines.isolation.stderr_stream import patient_stderr as patient_stderr
-    from allworlds.engines.isolation.subject_probe import subject_of as subject_of
-    from allworlds.engines.isolation.workers import workers_for as workers_for
     from allworlds.engines.job import Job as Job
     from allworlds.engines.kernel.capabilities import COMPILING as COMPILING
     from allworlds.engines.kernel.compiling import is_compiled as is_compiled
@@ -76,9 +72,10 @@ if TYPE_CHECKING:
         Examiner as Examiner,
         Referee as Referee,
     )
-    from allworlds.engines.python.players import GOES_BY_HASHES as GOES_BY_HASHES
-    from allworlds.engines.python.python_engine import PythonEngine as PythonEngine
-    from allworlds.engines.python.run_counter import EnginesDisagree as EnginesDisagree
+    from allworlds.engines.python.run_counter import (
+        EnginesDisagree as EnginesDisagree,
+        RunCounter as RunCounter,
+    )
     from allworlds.engines.python.runs_of_unit import (
         GivenWorlds as GivenWorlds,
         LevelRuns as LevelRuns,
@@ -104,11 +101,6 @@ if TYPE_CHECKING:
     from allworlds.engines.run_directory.identity import (
         Identity as Identity,
         canonical as canonical,
-    )
-    from allworlds.engines.single import (
-        SingleRun as SingleRun,
-        single_run as single_run,
-        unused_choice as unused_choice,
     )
     from allworlds.engines.sweep import Sweep as Sweep
     from allworlds.engines.swept_report import (
@@ -157,5 +149,12 @@ if TYPE_CHECKING:
         shards_of as shards_of,
     )
     from allworlds.engines.units.unit import PartialResult as PartialResult, Transport as Transport
+    from allworlds.engines.lane import GOES_BY_HASHES as GOES_BY_HASHES
+    from allworlds.engines.lanes import workers_for as workers_for
+    from allworlds.engines.players import Unsettled as Unsettled
+    from allworlds.engines.single import single_run as single_run
+    from allworlds.engines.single_run import SingleRun as SingleRun, unused_choice as unused_choice
+    from allworlds.engines.stderr_stream import patient_stderr as patient_stderr
+    from allworlds.engines.subject_probe import subject_of as subject_of
 else:
     open_door(__name__)

@@ -8,10 +8,10 @@ from typing import Annotated, Any, Protocol, TypeAlias
 from msgspec import Struct
 
 from allworlds.document import one_of, replace
-from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER
-from allworlds.engines.isolation.workers import in_any_order, workers_for
+from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER, WORTH_LOADING
+from allworlds.engines.lanes import in_any_order, workers_for
 from allworlds.engines.job import Job
-from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.transports.split import Split
 from allworlds.engines.transports.threads import Threads
@@ -62,7 +62,7 @@ class General:
 
     def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
-        return ReadyEngine(players_for(job), PythonEngine(job.scope, job.keep))
+        return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep))
 
 
 class Compiled:
@@ -94,12 +94,10 @@ class Compiled:
         For a user's explorer processes, where the engines are compared on the way.
         """
         if job.subject.from_user:
-            from allworlds.engines.compiled.users_engine import UsersEngine
-
-            apart = UsersEngine(PythonEngine(job.scope, job.keep))
-            if job.cluster is None:
-                apart.compiled(job)
-            return ReadyEngine(players_for(job), apart)
+            # Who asks for it by name gets it in small worlds, too.
+            worth = job.scope.extent.levels[-1] >= COMPILED_FROM
+            least = WORTH_LOADING if worth else 0
+            return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep, least))
         from allworlds.engines.compiled.tallies import BATCH, CompiledEngine
 
         engine, workers = CompiledEngine.ready(job), job.limits.workers
@@ -112,10 +110,16 @@ class Compiled:
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
 
 
+def has_models(scope: Scope) -> bool:
+    """Whether code of the user's judges the runs, or chooses the worlds."""
+    where = scope.extent.where
+    return bool(scope.rules.files or getattr(where, "codes", ()))
+
+
 def players_for(job: Job) -> Transport[Any]:
     """The transport to the place where the explorer is played: here, or a cluster's workers."""
     if job.cluster is None:
-        return workers_for(job.subject, job.limits, job.deadline)
+        return workers_for(job.subject, job.limits, job.deadline, models=has_models(job.scope))
     return _cluster(job, job.cluster)
 
 

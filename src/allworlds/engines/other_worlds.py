@@ -6,10 +6,8 @@ from collections.abc import Callable
 from itertools import islice
 
 from allworlds.document import replace
-from allworlds.engines.isolation.apart import outcomes_apart
-from allworlds.engines.isolation.confirm import played_again
 from allworlds.engines.python.examiner import Outcome
-from allworlds.engines.single import single_run
+from allworlds.engines.single import outcomes_of, played_again, single_run
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import CONVENTIONS, Subject, with_translator
 from allworlds.judging import (
@@ -27,7 +25,6 @@ from allworlds.judging import (
     true_trail,
 )
 from allworlds.maps import DEFAULT_EDGES, Extent, rooted_isomorphism
-from allworlds.protocol import Schedule
 from allworlds.world import InvalidWorld, World
 
 TRIED = 8
@@ -38,11 +35,10 @@ def confirmed(
     finding: Finding,
     subject: Subject,
     limits: Limits,
-    schedules: Schedule,
     extent: Extent | None = None,
 ) -> Finding:
     """The finding with everything that further plays of its explorer add; see its attributes."""
-    again = played_again(finding, subject, limits, schedules)
+    again = played_again(finding, subject, limits)
     return played_elsewhere(again, subject, limits, extent)
 
 
@@ -129,8 +125,10 @@ def _all_right(
     right: Callable[[World, Outcome], bool] = lambda _, outcome: outcome.violation is None,
 ) -> bool:
     """Whether each run in these worlds is right; the first that is not is the last one played."""
-    outcomes = outcomes_apart(subject, finding.rules, worlds, limits, finding.hash_seed)
-    return all(isinstance(one, Outcome) and right(world, one) for world, one in outcomes)
+    outcomes = outcomes_of(
+        subject, finding.rules, worlds, limits, twice=False, hash_seed=finding.hash_seed
+    )
+    return all(right(world, one) for world, one in outcomes)
 
 
 def _is_mirrored(subject: Subject, finding: Finding, limits: Limits, extent: Extent) -> bool:

@@ -1,98 +1,115 @@
-"""One run, judged: in this process, or in one of its own if the explorer is a user's."""
+"""Single runs: one that is told, runs that are tried once, and findings that are played again."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
 
-from allworlds.document import (
-    EXIT_CODE,
-    UNSET,
-    Aside,
-    ExitCode,
-    Natural,
-    Report,
-    Text,
-    UnsetType,
-    about,
-    computed,
-    one_of,
-)
-from allworlds.engines.isolation.apart import examine_apart
-from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
+from typing_extensions import override
+
+from allworlds.document import replace
+from allworlds.engines.judge import Due, PythonJudge, Recorded
+from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
+from allworlds.engines.players import Lost, Setup
+from allworlds.engines.python.comparison import difference_of, nondeterministic, side_by_side
+from allworlds.engines.python.examiner import LOST, Examiner, Outcome, Referee, name_run
+from allworlds.engines.python.run_counter import RunCounter
+from allworlds.engines.python.runs_of_unit import GivenWorlds
+from allworlds.engines.python.scope import Scope
+from allworlds.engines.python.tally import Tally
+from allworlds.engines.single_run import SingleRun
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
-from allworlds.inputs import show
+from allworlds.inputs import InputError
 from allworlds.judging import (
     Answered,
-    Ending,
+    Fault,
     Finding,
-    RecordedRules,
+    Log,
     Rules,
-    Undecided,
-    checked_laws,
+    canonical_world,
     place_of,
+    unchecked,
 )
-from allworlds.outcome import Exit, Facts, Verdict
-from allworlds.protocol import Ambiguous, Estimate, Transcript
+from allworlds.judging.endings import UncheckedAmbiguous, UncheckedAnswer, answered as checked
+from allworlds.maps import Extent, MapClass
+from allworlds.protocol import Estimate, action_numbered, log as entries, number_of
 from allworlds.world import World
 
+REPEATED = 5
+"""The number of plays of the record of a finding in a process."""
 
-class SingleRun(Report):
-    """Report of 'run'.
 
-    One judged run.
+@dataclass(slots=True)
+class Outcomes(Tally):
+    """A tally of the outcome of each run, in their order."""
+
+    runs_told: list[tuple[World, Outcome]] = field(default_factory=list)
+
+    def add(self, other: Tally) -> None:
+        """Take in another part's tally."""
+        Tally.add(self, other)
+        if isinstance(other, Outcomes):
+            self.runs_told += other.runs_told
+
+
+class OutcomeCounter(RunCounter, frozen=True):
+    """The counter that keeps the outcome of each run."""
+
+    @override
+    def tally(self) -> Outcomes:
+        return Outcomes(self.keep)
+
+    @override
+    def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
+        assert isinstance(tally, Outcomes)
+        tally.runs_told.append((world, outcome))
+
+    @override
+    def settle(
+        self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
+    ) -> None:
+        assert isinstance(tally, Outcomes)
+        tally.runs_told = [
+            (each, outcome if each is world else before) for each, before in tally.runs_told
+        ]
+
+
+def outcomes_of(
+    subject: Subject,
+    rules: Rules,
+    worlds: Sequence[World],
+    limits: Limits,
+    *,
+    twice: bool = True,
+    script: tuple[int, ...] = (),
+    hash_seed: int | None = None,
+) -> Iterator[tuple[World, Outcome]]:
+    """The judged runs of a user's explorer in these worlds, in their canonical numbering.
+
+    Args:
+        subject: the explorer.
+        rules: by which it is played and judged.
+        worlds: with their lighthouses.
+        limits: of its time and memory.
+        twice: whether each run is played a second time.
+        script: answers to the first choices.
+        hash_seed: of both players, if it matters.
     """
-
-    verdict: Annotated[
-        Verdict,
-        about("about this run alone"),
-        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS),
-    ] = computed(lambda run: run.facts.verdict)
-    exit_code: Annotated[ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.VACUOUS)] = EXIT_CODE
-    explorer: Annotated[Text, about("its name")]
-    world: Annotated[World, about("as it was given")]
-    options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
-        lambda run: run.rules.recorded
-    )
-    choices: Annotated[tuple[Natural, ...], about("the index taken at each choice")] = computed(
-        lambda run: run.outcome.choices
-    )
-    cost: Annotated[Natural, about("traversals")] = computed(lambda run: run.outcome.cost)
-    bound: Annotated[int | None, about("of the traversals; null without one")] = computed(
-        lambda run: run.outcome.bound
-    )
-    estimate: Annotated[Estimate | None, about("the answer; null where there is none")] = computed(
-        lambda run: run.ending.estimate if isinstance(run.ending, Answered) else None
-    )
-    transcript: Annotated[Transcript | UnsetType, about("the log; not with `--no-walk`")] = (
-        computed(lambda run: run.outcome.episode.transcript if run.shows_walk else UNSET)
-    )
-    finding: Annotated[Finding | None, about("null: no law is broken")]
-    ambiguous: Annotated[
-        Ambiguous | UnsetType, about("the answer that names no map, where there is one")
-    ] = computed(lambda run: run.ending.quotient if isinstance(run.ending, Undecided) else UNSET)
-    output: Annotated[Text | UnsetType, about("what the explorer printed, if anything")] = computed(
-        lambda run: run.outcome.output or UNSET
-    )
-    rules: Aside[Rules]
-    outcome: Aside[Outcome]
-    shows_walk: Aside[bool] = True
-
-    @property
-    def facts(self) -> Facts:
-        """Whether a law is broken, or none was checked."""
-        return Facts(refuted=self.finding is not None, vacuous=not self.checked_laws)
-
-    @property
-    def checked_laws(self) -> tuple[str, ...]:
-        """The laws of which something was checked."""
-        return checked_laws(self.rules.judged, 1, len(self.outcome.episode.checkpoints))
-
-    @property
-    def ending(self) -> Ending:
-        """The ending of the episode: an answer, or a fault."""
-        return self.outcome.episode.ending
+    most = max(world.map.edge_count for world in worlds)
+    counter = OutcomeCounter(Scope(Extent(MapClass.MAPS, most), rules), keep=1)
+    seeds = (FIRST, SECOND) if hash_seed is None else (hash_seed, hash_seed)
+    lane = Lane(subject, counter, limits, twice=twice, given=script, seeds=seeds, more_seeds=False)
+    whole = counter.tally()
+    try:
+        lane.offer(GivenWorlds(tuple((canonical_world(w), place_of(w)) for w in worlds)))
+        while lane.busy:
+            for part in lane.turn():
+                whole.add(part.result)
+    finally:
+        lane.close()
+    yield from whole.runs_told
 
 
 def single_run(
@@ -108,10 +125,20 @@ def single_run(
     Both players of a user's explorer have the hash seed, if one is given.
     """
     if subject.from_user:
-        outcome = examine_apart(subject, rules, world, script, limits, hash_seed)
+        ((canonical, outcome),) = outcomes_of(
+            subject, rules, [world], limits, script=script, hash_seed=hash_seed
+        )
+        played = Plays(subject, rules, canonical, limits)
+        lost = outcome.violation is not None and outcome.violation.law in LOST
+        choices, seed = outcome.choices, hash_seed or FIRST
+        if lost:
+            _, printed = played.in_world(choices, seed)
+        else:
+            _, printed = played.again(outcome.episode.transcript, choices, seed)
+        outcome = replace(outcome, output=printed)
     else:
-        choices = rules.choices(name_run(rules, world), script)
-        outcome = Examiner(subject, rules).examine(world, choices)
+        choices_made = rules.choices(name_run(rules, world), script)
+        outcome = Examiner(subject, rules).examine(world, choices_made)
     finding = None
     if outcome.violation:
         finding = Referee(subject.name, rules).finding(world, place_of(world), outcome)
@@ -120,14 +147,134 @@ def single_run(
     )
 
 
-def unused_choice(choices: Sequence[int], told: SingleRun) -> str:
-    """The first of these choices that a run has not taken, and why; empty if it has taken all."""
-    for i, index in enumerate(choices):
-        if told.outcome.choices[i : i + 1] != (index,):
-            asked = len(told.outcome.choices)
-            only = "none was asked for"
-            if asked:
-                only = f"only {asked} {'was' if asked == 1 else 'were'} asked for"
-            reason = "there are fewer options" if i < asked else only
-            return f"choice {i} is {show(index)}, but {reason}"
-    return ""
+class Plays:
+    """Plays of one run by fresh players, whose prints are recorded."""
+
+    def __init__(self, subject: Subject, rules: Rules, world: World, limits: Limits) -> None:
+        self._setup = Setup(subject, limits, prints=True)
+        self._rules, self._world = rules, world
+        counter = RunCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
+        self.judge = PythonJudge(counter, subject.name)
+
+    def in_world(self, script: tuple[int, ...], seed: int) -> tuple[Log, str]:
+        """The log of the run in its world, as far as it gets, and the prints."""
+        message = self.judge.worlds_message([Due(0, 0, self._world, script)], hear=True)
+        (log,), printed = self._played(message, seed)
+        return log, printed
+
+    def again(
+        self, transcript: Any, script: tuple[int, ...], seed: int, times: int = 1
+    ) -> tuple[list[Log], str]:
+        """The logs of plays of the record, and the prints."""
+        over = self._rules.task.over_at_the_end(self._world, transcript)
+        record = Recorded(transcript.percepts, self._world, script, over)
+        return self._played(self.judge.records_message([record] * times, range(times)), seed)
+
+    def _played(self, message: dict[str, Any], seed: int) -> tuple[list[Log], str]:
+        player = started(self._setup, seed)
+        try:
+            logs = answered(player, message)
+        except Lost as lost:
+            logs = [lost_log(bytes(player.part), lost)] * message["runs"]
+        finally:
+            player.close()
+        return [*map(Log.of, logs)], player.prints.text
+
+
+def played_again(finding: Finding, subject: Subject, limits: Limits) -> Finding:
+    """The finding with the prints of a fresh process, and whether that repeated the run.
+
+    A run that was lost is played in its world once more, and so gets its walk.  An explorer that
+    no other process can import is not confirmed; it plays once more in this process, for its
+    prints.
+    """
+    rules, world, choices = finding.rules, finding.world, finding.choices
+    plays = Plays(subject, rules, world, limits)
+    seed = SECOND if finding.hash_seed is None else finding.hash_seed
+    try:
+        if not subject.importable and subject.from_user:
+            _, printed = plays.again(finding.transcript, choices, seed)
+            return replace(finding, output=printed)
+        if finding.law in LOST and not finding.detail:
+            log, printed = plays.in_world(choices, seed)
+            return replace(_found_again(finding, plays, log), output=printed)
+        (first,), printed = plays.again(finding.transcript, choices, FIRST if _differ(finding) else seed)
+        return replace(_repeated(finding, plays, first, seed), output=printed)
+    except InputError:  # an explorer may not be importable any more
+        return replace(finding, confirmed=False)
+
+
+def _differ(finding: Finding) -> bool:
+    return finding.law == "nondeterministic"
+
+
+def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
+    """The finding of a run that was lost, with its walk, and whether it was lost again."""
+    episode = plays.judge.episode(finding.world, log)
+    ending = episode.ending
+    return replace(
+        finding,
+        choices=max(log.choices, finding.choices, key=len),
+        transcript=episode.transcript,
+        confirmed=isinstance(ending, Fault) and ending.law == finding.law,
+    )
+
+
+def _repeated(finding: Finding, plays: Plays, first: Log, seed: int) -> Finding:
+    """The finding, and whether fresh processes repeat the run, from the recorded percepts alone.
+
+    If a process does something else, the explorer is nondeterministic; such a one is confirmed by
+    plays that differ.
+    """
+    record = finding.transcript, finding.choices
+    if _differ(finding):
+        logs = [first]
+        for each in (SECOND, FIRST):
+            logs += plays.again(*record, each, REPEATED)[0]
+        differ = any(not _same_walk(finding, log) or difference_of(first, log) for log in logs)
+        return replace(finding, confirmed=differ)
+    for log in (first, *plays.again(*record, seed, REPEATED)[0]):
+        if not (_same_walk(finding, log) and _ends_alike(finding, log)):
+            return _unlike(finding, log)
+    return replace(finding, confirmed=True)
+
+
+def _unlike(finding: Finding, again: Log) -> Finding:
+    """The finding of an explorer that does something else in a fresh process."""
+    if finding.law in LOST:
+        return replace(finding, confirmed=False)
+    broken = nondeterministic(f"it breaks the law {finding.law} in some plays only")
+    actions = tuple(map(number_of, finding.transcript.actions))
+    before = Log(actions, (), (entries.FAULT, f"what breaks the law {finding.law}", "", ""))
+    return replace(
+        finding,
+        law=broken.law,
+        expected=broken.expected,
+        seen=broken.seen,
+        detail="\n".join(filter(None, [side_by_side(before, again), finding.detail])),
+        hash_seed=None,
+        confirmed=True,
+    )
+
+
+def _same_walk(finding: Finding, log: Log) -> bool:
+    walk = tuple(map(action_numbered, log.actions))
+    shown = finding.transcript.actions
+    return walk[: len(shown)] == shown and len(walk) <= len(shown) + 1
+
+
+def _ends_alike(finding: Finding, log: Log) -> bool:
+    """Whether a play ends as the finding says; of a refused action nothing is recorded."""
+    ending = unchecked(log)
+    if isinstance(ending, Fault):
+        return ending.law == finding.law
+    if isinstance(ending, UncheckedAmbiguous):
+        return finding.law not in ("crash", "timeout", "illegal-action", "map", "pose")
+    if isinstance(ending, UncheckedAnswer):
+        end = checked(ending)
+        if finding.law == "no-estimate":
+            return isinstance(end, Fault)
+        if not isinstance(finding.seen, Estimate):
+            return finding.law not in ("crash", "timeout", "illegal-action")
+        return isinstance(end, Answered) and end.estimate == finding.seen
+    return finding.law in ("task", "bound")

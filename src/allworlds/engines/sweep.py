@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Generic, TypeVar
 
 from allworlds.document import replace
 from allworlds.engines.engine_table import ReadyEngine
-from allworlds.engines.isolation.failures import Unsettled
+from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import NOBODY, Listener
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.run_directory.finished_units import ENDED, Records, records_in, shelf

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import inspect
-from typing import Any
-
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.explorers.functions import function_named
 from allworlds.explorers.names import (
     command_of,
     convention_in,
@@ -24,7 +22,6 @@ from allworlds.explorers.shared_library.library import Library, library_path
 from allworlds.explorers.shared_library.native import NativeExplorer
 from allworlds.explorers.spelling import no_explorer
 from allworlds.explorers.subject import (
-    EXPLORER,
     Subject,
     built_in,
     subject_of,
@@ -36,11 +33,8 @@ from allworlds.protocol import (
     ANSWER_TIMEOUT,
     SourceText,
     arguments_of,
-    attribute_of,
     called,
     imported,
-    module_named,
-    module_of_text,
     text_of,
 )
 
@@ -103,19 +97,4 @@ def load(
     if point := entry_point(plain):
         return subject_of(name, called(name, imported(plain, point.load), arguments))
     source = source or source_of(name)
-    place, _, attribute = plain.rpartition(":")
-    module = module_of_text(place, source) if source else module_named(place)
-    found = called(name, _attribute(module, attribute, place), arguments)
-    return subject_of(name, found, source)
-
-
-def _attribute(module: Any, attribute: str, place: str) -> Any:
-    try:
-        return attribute_of(module, attribute, place)
-    except InputError as error:
-        names = [n for n, v in vars(module).items() if inspect.isgeneratorfunction(v)]
-        if not names and attribute == "explore":
-            raise InputError(f"{show(place)} has no generator function: {EXPLORER}") from None
-        raise InputError(
-            f"{error}; its generator functions are: {', '.join(names) or 'none'}"
-        ) from None
+    return subject_of(name, function_named(name, source), source)

@@ -15,6 +15,7 @@ from msgspec.structs import replace
 from allworlds.explorers.builtin.algorithm1 import nobody
 from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
 from allworlds.explorers.builtin.shield import Shield
+from allworlds.explorers.functions import bound, keywords_of
 from allworlds.explorers.names import (
     LIGHTHOUSE,
     NATIVE,
@@ -28,19 +29,10 @@ from allworlds.explorers.program import Program
 from allworlds.explorers.shared_library.native import NativeExplorer
 from allworlds.explorers.translated import CONVENTIONS, Translated
 from allworlds.inputs import InputError
-from allworlds.protocol import (
-    Choices,
-    Percept,
-    Player,
-    SourceText,
-    Told,
-)
+from allworlds.protocol import Player, SourceText
 
 HASH_SEED = "PYTHONHASHSEED"
 """The variable of the environment from which an interpreter takes its hash seed."""
-
-EXPLORER = "an explorer is def explore(first) with yield"
-
 
 class Subject(Struct, frozen=True):
     """An explorer under test.
@@ -128,13 +120,7 @@ class Subject(Struct, frozen=True):
     def player(self, notice: Callable[[str], None] = nobody) -> Player:
         """The explorer with its keywords bound; its code must be in this process."""
         assert self.explore is not None
-        explore, keywords = self.explore, self.keywords
-
-        def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
-            offered = {"choices": choices, "told": told, "notice": notice}
-            return explore(first, **{key: offered[key] for key in keywords})
-
-        return play
+        return bound(self.explore, self.keywords, notice)
 
     def running(self) -> AbstractContextManager[object]:
         """A context at whose end the program or library behind the explorer is stopped."""
@@ -213,33 +199,6 @@ def subject_of(name: str, found: Any, source: SourceText | None = None) -> Subje
         InputError: if it is none, or must be called in another way.
     """
     return Subject(name, keywords_of(name, found), found, source=source)
-
-
-def keywords_of(name: str, explore: Any) -> frozenset[str]:
-    """The keywords ``choices`` and ``told`` that a generator function takes.
-
-    Raises:
-        InputError: if it is no generator function, or must be called in another way.
-    """
-    function = explore if inspect.isroutine(explore) else getattr(explore, "__call__", None)  # noqa: B004
-    generates = inspect.isgeneratorfunction(explore) or inspect.isgeneratorfunction(function)
-    if not callable(explore) or not generates:
-        raise InputError(f"{name} is no generator function: {EXPLORER}")
-    parameters = inspect.signature(explore).parameters
-    takes_all = any(p.kind is p.VAR_KEYWORD for p in parameters.values())
-    keywords = frozenset(
-        key
-        for key in ("choices", "told")
-        if takes_all
-        or (key in parameters and parameters[key].kind is not inspect.Parameter.POSITIONAL_ONLY)
-    )
-    try:
-        inspect.signature(explore).bind(None, **dict.fromkeys(keywords))
-    except TypeError as error:
-        raise InputError(
-            f"{name} must be callable as explore(first), with choices and told at most: {error}"
-        ) from None
-    return keywords
 
 
 def _is_found_by_name(explore: Any) -> bool:

@@ -18,12 +18,9 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.judging.endings import (
-        BUILT as BUILT,
-        NO_MAP as NO_MAP,
         Answered as Answered,
         Ending as Ending,
         Fault as Fault,
-        LostRun as LostRun,
         Over as Over,
         Said as Said,
         UncheckedAmbiguous as UncheckedAmbiguous,
@@ -31,21 +28,16 @@ if TYPE_CHECKING:
         UncheckedValue as UncheckedValue,
         Undecided as Undecided,
         answered as answered,
-        any_ending_of as any_ending_of,
-        ending_of as ending_of,
-        integers as integers,
     )
     from allworlds.judging.episode import (
-        EndingOf as EndingOf,
         Environment as Environment,
         Episode as Episode,
+        InWorld as InWorld,
         Log as Log,
-        closed as closed,
         default_step_budget as default_step_budget,
-        perform as perform,
+        followed as followed,
         play as play,
-        retold as retold,
-        the_same as the_same,
+        unchecked as unchecked,
     )
     from allworlds.judging.explanations.chirality import (
         chiral_worlds as chiral_worlds,

@@ -160,9 +160,14 @@ class Task(Struct, frozen=True):
     def _judge(self) -> Any:
         return TASKS[self.name].judge if self.code is None else self.code.function
 
+    @property
+    def ends_runs(self) -> bool:
+        """Whether the judge ends runs, too."""
+        return hasattr(self._judge, "over")
+
     def environment(self, world: World) -> World | JudgedWorld:
         """The world as an explorer is run in it: it may end the run."""
-        return JudgedWorld(world, self) if hasattr(self._judge, "over") else world
+        return JudgedWorld(world, self) if self.ends_runs else world
 
     def is_over(self, walk: WalkLog) -> bool:
         """Whether a run ends here, as the judge says.
@@ -181,7 +186,7 @@ class Task(Struct, frozen=True):
 
     def over_at_the_end(self, world: World, transcript: Transcript) -> bool:
         """Whether the harness ended that walk, since all was done."""
-        return hasattr(self._judge, "over") and self.is_over(WalkLog.of(world, transcript))
+        return self.ends_runs and self.is_over(WalkLog.of(world, transcript))
 
     def flaw(self, world: World, transcript: Transcript, ending: Ending) -> str | None:
         """The fault of a finished run; None if there is none.

@@ -10,6 +10,8 @@ it is folded into the next :class:`Move`, or into ``here`` of the answer.
     the choices of an explorer: policies, and every schedule in turn;
 ``player``
     an explorer as the harness calls it;
+``playing``, ``log``
+    one run, played to its end, and the log that remains of it;
 ``faults``
     what went wrong with an explorer that is no generator;
 ``user_code``, ``importing``, ``model_calls``
@@ -53,7 +55,9 @@ if TYPE_CHECKING:
     )
     from allworlds.protocol.faults import (
         ANSWER_TIMEOUT as ANSWER_TIMEOUT,
+        BeyondRecord as BeyondRecord,
         ExplorerFault as ExplorerFault,
+        IllegalAction as IllegalAction,
     )
     from allworlds.protocol.importing import (
         SourceText as SourceText,
@@ -73,6 +77,15 @@ if TYPE_CHECKING:
         tried as tried,
     )
     from allworlds.protocol.percept import Percept as Percept
+    from allworlds.protocol.playing import (
+        BUILT as BUILT,
+        NO_MAP as NO_MAP,
+        Record as Record,
+        Table as Table,
+        integers as integers,
+        numbers_of as numbers_of,
+        play_run as play_run,
+    )
     from allworlds.protocol.player import Player as Player, Told as Told
     from allworlds.protocol.transcript import (
         AtStart as AtStart,

@@ -31,3 +31,11 @@ class ExplorerFault(Exception):
         self.seen = seen
         self.detail = detail
         self.machine = machine
+
+
+class IllegalAction(ValueError):
+    """Raised for an action that is illegal in this world."""
+
+
+class BeyondRecord(Exception):
+    """Raised where recorded percepts end: the first play made no action there."""

@@ -24,7 +24,7 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.world.enumeration import worlds as worlds
-    from allworlds.world.illegal_action import IllegalAction as IllegalAction
+    from allworlds.protocol.faults import IllegalAction as IllegalAction
     from allworlds.world.lighthouses.base import Lighthouse as Lighthouse
     from allworlds.world.lighthouses.cluster import Cluster as Cluster
     from allworlds.world.lighthouses.compass import Compass as Compass

@@ -19,7 +19,7 @@ from allworlds.maps import (
     to_networkx,
 )
 from allworlds.protocol import Action, Move, Percept, Told
-from allworlds.world.illegal_action import IllegalAction
+from allworlds.protocol.faults import IllegalAction
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json

@@ -1,33 +1,26 @@
 """Both engines on the same small worlds, run by run, before the compiled one is believed.
 
-The general engine plays its runs while the kernel is compiled or loaded: in processes of their
-own, where they are many.
+The general engine plays its runs while another process compiles the kernel.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, MutableSequence, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import contextmanager
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from itertools import zip_longest
 from typing import TypeAlias
-
-from msgspec import Struct
 
 from allworlds.document import replace
 from allworlds.engines.compiled.obstacles import walks
 from allworlds.engines.compiled.requests import level_of
-from allworlds.engines.isolation.workers import Workers
 from allworlds.engines.kernel import engine as kernel
 from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.rows import Listed, walk_number
 from allworlds.engines.kernel.runs import examine
 from allworlds.engines.python.examiner import Examiner
-from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns, NumberedRun, UnitOfRuns, numbered_runs
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.units.effort import Limits
 from allworlds.engines.units.levels import cells_of_level
 from allworlds.engines.units.shards import Whole
 from allworlds.explorers import Subject
@@ -41,56 +34,31 @@ AGREEMENT_EDGES = 4
 AGREEMENT_EDGES_SIMPLE = 6
 """The limit in simple classes under lighthouses at two vertices, which few small worlds have."""
 
-HERE_EDGES = 3
-"""The largest m for which the work takes less time than the start of a process."""
-
-PLAYERS = 2
-"""The number of processes that play if everything is compiled already."""
-
 Outcomes: TypeAlias = dict[UnitOfRuns, list[Listed]]
 """The listed runs, by unit."""
 
 
-class ListingEngine(PythonEngine, frozen=True):
-    """The Python engine that lists each run of a built-in explorer instead of tallying it."""
-
-    def for_built_in(
-        self,
-        subject: Subject,
-        beat: MutableSequence[int] | None = None,  # noqa: ARG002  # runs are short
-    ) -> BoundListing:
-        """The engine with its explorer, in this process."""
-        return BoundListing(self.scope, subject)
+def listed_runs(scope: Scope, subject: Subject, unit: UnitOfRuns) -> list[Listed]:
+    """The list of all runs of a unit; a world without a place is a run without a step."""
+    examiner = Examiner(subject, scope.rules)
+    return [
+        _listed(scope, examiner, run)
+        for run in numbered_runs(unit, scope.extent, scope.rules.kind)
+    ]
 
 
-class BoundListing(Struct, frozen=True):
-    """The listing engine with an explorer in this process."""
-
-    scope: Scope
-    subject: Subject
-
-    def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, list[Listed]]]:
-        """Yield the list of all runs at once; a world without a place is a run without a step."""
-        assert not start
-        examiner = Examiner(self.subject, self.scope.rules)
-        listed = [
-            self._outcome(examiner, run)
-            for run in numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
-        ]
-        yield len(listed), listed
-
-    def _outcome(self, examiner: Examiner, run: NumberedRun) -> Listed:
-        if run.lighthouse is None:
-            return Listed("", 0, 0, 0)
-        world = World(run.map, run.lighthouse, 0)
-        outcome = examiner.examine(world, self.scope.rules.choices(""))
-        episode, broken = outcome.episode, outcome.violation
-        return Listed(
-            broken.law if broken else "",
-            outcome.cost,
-            len(episode.checkpoints),
-            number_of(episode.transcript),
-        )
+def _listed(scope: Scope, examiner: Examiner, run: NumberedRun) -> Listed:
+    if run.lighthouse is None:
+        return Listed("", 0, 0, 0)
+    world = World(run.map, run.lighthouse, 0)
+    outcome = examiner.examine(world, scope.rules.choices(""))
+    episode, broken = outcome.episode, outcome.violation
+    return Listed(
+        broken.law if broken else "",
+        outcome.cost,
+        len(episode.checkpoints),
+        number_of(episode.transcript),
+    )
 
 
 def number_of(transcript: Transcript) -> int:
@@ -104,7 +72,7 @@ def number_of(transcript: Transcript) -> int:
     )
 
 
-def compare_engines(scope: Scope, subject: Subject, limits: Limits) -> None:
+def compare_engines(scope: Scope, subject: Subject) -> None:
     """Raise EnginesDisagree unless both engines agree on every run in small worlds.
 
     Where the scope has levels that are walked once for every bearing, the walks are compared
@@ -121,12 +89,17 @@ def compare_engines(scope: Scope, subject: Subject, limits: Limits) -> None:
         return
     units = {m: [*_units(small, m)] for m in levels}
     every = [unit for m in levels for unit in units[m]]
-    with _beside(small, subject, limits, every) as (ready, outcomes):
-        kernel.load_judge(level_of(subject.name, small.rules, small.extent, levels[0]))
-        ready.result()
-        compiled = {unit: _judged(small, subject, unit) for unit in every}
-        costs = {m: walk_costs(small, subject, m) for m in levels if walked}
-        played = outcomes.result()
+    # The general engine plays its runs while the kernel is compiled, by another process.
+    with ThreadPoolExecutor(1) as beside:
+        compiling = None
+        if not is_compiled(examine):
+            compiling = beside.submit(kernel.compile_apart, subject.name)
+        played = {unit: listed_runs(small, subject, unit) for unit in every}
+        if compiling:
+            compiling.result()
+    kernel.load_judge(level_of(subject.name, small.rules, small.extent, levels[0]))
+    compiled = {unit: _judged(small, subject, unit) for unit in every}
+    costs = {m: walk_costs(small, subject, m) for m in levels if walked}
     for unit in every:
         _compare_runs(small, unit, played[unit], compiled[unit])
     for m, of_code in costs.items():
@@ -150,44 +123,6 @@ def _units(scope: Scope, edges: int) -> Iterator[LevelRuns]:
     extent = scope.extent
     for prefix in prefixes(edges, extent.map_class, extent.vertices, depth=1):
         yield LevelRuns(edges, prefix)
-
-
-@contextmanager
-def _beside(
-    scope: Scope, subject: Subject, limits: Limits, units: list[LevelRuns]
-) -> Iterator[tuple[Future[None], Future[Outcomes]]]:
-    """A context with the futures of the work beside this thread, in their order.
-
-    First the explorer is compiled, if necessary; then all runs are played by the general
-    engine.  Compiling leaves room for one process more, loading for two.
-    """
-    known = is_compiled(examine)
-    players = replace(limits, workers=PLAYERS if known else 1)
-    with Workers(subject, players) as workers, ThreadPoolExecutor(1) as beside:
-        try:
-            ready = beside.submit(_ready if known else kernel.compile_apart, subject.name)
-            yield (
-                ready,
-                beside.submit(_played, ListingEngine(scope, keep=0), subject, workers, units),
-            )
-        except BaseException:
-            # Units that are under way are given up at the next look at the time.
-            workers.deadline = 0.0
-            raise
-
-
-def _ready(_explorer: str) -> None:
-    """Return at once: the explorer is compiled already."""
-
-
-def _played(
-    listing: ListingEngine, subject: Subject, workers: Workers, units: list[LevelRuns]
-) -> Outcomes:
-    """The listed runs of each unit, by the general engine."""
-    if units[-1].edges > HERE_EDGES:
-        return {part.unit: part.result for part in workers.map(listing, units)}
-    own = listing.for_built_in(subject)
-    return {unit: listed for unit in units for _, listed in own.parts(unit)}
 
 
 def _judged(scope: Scope, subject: Subject, unit: LevelRuns) -> tuple[Listed, ...]:

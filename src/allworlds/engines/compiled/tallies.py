@@ -76,7 +76,7 @@ class CompiledEngine(Struct, frozen=True):
         """
         if not is_compiled(examine):
             job.notice(COMPILING)
-        compare_engines(job.scope, job.subject, job.limits)
+        compare_engines(job.scope, job.subject)
         return cls(job.scope, job.subject, job.keep)
 
     def halt(self) -> None:

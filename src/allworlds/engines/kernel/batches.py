@@ -64,7 +64,8 @@ class UnitJudge:
         self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, records: Stretch
     ) -> None:
         self._level, self._stretch, self._records = level, stretch, records
-        self._ahead, self._job, robot = _room()
+        self._ahead, self._job, robot = new(JOB), new(JOB), new(ROBOT)
+        self.noted = 0
         self._reader = new(READER)
         for job in (self._ahead, self._job):
             set_up(job, robot, level)
@@ -80,7 +81,7 @@ class UnitJudge:
         placed = native.lay_out(
             ahead, self._prefix, self._viable, self._budgets, stretch.heads, stretch.worlds
         )
-        self._heads = stretch.heads[:placed].copy()
+        self.heads = stretch.heads[:placed].copy()
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
 
     def skip(self, batch: LaidOutRuns) -> None:
@@ -112,10 +113,11 @@ class UnitJudge:
         _BEGINS[:count] = self._stretch.begins[:count]
         runs.examine(job, reader, *asked.arguments, _NEVER)
         _STARTS[count] = reader.noted
-        self._heads[:, RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
+        self.heads[:, RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
         bounds = _BEGINS[:count], _ENDS[:count]
-        self._first = _Logs(self._heads, _STARTS[: count + 1], kept[:size], *bounds)
+        self._first = _Logs(self.heads, _STARTS[: count + 1], kept[:size], *bounds)
         self._hand_over()
+        self.noted = int(reader.noted)
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
         return rows_of(asked, job, self._robot), good
 

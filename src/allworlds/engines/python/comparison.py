@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from allworlds.document import replace
 from allworlds.engines.python.examiner import LOST, Outcome
-from allworlds.engines.python.play import RECORD_ENDS
 from allworlds.inputs import show
 from allworlds.judging import (
     PRECEDENCE,
@@ -17,19 +14,21 @@ from allworlds.judging import (
     UncheckedAnswer,
     UncheckedValue,
     Violation,
+    unchecked,
 )
 from allworlds.protocol import action_numbered
+from allworlds.protocol import log as entries
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
 """The number of actions that are shown before the first that differs, and from it on."""
 
 
-def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
+def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = False) -> Outcome:
     """The outcome of a first play, overruled by the violation of two plays that differ."""
-    difference = difference_of(first, second)
+    difference = difference_of(first, second, choices=choices)
     if difference is None or not _may_be_overruled(outcome.violation, second):
         return outcome
-    faults = [log.ending for log in (second, first) if isinstance(log.ending, Fault)]
+    faults = [fault for fault in (fault_of(second), fault_of(first)) if fault]
     detail = next((fault.detail for fault in faults if fault.detail), "")
     detail = "\n".join(filter(None, [side_by_side(first, second), detail]))
     return replace(outcome, violation=difference, detail=detail)
@@ -42,38 +41,54 @@ def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
     """
     if violation is None or violation.law in LOST:
         return True
-    if not isinstance(second.ending, Fault) or second.ending.law != violation.law:
+    fault = fault_of(second)
+    if fault is None or fault.law != violation.law:
         return True
     return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
 
 
-def difference_of(first: Log, second: Log) -> Violation | None:
-    """The violation of an explorer whose plays on the same percepts differ; None if they do not."""
-    if first.actions != second.actions:
-        pairs = zip(first.actions, second.actions, strict=False)
+def fault_of(log: Log) -> Fault | None:
+    """The fault with which a log ends; None if it ends otherwise."""
+    ending = unchecked(log)
+    return ending if isinstance(ending, Fault) else None
+
+
+def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violation | None:
+    """The violation of an explorer whose plays on the same percepts differ; None if they do not.
+
+    The words of a fault are not compared: they may hold an address or a time.
+
+    Args:
+        first: in the world.
+        second: against its percepts.
+        choices: whether every schedule is tried: which there are follows from the choices.
+    """
+    actions, again = [*first.actions], [*second.actions]
+    if actions != again:
+        pairs = zip(actions, again, strict=False)
         same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
         where = "in its length" if same is None else f"at step {same + 1}"
         difference = f"the second walk differs {where}"
-    elif _goes_on(second) and not isinstance(first.ending, Fault):
-        return nondeterministic("the second walk goes on where the first one ended")
+        goes_on = same is None and _ends_beyond(second) and len(again) == len(actions) + 1
+        if goes_on and fault_of(first) is None:
+            return nondeterministic("the second walk goes on where the first one ended")
     elif _meaning(first) != _meaning(second):
         difference = "the second answer differs"
-    elif first.widths and first.choices != second.choices:
-        # Every schedule is tried, and which there are follows from the choices.
+    elif choices and (first.choices, first.widths) != (second.choices, second.widths):
         difference = "the choices of the second play differ"
     else:
         return None
     for which, log in (("first", first), ("second", second)):
         # Where the second walk leaves the first, nothing that it does is legal.
-        left = log is second and first.actions != second.actions
-        if isinstance(log.ending, Fault) and not (left and log.ending.law == "illegal-action"):
-            difference += f"; the {which} ended with {log.ending.law}: {log.ending.seen}"
+        left, fault = log is second and actions != again, fault_of(log)
+        if fault and not (left and fault.law == "illegal-action"):
+            difference += f"; the {which} ended with {fault.law}: {fault.seen}"
     return nondeterministic(difference)
 
 
-def _goes_on(second: Log) -> bool:
-    """Whether a second play acts where the percepts of the first one end."""
-    return isinstance(second.ending, Fault) and second.ending.expected == RECORD_ENDS
+def _ends_beyond(log: Log) -> bool:
+    """Whether a play acts where its record ends."""
+    return log.ending[:1] == (entries.BEYOND,)
 
 
 def side_by_side(first: Log, second: Log) -> str:
@@ -95,7 +110,7 @@ def _walk(log: Log, begin: int, end: int) -> str:
 
 
 def _ending(log: Log) -> str:
-    match log.ending:
+    match unchecked(log):
         case Fault(law=law):
             return law
         case UncheckedAmbiguous():
@@ -119,21 +134,20 @@ def nondeterministic(seen: str) -> Violation:
 
 def _meaning(log: Log) -> object:
     """The part of the ending that both plays must share: the answer, or the law of the fault."""
-    return log.ending.law if isinstance(log.ending, Fault) else log.ending
-
-
-def differing_or_first(first: Log, again: Sequence[Log]) -> Log:
-    """The first of the later plays that differs from the first play, or else the first of them."""
-    return next((log for log in again if difference_of(first, log)), again[0])
+    if log.ending[0] in (entries.BEYOND, entries.REFUSED):
+        return entries.REFUSED  # of a refused action no percept was recorded
+    fault = fault_of(log)
+    return fault.law if fault else log.ending
 
 
 def may_be_the_machine(first: Log, second: Log) -> bool:
     """Whether the plays differ, and the machine may be the cause of the ending of one."""
-    endings = (first.ending, second.ending)
-    suspicious = any(isinstance(end, Fault) and end.machine for end in endings)
+    faults = fault_of(first), fault_of(second)
+    suspicious = any(fault and fault.machine for fault in faults)
     return suspicious and difference_of(first, second) is not None
 
 
 def ending_in_words(log: Log) -> str:
     """The fault of a play, or that it ended with an answer."""
-    return log.ending.seen if isinstance(log.ending, Fault) else "it ended with an answer"
+    fault = fault_of(log)
+    return fault.seen if fault else "it ended with an answer"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from allworlds.engines.python.examiner import Outcome, Referee
-from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.examiner import Outcome
+from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.tally import Tally
 from allworlds.maps import CombinatorialMap
 from allworlds.world import World
@@ -33,18 +33,16 @@ class CostTally(Tally):
             self.costs.update(other.costs)
 
 
-class CostEngine(PythonEngine, frozen=True):
-    """The Python engine that returns the cost of every run, too."""
+class CostEngine(RunCounter, frozen=True):
+    """The counter that returns the cost of every run, too."""
 
     def tally(self) -> CostTally:
         """An empty tally."""
         return CostTally(self.keep)
 
-    def count_outcome(
-        self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
-    ) -> None:
+    def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
         """Add a run, which has one episode, to the tally, and its cost."""
-        super().count_outcome(referee, world, place, outcome, tally)
+        super().count_outcome(world, place, outcome, tally)
         assert isinstance(tally, CostTally)
         tally.costs[key_of(world.map), place] = outcome.cost
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import MutableSequence
 from typing import Any
 
 from msgspec import Struct
@@ -20,14 +19,11 @@ from allworlds.judging import (
     Rules,
     Undecided,
     Violation,
-    any_ending_of,
     canonical_world,
-    ending_of,
     first_wrong,
     judge,
     place_of,
     play,
-    the_same,
 )
 from allworlds.maps import rooted_code
 from allworlds.protocol import Answer, Choices, Transcript
@@ -141,55 +137,23 @@ class Referee:
         case = Case(world.map, world.start, episode.transcript, episode.checkpoints, None, None)
         return first_wrong(case)
 
-    def lost(self, world: World, place: int, fault: Fault) -> Finding:
-        """The finding of a run that has killed its process, so that its walk is not known."""
-        canonical = canonical_world(world)
-        return self._found(
-            canonical,
-            place,
-            law=fault.law,
-            transcript=Transcript(canonical.first),
-            expected=fault.expected,
-            seen=fault.seen,
-            traced=False,
-            machine=fault.machine,
-        )
-
     def _found(self, world: World, place: int, **told: Any) -> Finding:
         told |= {"options": self.rules.recorded, "under": self.rules}
         return Finding(version=2, explorer=self.explorer, world=world, at=place, **told)
 
 
 class Examiner(Referee):
-    """An examiner plays and judges runs of a built-in explorer in this process, each once.
+    """An examiner plays and judges runs of a built-in explorer in this process, each once."""
 
-    Args:
-        subject: the explorer.
-        rules: the rules by which runs are played and judged.
-        beat: see :func:`allworlds.judging.episode.play`.
-    """
-
-    def __init__(
-        self, subject: Subject, rules: Rules, beat: MutableSequence[int] | None = None
-    ) -> None:
+    def __init__(self, subject: Subject, rules: Rules) -> None:
         super().__init__(subject.name, rules)
-        self.events: list[str] = []
-        self.beat = beat if beat is not None else [0, 0]
-        self._player = subject.player(self.events.append)
+        self._player = subject.player()
 
     def examine(self, world: World, choices: Choices) -> Outcome:
         """Play one episode, and judge it."""
-        budget = self.rules.budget(world.map)
-        task = self.rules.task
-        episode = play(
-            task.environment(world),
-            self._player,
-            choices,
-            budget,
-            self.beat,
-            the_same,
-            ending_of if task.is_map else any_ending_of,
-        )
+        rules, task = self.rules, self.rules.task
+        around, budget = task.environment(world), rules.budget(world.map)
+        episode = play(around, self._player, choices, budget, maps=task.is_map)
         return self.outcome(world, episode, tuple(choices.record))
 
 

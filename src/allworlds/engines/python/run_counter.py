@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import islice
-from typing import Any, Protocol
 
 from msgspec import Struct
 
@@ -23,23 +22,19 @@ class EnginesDisagree(Exception):
     """Raised if two engines differ about one world."""
 
 
-class PartwiseEngine(Protocol):
-    """An engine with its explorer, which does a unit from some run on."""
-
-    def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Any]]:
-        """Yield the number of the next run and the result since, at intervals and at the end."""
-
-
 class RunCounter(Struct, frozen=True):
     """The runs of units, and their counting.
 
     Attributes:
         scope: the worlds and the rules of the check.
         keep: the number of findings that are kept.
+        compiled_from: the number of worlds of a level from which on compiled code judges the runs
+            of a user's explorer; None: never.
     """
 
     scope: Scope
     keep: int
+    compiled_from: int | None = None
 
     def runs(self, unit: UnitOfRuns, start: int = 0) -> Iterator[NumberedRun]:
         """The runs of a unit from that number on."""
@@ -65,9 +60,7 @@ class RunCounter(Struct, frozen=True):
         tally.row(edges, vertices).runs += 1
         return World(run.map, run.lighthouse, 0)
 
-    def count_outcome(
-        self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
-    ) -> None:
+    def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
         """Add one episode of a run to the tally."""
         edges, vertices = world.map.edge_count, world.map.vertex_count
         row, cost = tally.row(edges, vertices), outcome.cost
@@ -80,7 +73,12 @@ class RunCounter(Struct, frozen=True):
             row.cost_of(cost, AtRun(*code, place, outcome.choices))
         row.bound_of(outcome.bound)
         tally.checkpoints += len(outcome.episode.checkpoints)
-        if outcome.violation and tally.wants(edges, vertices):
+
+    def settle(
+        self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
+    ) -> None:
+        """Find a run that may break a law, once it is known what both plays of it mean."""
+        if outcome.violation and tally.wants(world.map.edge_count, world.map.vertex_count):
             tally.find(referee.finding(world, place, outcome))
 
     def count_best(self, world: World, cost: int, tally: Tally) -> None:

@@ -16,7 +16,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from tempfile import TemporaryDirectory
 
-from allworlds.engines.isolation.process_tree import kill_tree
 from allworlds.engines.transports.dask_lanes import ClusterLost
 
 QUIET = {
@@ -64,7 +63,7 @@ def local_cluster(workers: int) -> Iterator[str]:
                 )
             yield address
         finally:
-            kill_tree(process.pid)
+            os.killpg(process.pid, 9)
             process.wait()
 
 

@@ -10,7 +10,7 @@ import re
 
 from allworlds.explorers import is_program
 from allworlds.inputs import an_integer
-from allworlds.judging.endings import BUILT, NO_MAP
+from allworlds.protocol import BUILT, NO_MAP
 from allworlds.judging.explanations.another_world import another_world
 from allworlds.judging.explanations.parting import tell_open_darts, tell_parting
 from allworlds.judging.explanations.rounds import tell_rounds

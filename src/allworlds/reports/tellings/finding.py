@@ -7,8 +7,6 @@ from typing import Any
 
 from allworlds.explorers import is_program
 from allworlds.judging import (
-    BUILT,
-    NO_MAP,
     Belief,
     Explanation,
     Finding,
@@ -18,7 +16,7 @@ from allworlds.judging import (
     find_parting,
     true_trail,
 )
-from allworlds.protocol import Estimate
+from allworlds.protocol import BUILT, NO_MAP, Estimate
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
 from allworlds.reports.telling import (
     Block,

@@ -80,7 +80,7 @@ class Confirmation(Struct, frozen=True):
 
     def _again(self, found: Finding) -> Finding:
         scope = self.scope
-        return confirmed(found, self.subject, self.limits, scope.schedules, scope.extent)
+        return confirmed(found, self.subject, self.limits, scope.extent)
 
     def _settled(self, found: Finding) -> Finding | str:
         """Confirm in a fresh process. A crash that is not repeated becomes a remark."""

@@ -12,7 +12,7 @@ from allworlds.document import Document, IfAny, Text, about
 from allworlds.engines import (
     GivenWorlds,
     Limits,
-    PythonEngine,
+    RunCounter,
     Scope,
     confirmed,
     workers_for,
@@ -127,7 +127,7 @@ def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None
 
     with workers_for(subject, limits, limits.deadline()) as workers:
         world = GivenWorlds(((finding.world, finding.place),))
-        for part in workers.map(PythonEngine(scope, keep=1), [world]):
+        for part in workers.map(RunCounter(scope, keep=1), [world]):
             for found in part.result.findings:
-                return confirmed(found, subject, limits, scope.schedules)
+                return confirmed(found, subject, limits)
     return None

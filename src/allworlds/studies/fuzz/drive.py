@@ -12,7 +12,7 @@ from allworlds.engines import (
     Identity,
     Listener,
     Portion,
-    PythonEngine,
+    RunCounter,
     ReadyEngine,
     Sample,
     Scope,
@@ -122,7 +122,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def ready(self) -> ReadyEngine:
-        return ReadyEngine(players_for(self.job), PythonEngine(self.scope, self.job.keep))
+        return ReadyEngine(players_for(self.job), RunCounter(self.scope, self.job.keep))
 
     @override
     def finish(self, level: SweptLevel, total: Tally) -> None:
@@ -160,12 +160,12 @@ class FuzzSweep(TallySweep[CheckReport]):
         )
 
 
-def smallest_from(finding: Finding, workers: Transport[PythonEngine], scope: Scope) -> Finding:
+def smallest_from(finding: Finding, workers: Transport[RunCounter], scope: Scope) -> Finding:
     """The smallest finding that the shrinker reaches from this one, or has when the time is up."""
 
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:
         found = Tally(keep=1)
-        gather(workers, PythonEngine(scope, found.keep), given, found, Silent())
+        gather(workers, RunCounter(scope, found.keep), given, found, Silent())
         return found.findings[0] if found.findings else None
 
     with suppress(TimeIsUp):

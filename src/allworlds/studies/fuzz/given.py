@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from allworlds.engines import (
-    PythonEngine,
+    RunCounter,
     Scope,
     Silent,
     Tally,
@@ -50,10 +50,10 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
         return None
     tally = Tally(keep=1)
     with workers_for(subject, limits, limits.deadline()) as workers:
-        gather(workers, PythonEngine(scope, tally.keep), in_chunks(given), tally, Silent())
+        gather(workers, RunCounter(scope, tally.keep), in_chunks(given), tally, Silent())
         for found in tally.findings:
             smallest = smallest_from(found, workers, scope)
-            return confirmed(smallest, subject, limits, scope.schedules, scope.extent)
+            return confirmed(smallest, subject, limits, scope.extent)
     return None
 
 

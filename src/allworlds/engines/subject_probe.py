@@ -6,9 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from allworlds.document import replace
-from allworlds.engines.isolation.jobs import PlayerSetup
-from allworlds.engines.isolation.one_player import start_player
-from allworlds.engines.isolation.process import guardian
+from allworlds.engines.players import Player, Setup
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import (
     BUILT_IN,
@@ -45,7 +43,10 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
         program.ensure_readable()
         return Subject(explore, frozenset({"told"}))
     subject = Subject(explore, frozenset(), source=source_of(explore))
-    player, description = start_player(guardian(), PlayerSetup.of(subject, limits, output=""))
-    player.close()
+    player = Player(Setup(subject, limits), 0)
+    try:
+        description = player.loaded()
+    finally:
+        player.close()
     found = replace(subject, keywords=description.keywords)
     return with_shield(found) if description.has_shield else found

@@ -1,0 +1,345 @@
+"""The judge in Python: it takes runs and their logs, and knows every law, lighthouse and task.
+
+It lays out the runs of a unit in batches, and walks each log anew in the true map; the percepts on
+the way are what the second player gets.  It imports files of models, never an explorer.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from random import Random
+from typing import Any, NamedTuple
+
+from allworlds.engines.python.examiner import Outcome, Referee, name_run
+from allworlds.engines.python.run_counter import RunCounter
+from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
+from allworlds.engines.python.tally import Tally
+from allworlds.inputs import InputError, show
+from allworlds.judging import Episode, Log, Over, followed
+from allworlds.maps import CombinatorialMap
+from allworlds.protocol import (
+    DEFAULT_POLICY,
+    IllegalAction,
+    Percept,
+    are_due,
+    next_script,
+    numbers_of,
+)
+from allworlds.world import Composed, Lighthouse, World
+
+
+class Due(NamedTuple):
+    """A run that is due: its number in its unit, its place, its world, and its first choices."""
+
+    number: int
+    place: int
+    world: World
+    script: tuple[int, ...] = ()
+
+
+class Recorded(NamedTuple):
+    """What is known of a run without its world, which only says what was told and its size.
+
+    Attributes:
+        percepts: at the start and after each action.
+        world: of the run.
+        script: the first choices.
+        over: whether the run was ended, since all was done.
+    """
+
+    percepts: Iterable[Percept]
+    world: World
+    script: tuple[int, ...] = ()
+    over: bool = False
+
+
+class Judged(NamedTuple):
+    """A log, judged.
+
+    Attributes:
+        log: what it says.
+        outcome: of the run.
+        fits: whether it made the choices that were due.
+    """
+
+    log: Log
+    outcome: Outcome
+    fits: bool = True
+
+
+@dataclass(slots=True)
+class Work:
+    """A unit at work.
+
+    Attributes:
+        unit: what is to be done.
+        tally: what was counted since a part was handed over.
+        batches: that are still to be laid out; None if there are no more.
+        more: runs with further schedules.
+        open: the number of batches that are under way.
+        best: of each run the cost of its cheapest schedule, where every schedule is tried.
+    """
+
+    unit: UnitOfRuns
+    tally: Tally
+    batches: Iterator[Any] | None = None
+    more: list[Due] = field(default_factory=list)
+    open: int = 0
+    best: dict[int, tuple[Due, int]] = field(default_factory=dict)
+
+
+class Batch:
+    """Some runs of a unit, with their logs once they are judged.
+
+    Attributes:
+        judge: the judge in Python.
+        work: the unit.
+        runs: that are due.
+        judged: each of them, once its log is.
+        logs: of the first and of the second play, by the numbers of the runs in the batch.
+        by: what judges it.
+        lost: the runs in which a player was lost, and so is their walk, or its end.
+    """
+
+    def __init__(self, judge: PythonJudge, work: Work, runs: Sequence[Due]) -> None:
+        self.judge, self.work, self.runs = judge, work, runs
+        self.by: Any = judge
+        self.judged: list[Judged] = []
+        self.logs: tuple[dict[int, bytes], dict[int, bytes]] = {}, {}
+        self.lost: set[int] = set()
+
+    def __len__(self) -> int:
+        return len(self.runs)
+
+    def worlds(self, rows: Sequence[int], *, hear: bool = False) -> dict[str, Any]:
+        """The message to a player that plays these runs in their worlds."""
+        return self.judge.worlds_message([self.runs[row] for row in rows], hear=hear)
+
+    def records(self, rows: Sequence[int], order: Sequence[int]) -> dict[str, Any]:
+        """The message to a player that plays recorded percepts; nothing of a world."""
+        return self.judge.records_message([self.record(row) for row in rows], order)
+
+    def record(self, row: int) -> Recorded:
+        """What the second player gets of a run."""
+        due, episode = self.runs[row], self.outcome(row).outcome.episode
+        percepts, over = episode.transcript.percepts, isinstance(episode.ending, Over)
+        return Recorded(percepts, due.world, due.script, over)
+
+    def outcome(self, row: int) -> Judged:
+        """A run, judged by the Python judge."""
+        return self.judged[row]
+
+    @property
+    def broken(self) -> list[int]:
+        """The runs that break a law, or did not make the choices that were due."""
+        return [
+            row for row, one in enumerate(self.judged) if one.outcome.violation or not one.fits
+        ]
+
+    def follow_ups(self) -> list[Due]:
+        """The runs with the next schedules, where every schedule is due."""
+        if not self.judge.every:
+            return []
+        scripts = (
+            (due, next_script(due.script, one.log.choices, one.log.widths))
+            for due, one in zip(self.runs, self.judged, strict=True)
+        )
+        return [due._replace(script=script) for due, script in scripts if script is not None]
+
+
+class PythonJudge:
+    """The judge of a scope.
+
+    Args:
+        engine: counts, and knows the scope.
+        explorer: its name.
+        given: the choices of each run; None for those that the scope asks for.
+    """
+
+    name = "python"
+
+    def __init__(
+        self, engine: RunCounter, explorer: str, given: tuple[int, ...] | None = None
+    ) -> None:
+        self.engine, self.rules = engine, engine.scope.rules
+        self.referee = Referee(explorer, self.rules)
+        self.every = engine.scope.schedules == "all" and given is None
+        self._given = given or ()
+
+    def batches(self, work: Work, size: Callable[[], int]) -> Iterator[Batch]:
+        """The runs of a unit, so many at a time; they are counted as they are laid out."""
+        runs = list[Due]()
+        for run in self.engine.runs(work.unit):
+            world = self.engine.count_run(run, work.tally)
+            if world is not None:
+                runs.append(Due(run.number, run.place, world, self._given))
+            if len(runs) >= size():
+                yield Batch(self, work, runs)
+                runs = []
+        if runs:
+            yield Batch(self, work, runs)
+
+    def due(self, runs: Iterable[NumberedRun]) -> list[Due]:
+        """The runs that have a place."""
+        return [
+            Due(run.number, run.place, World(run.map, run.lighthouse, 0), self._given)
+            for run in runs
+            if run.lighthouse is not None
+        ]
+
+    def judge(self, batch: Batch) -> None:
+        """Judge the first logs of a batch, and count them."""
+        logs, work = batch.logs[0], batch.work
+        for row, due in enumerate(batch.runs):
+            one = self.judged(due, logs[row])
+            batch.judged.append(one)
+            self.engine.count_outcome(due.world, due.place, one.outcome, work.tally)
+            if self.every:
+                _, least = work.best.get(due.number, (due, one.outcome.cost))
+                work.best[due.number] = due, min(least, one.outcome.cost)
+
+    def judged(self, due: Due, log: bytes) -> Judged:
+        """One run with its log."""
+        read, rules, world = Log.of(log), self.rules, due.world
+        episode = self.episode(world, read)
+        # Of a run that was lost the choices may be known less far than they were due.
+        choices = max(read.choices, due.script, key=len)
+        outcome = self.referee.outcome(world, episode, choices)
+        if isinstance(episode.ending, Over) and not rules.task.over_at_the_end(
+            world, episode.transcript
+        ):
+            raise InputError(
+                f"over of task {show(rules.task.name)} is no function of the run: it has ended "
+                f"one in {world.map}, and says now that it goes on"
+            )
+        fits = not self.every or are_due(due.script, read.choices, read.widths)
+        return Judged(read, outcome, fits)
+
+    def episode(self, world: World, log: Log) -> Episode:
+        """The episode of a log in this world."""
+        rules = self.rules
+        try:
+            budget = rules.budget(world.map)
+            return followed(log, world, budget, maps=rules.task.is_map)
+        except IllegalAction as error:
+            if world.lighthouse.code is None:
+                raise RuntimeError(f"the log of a run is no walk in its world: {error}") from None
+            raise InputError(
+                f"lighthouse {show(world.lighthouse.kind)} is no function of the run: an action in "
+                f"{world.map} was legal, and is not when the log is followed: {error}"
+            ) from None
+
+    # ---------------------------------------------------------------- messages
+
+    def worlds_message(self, runs: Sequence[Due], *, hear: bool = False) -> dict[str, Any]:
+        """The message to a player that plays these runs in their worlds."""
+        rules, task = self.rules, self.rules.task
+        told = [(each.world.told, False) for each in runs]
+        worlds: Any
+        if not task.ends_runs and all(_is_table(each.world.lighthouse) for each in runs):
+            kind, worlds = "table", _tables(runs)
+        else:
+            kind, worlds = "model", [task.environment(each.world) for each in runs]
+            told = [(None, False)] * len(runs)
+        rows: Any = [
+            (world, *said, rules.budget(due.world.map), name_run(rules, due.world), due.script)
+            for due, world, said in zip(runs, worlds, told, strict=True)
+        ]
+        return self.message(kind, rows, range(len(runs)), hear=hear)
+
+    def records_message(self, runs: Sequence[Recorded], order: Iterable[int]) -> dict[str, Any]:
+        """The message to a player that plays these runs against recorded percepts."""
+        rules = self.rules
+        rows = [
+            (
+                numbers_of(each.percepts),
+                _plain(each.world.told),
+                each.over,
+                rules.budget(each.world.map),
+                name_run(rules, each.world),
+                each.script,
+            )
+            for each in runs
+        ]
+        return self.message("record", rows, order)
+
+    def message(
+        self, kind: str, rows: Any, order: Iterable[int], *, hear: bool = False
+    ) -> dict[str, Any]:
+        """A message to a player: rows of a world or a record, and what is said of its run."""
+        runs = len(rows)
+        if kind == "table":
+            rows = [(table, _plain(told), *rest) for table, told, *rest in rows]
+        return {
+            "kind": kind,
+            "rows": rows,
+            "runs": runs,
+            "order": [*order],
+            "policy": DEFAULT_POLICY if self.every else self.rules.policy,
+            "every": self.every,
+            "any_answer": not self.rules.task.is_map,
+            "hear": hear,
+        }
+
+
+def drawn_order(random: Random, runs: int) -> list[int]:
+    """The numbers of the runs, in an order that is drawn."""
+    order = [*range(runs)]
+    random.shuffle(order)
+    return order
+
+
+def _plain(told: Any) -> Any:
+    """What is told, as marshal can write it."""
+    return told if told is None or type(told) is int else dict(told)
+
+
+def _is_table(lighthouse: Lighthouse) -> bool:
+    """Whether no action changes what is sensed: the percepts of all darts say everything."""
+    if isinstance(lighthouse, Composed):
+        return all(map(_is_table, lighthouse.parts))
+    kind = type(lighthouse)
+    names = ("acted", "left_marks", "refusal", "in_hand")
+    return all(getattr(kind, name) is getattr(Lighthouse, name) for name in names)
+
+
+def _tables(runs: Sequence[Due]) -> list[Any]:
+    """The worlds of these runs as tables; those of one map stand together."""
+    tables, before, layout = [], None, array("i")
+    darts: list[int] = []
+    for due in runs:
+        map_ = due.world.map
+        if map_ is not before or due.world.start != darts[0]:
+            before, (layout, darts) = map_, _layout(map_, due.world.start)
+        tables.append(_table(due.world, layout, darts))
+    return tables
+
+
+def _layout(map_: CombinatorialMap, start: int) -> tuple[array[int], list[int]]:
+    """First dart of the vertex and partner of each dart, and the darts: those of each vertex one
+    behind the other, from the start on."""
+    darts: list[int] = []
+    first: dict[int, int] = {}
+    for dart in (start, *map_.darts):
+        begin, each = len(darts), dart
+        while each not in first:
+            first[each] = begin
+            darts.append(each)
+            each = map_.sigma[each]
+    place = {dart: i for i, dart in enumerate(darts)}
+    return array("i", [n for d in darts for n in (first[d], place[map_.alpha[d]])]), darts
+
+
+def _table(world: World, layout: array[int], darts: Sequence[int]) -> bytes | tuple[int, ...]:
+    """The world as a table; see :class:`allworlds.protocol.playing.Table`."""
+    percepts, numbers = world.percepts, list[int]()
+    for i, dart in enumerate(darts):
+        p = percepts[dart]
+        bearing = 0 if p.bearing is None else p.bearing + 1
+        numbers += (layout[2 * i], layout[2 * i + 1], p.degree, p.marks, bearing)
+    try:
+        return bytes(numbers)
+    except ValueError:
+        return tuple(numbers)

@@ -1,0 +1,593 @@
+"""A lane: one judge with its two players, all of them at work at the same time.
+
+    unit --> first player (in worlds) --> logs --> judge --> tally, findings
+                                          second player (percepts only) --> the same logs?
+
+The second player is another process with another hash seed; it plays what the judge has recorded,
+in an order that is drawn, and holds no world.  Equal logs, or ``nondeterministic``.  If logs differ,
+both plays are repeated by fresh players, twice, in two orders, each under its own seed: only if all
+are as before, the seeds explain it.  Python allows an explorer to go by the order of a set of texts;
+it is right if it is right with each seed, and that it goes so is a remark.
+
+A player that is lost is replaced, and its run tried once more alone; lost again, that is the
+finding, and further losses count at once.  What a fresh player does not repeat refutes nothing.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import Counter, deque
+from collections.abc import Sequence
+from functools import partial
+from random import Random
+from typing import Any, NamedTuple
+
+from allworlds.document import replace
+from allworlds.engines.judge import Batch, Due, PythonJudge, Work, drawn_order
+from allworlds.engines.players import Here, Lost, Player, Setup, Unsettled, wait
+from allworlds.engines.python.comparison import (
+    difference_of,
+    ending_in_words,
+    may_be_the_machine,
+    nondeterministic,
+    overruled,
+)
+from allworlds.engines.python.examiner import Outcome
+from allworlds.engines.python.run_counter import REPORT_EVERY, RunCounter
+from allworlds.engines.python.runs_of_unit import LevelRuns, UnitOfRuns
+from allworlds.engines.units.effort import POLL, Limits
+from allworlds.engines.units.levels import level_size
+from allworlds.engines.units.unit import PartialResult
+from allworlds.explorers import Subject
+from allworlds.judging import Log
+from allworlds.protocol import log as entries
+from allworlds.protocol.playing import AN_ACTION
+
+FIRST, SECOND = 0, 1
+"""The numbers of the players, and their hash seeds."""
+
+ONE_MORE, SIX_MORE = (2,), (2, 3, 4, 5, 6, 7)
+"""Other seeds under which records are played, too: each of small worlds, and some of larger ones."""
+
+SMALL = 3
+"""The largest m whose every record is played under one seed more."""
+
+KEPT = 64
+"""The number of records of larger worlds that are played under six seeds more."""
+
+DEPTH = 2
+"""The batches that a player has: it begins the next one while its answer is judged."""
+
+LEAST, MOST = 16, 256
+"""The number of runs of a batch: at first, and at most."""
+
+MOST_SETTLED = 16
+"""The number of runs of a batch whose plays differ that are played anew."""
+
+MOST_LOSSES = 20
+"""The number of losses that are put down to the machine, if no fresh player repeats them."""
+
+MOST_WAITED = 60.0
+"""The seconds after which silent runs have taken too long."""
+
+GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
+"""The remark on an explorer whose plays with one seed are always the same."""
+
+OTHER_CHOICES = (
+    "the choices of one schedule are not those of the next, as far as they are asked for"
+)
+
+
+class Job(NamedTuple):
+    """What a player is to play: runs of a batch, by their numbers there."""
+
+    batch: Batch
+    rows: Sequence[int]
+
+
+class Lane:
+    """A judge with its players.
+
+    Args:
+        subject: the explorer.
+        engine: counts, and knows the scope.
+        limits: of the time for an answer, and of memory.
+        twice: whether each run of a user's explorer is played a second time.
+        given: the choices of each run; None for those that the scope asks for.
+        seeds: the hash seeds of both players.
+        more_seeds: whether records are played under other seeds, too.
+
+    Attributes:
+        given_up: why too much is silent to go on; empty where it is not.
+    """
+
+    def __init__(
+        self,
+        subject: Subject,
+        engine: RunCounter,
+        limits: Limits,
+        *,
+        twice: bool = True,
+        given: tuple[int, ...] | None = None,
+        seeds: tuple[int, int] = (FIRST, SECOND),
+        more_seeds: bool = True,
+    ) -> None:
+        self.subject, self.engine = subject, engine
+        self.judge = PythonJudge(engine, subject.name, given)
+        self._setup = Setup(subject, limits)
+        self._twice = twice and subject.from_user
+        self._apart = subject.from_user and subject.importable
+        library = subject.compiled
+        self._seeds = [seeds[0], seeds[0] if library or not self._apart else seeds[1]]
+        self._players: dict[int, Player | Here] = {}
+        self._others: dict[int, Player | Here] = {}
+        self._works: list[Work] = []
+        self._waiting: deque[Batch] = deque()
+        self._done: list[PartialResult[UnitOfRuns, Any]] = []
+        self._reported = time.monotonic()
+        self._random = Random()  # noqa: S311  # from the system; no verdict depends on it
+        self._size, self._losses, self._silences = LEAST, 0, 0
+        self._repeated, self._unrepeated = set[str](), Counter[str]()
+        # A program that is another one has a seed of its own, and a library has none.
+        self._seeds_more = more_seeds and self._twice and self._seeds == [FIRST, SECOND] and not subject.is_program
+        self._kept: list[tuple[Batch, int]] = []
+        self._compiled: Any = None
+        self._small: list[Batch] = []
+        self._more_seeds, self._compiling = more_seeds, False
+        self._due = self._judged = self._settled_runs = 0
+        self.given_up, self._told_why = "", False
+
+    # ---------------------------------------------------------------- units
+
+    def offer(self, unit: UnitOfRuns) -> None:
+        """Take a unit."""
+        work = Work(unit, self.engine.tally())
+        work.batches = self._judge_of(unit).batches(work, lambda: self._size)
+        self._works.append(work)
+
+    def _judge_of(self, unit: UnitOfRuns) -> Any:
+        """The judge in compiled code if the level is worth its loading, and it is compiled."""
+        least = self.engine.compiled_from
+        if least is None or not isinstance(unit, LevelRuns):
+            return self.judge
+        if level_size(self.engine.scope.extent, unit.edges) < least:
+            return self.judge
+        if self._compiled is None and (least == 0 or self._is_compiled()):
+            from allworlds.engines.compiled_judge import CompiledJudge
+
+            native = self.subject.compiled
+            seed = partial(self._random.getrandbits, 63)
+            self._compiled = CompiledJudge(self.judge, seed, native=native)
+            self._compiled.compare_with(self._small)
+            self._small.clear()
+        return self._compiled or self.judge
+
+    def _is_compiled(self) -> bool:
+        """Whether compiled code is kept; if not, another process compiles, and this one goes on."""
+        from allworlds.engines.kernel.users import compile_apart, is_kept
+
+        if is_kept():
+            return True
+        if self._more_seeds and not self._compiling:
+            self._compiling = True
+            compile_apart()
+        return False
+
+    @property
+    def hungry(self) -> bool:
+        """Whether another unit could be begun."""
+        return len(self._works) < 2 * DEPTH and all(work.batches is None for work in self._works)
+
+    @property
+    def busy(self) -> bool:
+        """Whether there is work."""
+        return bool(self._works)
+
+    @property
+    def keeps(self) -> bool:
+        """Whether there is something left to be played under other seeds."""
+        return bool(self._kept) and self._seeds_more
+
+    def turn(self, others: Sequence[int] = ()) -> list[PartialResult[UnitOfRuns, Any]]:
+        """Go on for a moment; return the parts of units that are done.
+
+        Args:
+            others: descriptors; the turn ends when something has come there.
+
+        Raises:
+            InputError: if the explorer cannot be loaded, or of a model of the user's.
+            Unsettled: if processes are lost again and again, or too much is silent.
+            HarnessError: if a player fails by our mistake.
+        """
+        if self.given_up and self._told_why:
+            raise Unsettled(self.given_up)
+        self._give()
+        if any(player.jobs for player in self._players.values()):
+            wait([*self._players.values()], POLL, others)
+            for which in (FIRST, SECOND):
+                if which in self._players:
+                    self._hear(which, self._players[which])
+        self._hand_over()
+        self._told_why = bool(self.given_up)
+        done, self._done = self._done, []
+        return done
+
+    def end(self) -> Any:
+        """The tally of what other seeds show at the end, and of nothing else."""
+        work = Work(self._kept[0][0].work.unit, self.engine.tally()) if self._kept else None
+        if work is not None:
+            for seed in SIX_MORE:
+                self._under(seed, self._kept, work)
+        self._kept = []
+        return work.tally if work else self.engine.tally()
+
+    def close(self) -> None:
+        """End all players."""
+        for player in (*self._players.values(), *self._others.values()):
+            player.close()
+        self._players.clear()
+        self._others.clear()
+
+    def _hand_over(self) -> None:
+        """Hand over the units that are done, and at intervals what was counted of the others."""
+        late = bool(self.given_up) or time.monotonic() > self._reported + REPORT_EVERY
+        for work in [*self._works]:
+            whole = work.batches is None and not work.more and not work.open
+            if whole:
+                self._works.remove(work)
+                if not self._works and not self._due == self._judged == self._settled_runs:
+                    raise RuntimeError("runs were left out")
+                for due, cost in work.best.values():
+                    self.engine.count_best(due.world, cost, work.tally)
+            if whole or late:
+                self._done.append(PartialResult(work.unit, work.tally, whole))
+                work.tally = self.engine.tally()
+                self._reported = time.monotonic()
+
+    # ---------------------------------------------------------------- batches
+
+    def _give(self) -> None:
+        """Give the players what they have room for."""
+        while self._room(FIRST) and (batch := self._next()):
+            self._due += len(batch)
+            rows = range(len(batch))
+            self._player(FIRST).give(Job(batch, rows), batch.worlds(rows))
+        while self._waiting and self._room(SECOND):
+            batch = self._waiting.popleft()
+            # Of a run in which a player was lost there is nothing to compare.
+            rows = [row for row in range(len(batch)) if row not in batch.lost]
+            batch.logs[SECOND].update({row: batch.logs[FIRST][row] for row in batch.lost})
+            if rows:
+                self._player(SECOND).give(Job(batch, rows), self._message(SECOND, batch, rows))
+            else:
+                self._played(SECOND, batch)
+
+    def _room(self, which: int) -> bool:
+        return which not in self._players or len(self._players[which].jobs) < DEPTH
+
+    def _next(self) -> Batch | None:
+        """The next batch; None if there is none yet."""
+        for work in self._works:
+            batch = None
+            if work.batches is not None:
+                batch = next(work.batches, None)
+                if batch is None:
+                    work.batches = None
+            if batch is None and work.more and (len(work.more) >= MOST or not work.open):
+                some, work.more = work.more[:MOST], work.more[MOST:]
+                batch = Batch(self.judge, work, some)
+            if batch is not None:
+                work.open += 1
+                return batch
+        return None
+
+    def _player(self, which: int) -> Player | Here:
+        if which not in self._players:
+            self._players[which] = started(self._setup, self._seeds[which], self._notice)
+        return self._players[which]
+
+    def _notice(self, event: str) -> None:
+        """Count an event of a built-in explorer, in the unit whose batch is being played."""
+        job = self._playing
+        job.batch.work.tally.witnesses[event] += 1
+
+    def _hear(self, which: int, player: Player | Here) -> None:
+        began = time.monotonic()
+        if isinstance(player, Here) and player.jobs:
+            self._playing: Job = player.jobs[0][0]
+        try:
+            answers = player.heard()
+        except Lost as lost:
+            assert isinstance(player, Player)
+            self._lose(which, player, lost)
+            return
+        for answer in answers:
+            job: Job = answer.job
+            if answer.logs is None:  # those of a library do not fit: Python plays it
+                job.batch.plain = True
+                player.give(job, self._message(which, job.batch, job.rows))
+                continue
+            job.batch.logs[which].update(zip(job.rows, answer.logs, strict=True))
+            self._played(which, job.batch)
+        if answers and which == FIRST:
+            slow = isinstance(player, Here) and time.monotonic() > began + REPORT_EVERY
+            self._size = max(1, self._size // 2) if slow else min(MOST, 2 * self._size)
+
+    def _played(self, which: int, batch: Batch) -> None:
+        """Go on with a batch of which one more play is whole, if it is."""
+        if len(batch.logs[which]) < len(batch):
+            return
+        if which == FIRST:
+            batch.by.judge(batch)
+            self._judged += len(batch)
+            if self._compiled is None and isinstance(batch.work.unit, LevelRuns):
+                edges = batch.work.unit.edges
+                self._small += [batch] if edges <= SMALL and self.engine.compiled_from else []
+            batch.work.more += batch.follow_ups()
+            if self._twice:
+                self._waiting.append(batch)
+                return
+        self._settle(batch, self._differing(batch) if self._twice else [])
+        self._settled_runs += len(batch)
+        batch.work.open -= 1
+        if self._twice and self._seeds_more:
+            self._keep(batch)
+
+    def _differing(self, batch: Batch) -> list[tuple[int, Log]]:
+        """The runs whose logs differ, with the second ones."""
+        found = []
+        for row in range(len(batch)):
+            if batch.logs[FIRST][row] != batch.logs[SECOND][row]:
+                second = Log.of(batch.logs[SECOND][row])
+                if self._differ(batch.outcome(row).log, second):
+                    found.append((row, second))
+        return found
+
+    def _differ(self, one: Log, other: Log) -> bool:
+        return difference_of(one, other, choices=self.judge.every) is not None
+
+    # ---------------------------------------------------------------- what is wrong
+
+    def _settle(self, batch: Batch, differing: Sequence[tuple[int, Log]]) -> None:
+        """Find what is wrong with a batch."""
+        outcomes = {row: self._own(batch, row) for row in batch.broken}
+        if differing:
+            outcomes |= self._explained(batch, batch.work, differing)
+        for row, outcome in sorted(outcomes.items()):
+            self._find(batch, batch.work, row, outcome)
+        self._give_up_if_silent()
+
+    def _find(self, batch: Batch, work: Work, row: int, outcome: Outcome) -> None:
+        due = batch.runs[row]
+        self.engine.settle(self.judge.referee, due.world, due.place, outcome, work.tally)
+
+    def _own(self, batch: Batch, row: int) -> Outcome:
+        """The outcome of a run by its first play."""
+        one = batch.outcome(row)
+        if not one.fits:
+            return replace(one.outcome, violation=nondeterministic(OTHER_CHOICES))
+        return one.outcome
+
+    def _explained(
+        self, batch: Batch, work: Work, differing: Sequence[tuple[int, Log]]
+    ) -> dict[int, Outcome]:
+        """The outcomes of runs whose plays differ."""
+        few, (first, second) = differing[:MOST_SETTLED], self._seeds
+        rows = [row for row, _ in few]
+        orders = rows, rows[::-1]
+        firsts = [self._in_worlds(batch, order, first) for order in orders]
+        seconds = [self._against_records(batch, order, second) for order in orders]
+        before = {row: batch.outcome(row).log for row in rows}
+        if first != second and not any(
+            self._differ(old, play[row])
+            for row, other in few
+            for old, plays in ((before[row], firsts), (other, seconds))
+            for play in plays
+        ):
+            return self._by_seed(batch, work, [row for row, _ in differing])
+        found = {}
+        for row, other in few:
+            one, again = batch.outcome(row), [play[row] for play in (*firsts, *seconds)]
+            if may_be_the_machine(one.log, other) and not any(
+                self._differ(again[0], log) for log in again[1:]
+            ):
+                # What has happened once, and in no fresh process, refutes nothing.
+                ended = one.log if self._differ(one.log, again[0]) else other
+                work.tally.remark(
+                    "a run ended otherwise when it was tried again; at first: "
+                    f"{ending_in_words(ended)}"
+                )
+                found[row] = self._anew(batch.runs[row], again[0])
+            else:
+                found[row] = overruled(one.outcome, one.log, other, choices=self.judge.every)
+        return found
+
+    def _anew(self, due: Due, log: Log) -> Outcome:
+        episode = self.judge.episode(due.world, log)
+        return self.judge.referee.outcome(due.world, episode, log.choices)
+
+    def _by_seed(self, batch: Batch, work: Work, rows: list[int]) -> dict[int, Outcome]:
+        """The outcomes of runs of an explorer that goes by hashes, in their worlds by each seed."""
+        work.tally.remark(GOES_BY_HASHES)
+        first, second = self._seeds
+        found = {row: self._own(batch, row) for row in rows}
+        found = {row: replace(out, hash_seed=first) for row, out in found.items() if out.violation}
+        for row, log in self._in_worlds(batch, rows, second).items():
+            other = self._anew(batch.runs[row], log)
+            if other.violation is not None and row not in found:
+                found[row] = replace(other, hash_seed=second)
+        return found
+
+    def _in_worlds(self, batch: Batch, rows: Sequence[int], seed: int) -> dict[int, Log]:
+        """The logs of these runs, played in their worlds by a fresh player."""
+        return self._fresh(seed, batch.worlds(rows), rows)
+
+    def _against_records(self, batch: Batch, rows: Sequence[int], seed: int) -> dict[int, Log]:
+        """The logs of these runs, played against their records by a fresh player."""
+        return self._fresh(seed, batch.records(rows, range(len(rows))), rows)
+
+    def _fresh(self, seed: int, message: dict[str, Any], rows: Sequence[int]) -> dict[int, Log]:
+        player = started(self._setup, seed)
+        try:
+            logs = answered(player, message | {"hear": len(rows) == 1})
+        except Lost as lost:
+            if len(rows) > 1:
+                return {row: self._fresh(seed, each, [row])[row] for row, each in singles(message, rows)}
+            logs = [lost_log(bytes(player.part), lost)]
+        finally:
+            player.close()
+        return dict(zip(rows, map(Log.of, logs), strict=True))
+
+    # ---------------------------------------------------------------- other seeds
+
+    def _keep(self, batch: Batch) -> None:
+        """Play the records of small worlds under one seed more; keep some of larger ones."""
+        rows = [(batch, row) for row in range(len(batch))]
+        edges, last = batch.runs[0].world.map.edge_count, self.engine.scope.extent.levels[-1]
+        if edges > SMALL:
+            self._kept += rows[: KEPT - len(self._kept)] if edges == last else []
+        else:
+            for seed in ONE_MORE:
+                self._under(seed, rows, batch.work)
+
+    def _under(self, seed: int, rows: Sequence[tuple[Batch, int]], work: Work) -> None:
+        """Play these records once more under another seed; find what differs, and then no more."""
+        if not self._seeds_more:
+            return
+        player = self._others.pop(seed, None) or started(self._setup, seed)
+        runs = [batch.record(row) for batch, row in rows]
+        message = self.judge.records_message(runs, drawn_order(self._random, len(runs)))
+        try:
+            logs = answered(player, message)
+        except Lost:
+            player.close()
+            return  # what is lost is tried in the other players, too
+        if seed in ONE_MORE and len(rows) > 0 and rows[0][0].work is work:
+            self._others[seed] = player
+        else:
+            player.close()
+        for (batch, row), log in zip(rows, logs, strict=True):
+            second = Log.of(log)
+            if self._differ(batch.outcome(row).log, second):
+                usual, self._seeds = self._seeds, [self._seeds[FIRST], seed]
+                for each, outcome in self._explained(batch, work, [(row, second)]).items():
+                    self._find(batch, work, each, outcome)
+                self._seeds, self._seeds_more = usual, False
+                return
+
+    # ---------------------------------------------------------------- losses
+
+    def _lose(self, which: int, player: Player, lost: Lost) -> None:
+        """Go on after the loss of a player: its run is tried once more alone."""
+        if player.jobs and player.description is not None:
+            job, _ = player.jobs[0]
+            number = player.beat[0]
+            if 0 <= number < len(job.rows):
+                batch, row = job.batch, job.rows[number]
+                log = self._alone(which, batch, row, lost)
+                batch.logs[which][row] = log
+                rest = [each for each in job.rows if each not in batch.logs[which]]
+                if rest:
+                    player.jobs[0] = (Job(batch, rest), self._message(which, batch, rest))
+                else:
+                    player.jobs.popleft()
+                player.again()
+                self._played(which, batch)
+                return
+            self._note(job.batch.work, lost)
+        player.again()
+
+    def _message(self, which: int, batch: Batch, rows: Sequence[int]) -> dict[str, Any]:
+        if which == FIRST:
+            return batch.worlds(rows)
+        return batch.records(rows, drawn_order(self._random, len(rows)))
+
+    def _alone(self, which: int, batch: Batch, row: int, lost: Lost) -> bytes:
+        """The log of a run in which a player was lost, by a fresh player that plays it alone."""
+        if lost.law == "timeout":
+            self._silences += 1
+        if lost.law in self._repeated:
+            batch.lost.add(row)
+            return lost_log(b"", lost)
+        message = batch.worlds([row]) if which == FIRST else batch.records([row], [0])
+        player = started(self._setup, self._seeds[which])
+        assert isinstance(player, Player)
+        try:
+            (log,) = answered(player, message | {"hear": True})
+        except Lost as again:
+            self._repeated.add(again.law)
+            batch.lost.add(row)
+            return lost_log(bytes(player.part), again)
+        finally:
+            player.close()
+        self._unrepeated[lost.law] += 1
+        if lost.law == "timeout" and self._unrepeated["timeout"] > 1:
+            batch.lost.add(row)
+            after = " when it was played after others, twice; by itself it was not"
+            return lost_log(b"", Lost(lost.law, lost.seen + after, machine=False))
+        self._note(batch.work, lost)
+        return log
+
+    def _note(self, work: Work, lost: Lost) -> None:
+        """Remark on a loss that a fresh process has not repeated: it refutes nothing.
+
+        Raises:
+            Unsettled: if there are too many of them.
+        """
+        work.tally.remark(
+            f"a player was lost ({lost.seen}), and a fresh one was not: no refutation"
+        )
+        self._losses += 1
+        if self._losses > MOST_LOSSES:
+            raise Unsettled(
+                f"{self._losses} players were lost, the last by {lost.seen}, and each time a fresh "
+                "one was not"
+            )
+
+    def _give_up_if_silent(self) -> None:
+        """End the job if silences have taken too long; what was found is handed over."""
+        each = self._setup.limits.answer_timeout
+        if self._silences > 1 and self._silences * each >= MOST_WAITED:
+            self.given_up = (
+                f"the explorer was silent in {self._silences} runs, for {each:g} s each, and the "
+                "other runs would take too long"
+            )
+
+
+def started(setup: Setup, seed: int, notice: Any = None) -> Player | Here:
+    """A player of the explorer: a process of its own, if it can be played there."""
+    subject = setup.subject
+    if subject.from_user and subject.importable:
+        return Player(setup, seed)
+    explorer = subject.player(notice) if notice and not subject.from_user else subject.player()
+    return Here(explorer, of_user=subject.from_user, prints=setup.prints)
+
+
+def answered(player: Player | Here, message: dict[str, Any]) -> list[bytes]:
+    """The logs that answer a message to a player that has no other job.
+
+    Raises:
+        Lost: if it is lost.
+    """
+    player.give(None, message)
+    while True:
+        wait([player], POLL)
+        try:
+            for answer in player.heard():
+                assert answer.logs is not None
+                return answer.logs
+        except Lost:
+            if not (isinstance(player, Player) and player.description is None):
+                raise
+            player.again()  # it was lost while it loaded the explorer
+
+
+def singles(message: dict[str, Any], rows: Sequence[int]) -> list[tuple[int, dict[str, Any]]]:
+    """The message in parts of one run each, with their numbers."""
+    alone = {"runs": 1, "order": [0]}
+    return [(row, message | alone | {"rows": [message["rows"][i]]}) for i, row in enumerate(rows)]
+
+
+def lost_log(part: bytes, lost: Lost) -> bytes:
+    """The log of a run that was lost, as far as it is known."""
+    return part + entries.fault(lost.law, AN_ACTION, lost.seen, machine=lost.machine)

@@ -1,0 +1,293 @@
+"""The transport into lanes: here, or each in a process of its own.
+
+One lane is here, if no model of the user's, which could end the process, judges its runs.  Others
+are forked when everything is loaded; a lane that is lost takes no verdict with it, for its units are
+done again.  Units are dealt one at a time, as lanes can begin them.
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+import pickle
+import secrets
+import signal
+import sys
+import time
+import traceback
+import warnings
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from itertools import islice
+from multiprocessing.connection import Connection, Pipe, wait
+from random import Random
+from typing import Any, NoReturn, Self
+
+from msgspec import Struct, field
+
+from allworlds.engines.lane import Lane
+from allworlds.engines.linux import end_with_parent, limit_memory
+from allworlds.engines.players import HarnessError, Unsettled
+from allworlds.engines.python.run_counter import EnginesDisagree, RunCounter
+from allworlds.engines.python.runs_of_unit import UnitOfRuns
+from allworlds.engines.units.effort import POLL, Limits, check_deadline
+from allworlds.engines.units.unit import PartialResult, Transport
+from allworlds.explorers import Subject
+from allworlds.inputs import InputError
+from allworlds.words import ended_by
+
+AT_A_TIME = 4096
+"""The number of units among which the order is drawn."""
+
+MOST_ATTEMPTS = 2
+"""The number of lanes that are lost over one unit before it is given up."""
+
+AHEAD = 2
+"""The number of units that a lane has."""
+
+_TOLD = (InputError, Unsettled, EnginesDisagree, HarnessError)
+
+
+class Here(Struct):
+    """The transport into one lane, in this process.
+
+    Attributes:
+        subject: the explorer.
+        limits: of the time for an answer, and of memory.
+        deadline: on the monotonic clock, or None.
+    """
+
+    subject: Subject
+    limits: Limits
+    deadline: float | None = None
+    _lanes: list[tuple[RunCounter, Lane]] = field(default_factory=list)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for _, lane in self._lanes:
+            lane.close()
+        self._lanes.clear()
+
+    def map(
+        self, engine: RunCounter, units: Iterable[UnitOfRuns]
+    ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
+        """Yield the parts of all units, as they come.
+
+        Raises:
+            TimeIsUp: when the time limit has been reached.
+            InputError: if the explorer cannot be loaded, or of a model of the user's.
+            Unsettled: if processes are lost again and again.
+        """
+        lane = self._lane(engine)
+        waiting = in_any_order(units) if self.subject.from_user else iter(units)
+        unit = next(waiting, None)
+        last = unit
+        while unit is not None or lane.busy:
+            while unit is not None and lane.hungry:
+                lane.offer(unit)
+                last, unit = unit, next(waiting, None)
+            yield from lane.turn()
+            check_deadline(self.deadline)
+        if last is not None and lane.keeps:
+            yield PartialResult(last, lane.end(), last=False)
+
+    def _lane(self, engine: RunCounter) -> Lane:
+        """One lane as long as the same is asked for: its players have loaded the explorer."""
+        if self._lanes and self._lanes[0][0] != engine:
+            self.__exit__()
+        if not self._lanes:
+            self._lanes.append((engine, Lane(self.subject, engine, self.limits)))
+        return self._lanes[0][1]
+
+
+class _Process:
+    """A lane in a process of its own, forked from this one."""
+
+    def __init__(self, subject: Subject, limits: Limits, *, first: bool) -> None:
+        self.link, theirs = Pipe()
+        self.units: dict[str, UnitOfRuns] = {}
+        for stream in (sys.stdout, sys.stderr):
+            with suppress(Exception):
+                stream.flush()
+        gc.freeze()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DeprecationWarning)  # other threads take no part
+            self.pid = os.fork()
+        if self.pid == 0:
+            _serve(theirs, self.link, subject, limits, more_seeds=first)
+        gc.unfreeze()
+        theirs.close()
+
+    def end(self) -> str:
+        """End the process and its players; return how it had ended."""
+        self.link.close()
+        deadline = time.monotonic() + 2.0
+        pid, status = os.waitpid(self.pid, os.WNOHANG)
+        while not pid and time.monotonic() < deadline:
+            time.sleep(0.005)
+            pid, status = os.waitpid(self.pid, os.WNOHANG)
+        if not pid:
+            with suppress(ProcessLookupError):
+                os.kill(self.pid, signal.SIGKILL)
+            _, status = os.waitpid(self.pid, 0)
+        return ended_by(os.waitstatus_to_exitcode(status))
+
+
+class Lanes(Struct):
+    """The transport into lanes in processes of their own.
+
+    Attributes:
+        subject: the explorer.
+        limits: the number of lanes, and the limits of each.
+        deadline: on the monotonic clock, or None.
+    """
+
+    subject: Subject
+    limits: Limits
+    deadline: float | None = None
+    _processes: list[_Process] = field(default_factory=list)
+    _lost: Counter[str] = field(default_factory=Counter)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for process in self._processes:
+            process.end()
+        self._processes.clear()
+
+    def map(
+        self, engine: RunCounter, units: Iterable[UnitOfRuns]
+    ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
+        """Yield the parts of all units, as they come; raises as :class:`Here` does."""
+        waiting = in_any_order(units) if self.subject.from_user else iter(units)
+        again: list[UnitOfRuns] = []
+        while True:
+            while (process := self._idle()) and (
+                unit := again.pop() if again else next(waiting, None)
+            ):
+                process.units[unit.key] = unit
+                with suppress(OSError):  # it is lost, and that is seen below
+                    process.link.send((engine, unit))
+            at_work = [process for process in self._processes if process.units]
+            if not at_work:
+                return
+            for link in wait([process.link for process in at_work], POLL):
+                (process,) = (one for one in at_work if one.link is link)
+                try:
+                    part = process.link.recv()
+                except (EOFError, OSError):
+                    again += self._replace(process)
+                    continue
+                if isinstance(part, _TOLD):
+                    raise part
+                if part.last:
+                    del process.units[part.unit.key]
+                yield part
+            check_deadline(self.deadline)
+
+    def _idle(self) -> _Process | None:
+        """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
+        least = min(self._processes, key=lambda one: len(one.units), default=None)
+        if least is None or (least.units and len(self._processes) < self.limits.workers):
+            first = not self._processes  # one lane tries other hash seeds
+            self._processes.append(_Process(self.subject, self.limits, first=first))
+            return self._processes[-1]
+        return least if len(least.units) < AHEAD else None
+
+    def _replace(self, process: _Process) -> list[UnitOfRuns]:
+        """The units of a lane that was lost.
+
+        Raises:
+            InputError: if lanes are lost over one unit again, and a model of the user's judges.
+            Unsettled: if none does.
+        """
+        self._processes.remove(process)
+        how, left = process.end(), [*process.units.values()]
+        for unit in left:
+            self._lost[unit.key] += 1
+            if self._lost[unit.key] >= MOST_ATTEMPTS:
+                raise Unsettled(
+                    f"{MOST_ATTEMPTS} processes were lost over one unit, the last by {how}"
+                )
+        return left
+
+
+def _serve(
+    link: Connection, theirs: Connection, subject: Subject, limits: Limits, *, more_seeds: bool
+) -> NoReturn:
+    """Be a lane: take units, and send parts, until the owner hangs up."""
+    status = 1
+    try:
+        end_with_parent()
+        theirs.close()
+        os.setsid()
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
+        if limits.memory is not None and not subject.from_user:
+            limit_memory(limits.memory)
+        _lane_of(link, subject, limits, more_seeds=more_seeds)
+        status = 0
+    except (EOFError, OSError):
+        pass
+    except _TOLD as error:
+        _send(link, error)
+    except BaseException:  # noqa: BLE001  # explorers' errors never get here: it is ours
+        _send(link, HarnessError(traceback.format_exc()))
+    finally:
+        os._exit(status)
+
+
+def _send(link: Connection, error: Exception) -> None:
+    with suppress(OSError, pickle.PicklingError):
+        link.send(error)
+
+
+def _lane_of(link: Connection, subject: Subject, limits: Limits, *, more_seeds: bool) -> None:
+    engine, lane = None, None
+    try:
+        while True:
+            while link.poll() or lane is None or not lane.busy:
+                if lane is not None and not link.poll() and not lane.busy:
+                    link.poll(None)
+                asked, unit = link.recv()
+                if lane is None or asked != engine:
+                    if lane is not None:
+                        lane.close()
+                    engine = asked
+                    lane = Lane(subject, asked, limits, more_seeds=more_seeds)
+                lane.offer(unit)
+            for part in lane.turn([link.fileno()]):
+                if part.last and not lane.busy and lane.keeps:
+                    part.result.add(lane.end())
+                link.send(part)
+    finally:
+        if lane is not None:
+            lane.close()
+
+
+def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
+    """The units in an order that is drawn anew each time, :data:`AT_A_TIME` of them at a time."""
+    every, order = iter(units), Random(secrets.randbits(64))  # noqa: S311  # as it is drawn from the system
+    while some := list(islice(every, AT_A_TIME)):
+        order.shuffle(some)
+        yield from some
+
+
+def workers_for(
+    subject: Subject, limits: Limits, deadline: float | None = None, *, models: bool = False
+) -> Transport[Any]:
+    """Lanes for an explorer.
+
+    Args:
+        subject: the explorer.
+        limits: the number of lanes, and the limits of each.
+        deadline: on the monotonic clock, or None.
+        models: whether models of the user's judge the runs.
+    """
+    here = subject.from_user and not subject.importable
+    if here or (limits.workers == 1 and not models and not (limits.memory and not subject.from_user)):
+        return Here(subject, limits, deadline)
+    return Lanes(subject, limits, deadline)

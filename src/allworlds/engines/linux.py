@@ -1,0 +1,102 @@
+"""What the package needs of Linux alone: all of it is an extra, and elsewhere does nothing.
+
+Source: prctl(2), PR_SET_PDEATHSIG and PR_SET_CHILD_SUBREAPER; proc(5); getrlimit(2), RLIMIT_AS.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import mmap
+import os
+import signal
+import sys
+from contextlib import suppress
+
+from allworlds.inputs import InputError
+
+HERE = sys.platform == "linux"
+"""Whether it is there.  A test switches it off."""
+
+DEATH_SIGNAL, SUBREAPER = 1, 36
+
+
+def end_with_parent() -> None:
+    """End this process when the thread that has started it ends."""
+    if HERE:
+        parent = os.getppid()
+        _control(DEATH_SIGNAL, signal.SIGKILL)
+        if parent == 1 or os.getppid() != parent:
+            os._exit(1)  # it has ended already
+
+
+def adopt() -> None:
+    """Become the parent of all descendants whose own parent ends."""
+    if HERE:
+        _control(SUBREAPER, 1)
+
+
+def end_adopted(token: str) -> None:
+    """Kill the children of this process in whose environment this text stands.
+
+    They are what a player has left behind in other groups; what another part of this program has
+    started is not touched.
+    """
+    while HERE and (left := [pid for pid in _children() if _has(pid, token)]):
+        for pid in left:
+            with suppress(ProcessLookupError, PermissionError):
+                os.kill(pid, signal.SIGKILL)
+            with suppress(ChildProcessError):
+                os.waitpid(pid, 0)
+
+
+def _children() -> list[int]:
+    found: list[int] = []
+    with suppress(OSError):
+        for task in os.listdir("/proc/self/task"):  # noqa: PTH208
+            with open(f"/proc/self/task/{task}/children") as file:  # noqa: PTH123
+                found += map(int, file.read().split())
+    return found
+
+
+def _has(pid: int, token: str) -> bool:
+    with suppress(OSError), open(f"/proc/{pid}/environ", "rb") as file:  # noqa: PTH123
+        return token.encode() in file.read()
+    return False
+
+
+def _control(option: int, value: int) -> None:
+    ctypes.CDLL(None, use_errno=True).prctl(option, int(value), 0, 0, 0)
+
+
+def address_space() -> int:
+    """MB of address space of this process; 0 if unknown."""
+    with suppress(OSError, ValueError):
+        with open("/proc/self/statm") as file:  # noqa: PTH123
+            return int(file.read().split()[0]) * mmap.PAGESIZE >> 20
+    return 0
+
+
+def limit_memory(megabytes: int) -> None:
+    """Bound the address space of this process.
+
+    Raises:
+        InputError: if it is larger already; the limit would then act only on further growth.
+    """
+    if not HERE:
+        return
+    import resource
+
+    _, most = resource.getrlimit(resource.RLIMIT_AS)
+    size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
+    # With such a limit the process would come to its end when its stack grows.
+    too_small = size < address_space() << 20
+    if not too_small:
+        resource.setrlimit(resource.RLIMIT_AS, (size, size))
+        try:
+            mmap.mmap(-1, mmap.PAGESIZE).close()
+        except OSError:
+            too_small = True
+    if too_small:
+        raise InputError(
+            f"memory {megabytes} MB is probably too small: a process is larger before it begins"
+        )

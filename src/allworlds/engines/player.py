@@ -1,0 +1,290 @@
+"""The program with the user's code in it: it plays, and does not judge.
+
+    python -P -c "...; main()" PATH...       (descriptor 3: the link; 4: the beat)
+
+It is told an explorer, then batches of runs, until the link is closed.  Each message is its length
+and bytes that marshal has written; an answer is its length, a letter and bytes, in which nothing is
+believed but logs.  It loads what it needs, and nothing else of the package: an explorer in Python
+without choices costs some 50 ms.
+"""
+
+from __future__ import annotations
+
+import marshal
+import mmap
+import os
+import signal
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from allworlds.engines.library_player import LibraryPlayer
+    from allworlds.explorers import Subject
+    from allworlds.explorers.functions import Function
+    from allworlds.protocol import Choices, Player
+
+LINK, BEAT = 3, 4
+"""The descriptors of a player."""
+
+READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
+"""The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
+input; a mistake of ours; a library's logs do not fit."""
+
+ADAPTED = ("exec:", "native:", "shield:", "translated:")
+"""How the names of explorers begin that are no functions."""
+
+NO_RUN = -1
+"""The number of the run in progress where there is none."""
+
+TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
+"""Timers that an explorer may leave behind to go off when it is not its turn."""
+
+SHARE_OF_MODELS = 0.8
+"""The share of an explorer's time for an answer that a call of a lighthouse or judge may take."""
+
+
+def main() -> None:
+    """Serve until the owner hangs up."""
+    from allworlds.engines.linux import end_with_parent
+
+    end_with_parent()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
+    setup = _read()
+    beat = memoryview(mmap.mmap(BEAT, 16)).cast("q")
+    os.close(BEAT)
+    from allworlds.inputs import InputError
+
+    try:
+        subject = _loaded(setup)
+    except InputError as error:
+        reason = str(error)
+        if setup["memory"] is not None and "memory" not in reason:
+            reason = f"memory {setup['memory']} MB is probably too small: {reason}"
+        return _answer(REFUSAL, reason.encode(errors="surrogatepass"))
+    signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
+    _flush()
+    if not setup["prints"]:
+        nothing = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nothing, 1)
+        os.dup2(nothing, 2)
+        os.close(nothing)
+    description = [sorted(subject.keywords), _digest(subject), _has_shield(subject)]
+    _answer(READY, marshal.dumps(description))
+    with subject.running():
+        server = _Server(subject, beat)
+        while (batch := _read()) is not None:
+            server.serve(batch)
+            _flush()
+
+
+def _loaded(setup: dict[str, Any]) -> Subject | Function:
+    """The explorer that is asked for.
+
+    Raises:
+        InputError: if it cannot be loaded.
+    """
+    from allworlds.engines.linux import address_space, limit_memory
+    from allworlds.protocol import SourceText, limit_calls
+
+    # A silent model is given up before it looks like a silent explorer.
+    limit_calls(SHARE_OF_MODELS * setup["answer_timeout"])
+    if setup["memory"] is not None:
+        limit_memory(setup["memory"])
+    name = setup["name"]
+    source = None if setup["source"] is None else SourceText(*setup["source"])
+    if ":" in name and not name.startswith(ADAPTED):
+        from allworlds.explorers.functions import Function
+
+        return Function(name, source)
+    from allworlds.explorers.loading import load
+
+    subject = load(name, setup["answer_timeout"], source)
+    native = subject.innermost.native
+    if native is not None:
+        native.library.print_line_by_line()
+        if setup["memory"] is None:
+            limit_memory(address_space() + setup["native_memory"])
+    return subject
+
+
+class _Server:
+    """The explorer that is loaded here, and the beat of its runs."""
+
+    def __init__(self, subject: Subject | Function, beat: Any) -> None:
+        self._subject, self._beat, self._pid = subject, beat, os.getpid()
+        self._player: Player = subject.player()
+        self._library: LibraryPlayer | None = None
+        self._rows: list[Any] = []
+
+    def serve(self, batch: dict[str, Any]) -> None:
+        """Play a batch, and send its logs."""
+        from allworlds.inputs import InputError
+
+        self._beat[0], self._beat[1] = NO_RUN, 0
+        try:
+            if batch["kind"] == "native":
+                self._native(batch)
+            else:
+                self._play(batch)
+        except InputError as error:  # a model of the user's
+            _answer(REFUSAL, str(error).encode(errors="surrogatepass"))
+        except OSError:
+            raise
+        except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
+            import traceback
+
+            _answer(FAILURE, traceback.format_exc().encode(errors="replace"))
+        self._beat[1] = 0
+
+    def _play(self, batch: dict[str, Any]) -> None:
+        rows = batch["rows"]
+        make = _makers()[batch["kind"]]
+        if batch["kind"] == "model":
+            import pickle
+
+            rows = pickle.loads(rows)  # noqa: S301  # our own process
+        logs: list[bytes] = [b""] * len(rows)
+        for number in batch["order"]:
+            logs[number] = self._run(batch, rows[number], number, make)
+            if os.getpid() != self._pid:
+                # The explorer has forked this process; its copy must not go on with the work.
+                os._exit(0)
+        for timer in TIMERS:
+            signal.setitimer(timer, 0)
+        _answer(LOGS, logs_message(logs))
+
+    def _run(
+        self, batch: dict[str, Any], row: Any, number: int, make: Callable[..., Any]
+    ) -> bytes:
+        from allworlds.protocol import play_run
+
+        world, told, over, budget, name, script = row
+        self._beat[0] = number
+        return play_run(
+            make(world, told, over),
+            self._player,
+            _choices(batch, name, script),
+            budget,
+            self._beat,
+            any_answer=batch["any_answer"],
+            hear=_sender() if batch["hear"] else None,
+        )
+
+    def _native(self, batch: dict[str, Any]) -> None:
+        from allworlds.engines.library_player import LibraryPlayer
+
+        native = self._subject.native
+        assert native is not None
+        from allworlds.protocol import ExplorerFault
+
+        try:
+            self._library = self._library or LibraryPlayer(native, self._beat)
+            logs = self._library.play(batch)
+        except ExplorerFault:  # which each run will tell
+            logs = None
+        _answer(NO_ROOM, b"") if logs is None else _answer(LOGS, logs)
+        if os.getpid() != self._pid:
+            os._exit(0)
+
+
+def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:
+    from allworlds.protocol.choices import Choices, ScheduledChoices, policy_named
+
+    if batch["every"]:
+        return ScheduledChoices(script)
+    return Choices(policy_named(batch["policy"], name), script)
+
+
+def _makers() -> dict[str, Callable[..., Any]]:
+    """What makes the surroundings of a run of each kind of batch."""
+    from allworlds.protocol import Record, Table
+
+    def model(world: Any, _told: object, _over: object) -> Any:
+        from allworlds.judging import InWorld
+
+        return InWorld(world)
+
+    return {
+        "table": lambda world, told, _: Table(world, told),
+        "record": Record,
+        "model": model,
+    }
+
+
+def _sender() -> Callable[[bytearray], None]:
+    """What sends the new part of a log before each turn."""
+    sent = 0
+
+    def send(log: bytearray) -> None:
+        nonlocal sent
+        _answer(PART, bytes(log[sent:]))
+        sent = len(log)
+
+    return send
+
+
+def logs_message(logs: list[bytes]) -> bytes:
+    """The lengths of the logs, and the logs."""
+    return b"".join([*(len(log).to_bytes(4, "little") for log in logs), *logs])
+
+
+def _read() -> Any:
+    """The next message; None if the owner has hung up."""
+    head = _bytes(4)
+    return marshal.loads(_bytes(int.from_bytes(head, "little"))) if head else None  # noqa: S302
+
+
+def _bytes(size: int) -> bytes:
+    parts = []
+    while size:
+        part = os.read(LINK, min(size, 1 << 20))
+        if not part:
+            return b""
+        parts.append(part)
+        size -= len(part)
+    return b"".join(parts)
+
+
+def _answer(letter: int, content: bytes) -> None:
+    data = memoryview((len(content) + 1).to_bytes(4, "little") + bytes((letter,)) + content)
+    while data:
+        data = data[os.write(LINK, data) :]
+
+
+def _flush() -> None:
+    """Print what the explorer has printed by now."""
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(Exception):  # whatever an explorer has made of it
+            stream.flush()
+
+
+def _has_shield(subject: Subject | Function) -> bool:
+    return type(subject.explore).__name__ == "Shield"  # without loading it
+
+
+def _digest(subject: Subject | Function) -> str:
+    """The SHA-256 of the explorer's file, or of the program's; empty if there is none."""
+    subject = subject.innermost
+    if subject.source is not None:
+        return subject.source.digest
+    import hashlib
+    import inspect
+
+    with suppress(Exception):  # whatever an explorer's module makes of being looked at
+        if subject.native is not None:
+            return subject.native.library.digest
+        path = subject.program.path if subject.program is not None else None
+        path = path or inspect.getsourcefile(inspect.unwrap(subject.explore)) or ""  # type: ignore[arg-type]
+        with open(path, "rb") as file:  # noqa: PTH123  # pathlib is not needed for it
+            return hashlib.sha256(file.read()).hexdigest()
+    return ""
+
+
+def _leave(subject: Subject | Function) -> None:
+    """End the user's program behind the explorer, and this process."""
+    program = subject.innermost.program
+    if program:
+        program.close()
+    os._exit(0)

@@ -1,0 +1,533 @@
+"""The owner's side of a player: it is started, gets batches, is heard, and perhaps lost.
+
+A player is a process with an explorer (:mod:`allworlds.engines.player`); an explorer that no other
+process can find plays :class:`Here`.  Sixteen shared bytes tell the run in progress and the
+explorer's turn in it, so that a batch of logs can be one message, and silence is seen all the same.
+"""
+
+from __future__ import annotations
+
+import marshal
+import mmap
+import os
+import select
+import signal
+import socket
+import sys
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
+from pathlib import Path
+from queue import SimpleQueue
+from typing import Any, NamedTuple
+
+from msgspec import Struct
+
+from allworlds.engines import linux
+from allworlds.engines.player import FAILURE, LOGS, NO_ROOM, NO_RUN, PART, READY, REFUSAL
+from allworlds.engines.prints import Prints, Silence, printing_to
+from allworlds.engines.units.effort import Limits
+from allworlds.explorers.names import is_library, is_program
+from allworlds.explorers.subject import HASH_SEED, Subject
+from allworlds.inputs import InputError, show
+from allworlds.protocol import Player as Explorer, play_run
+from allworlds.words import ended_by, harmless
+
+GRACE = 2.0
+"""Extra seconds for a user's program, whose silence its player notices itself, and for an end."""
+
+NATIVE_MEMORY = 2048
+"""MB of address space that a shared library has, unless another limit is named."""
+
+RELAYED = 1 << 16
+"""The number of bytes of what an explorer prints while it is loaded that are shown."""
+
+_BOOT = (
+    "import sys; sys.path[:] = sys.argv[1:]; del sys.argv[1:]; "
+    "from allworlds.engines.player import main; main()"
+)
+_TOKEN = "ALLWORLDS_PLAYER"  # noqa: S105  # the name of a variable
+
+
+class HarnessError(RuntimeError):
+    """Raised if a process without user's code has failed, so that no explorer is to blame."""
+
+
+class Unsettled(Exception):
+    """Raised if processes are lost again and again, so that there is no verdict on the explorer."""
+
+
+class Lost(Exception):
+    """Raised if a player has died, or was silent for too long.
+
+    Attributes:
+        law: ``timeout`` or ``crash``.
+        seen: a sentence about the loss.
+        machine: whether the machine may be the cause.
+    """
+
+    def __init__(self, law: str, seen: str, *, machine: bool) -> None:
+        super().__init__(seen)
+        self.law, self.seen, self.machine = law, seen, machine
+
+
+class Description(NamedTuple):
+    """What a player says of its explorer: its keywords, the digest of its code, a shield."""
+
+    keywords: frozenset[str]
+    digest: str
+    has_shield: bool
+
+
+class Answer(NamedTuple):
+    """An answer of a player: the logs of a job; None if a library's logs do not fit."""
+
+    job: Any
+    logs: list[bytes] | None
+
+
+class Setup(Struct, frozen=True):
+    """An explorer as players are told of it; ``prints``: whether its prints are recorded."""
+
+    subject: Subject
+    limits: Limits
+    prints: bool = False
+
+    def told(self) -> dict[str, Any]:
+        """The first message to a player."""
+        source, limits = self.subject.source, self.limits
+        return {
+            "name": self.subject.name,
+            "source": None if source is None else (source.path, source.text),
+            "answer_timeout": limits.answer_timeout,
+            "memory": limits.memory,
+            "native_memory": NATIVE_MEMORY,
+            "prints": self.prints,
+        }
+
+    @property
+    def patience(self) -> float:
+        """The seconds after which a silent player is given up."""
+        return self.limits.answer_timeout + (GRACE if is_program(self.subject.name) else 0.0)
+
+
+class Player:
+    """One process with the explorer.
+
+    Args:
+        setup: the explorer.
+        seed: its hash seed.
+
+    Attributes:
+        jobs: given, with their messages, and not answered yet.
+        part: the log so far of a run of which each turn is sent.
+        prints: of the explorer, if they are recorded.
+        description: of the explorer, once it is loaded.
+    """
+
+    def __init__(self, setup: Setup, seed: int) -> None:
+        self.setup, self.seed = setup, seed
+        self.jobs: deque[tuple[Any, dict[str, Any]]] = deque()
+        self.description: Description | None = None
+        self._tries = 0
+        self._start()
+
+    def _start(self) -> None:
+        self._tries += 1
+        self.part, self.prints = bytearray(), Prints()
+        self._out, self._came, self._relayed = bytearray(), bytearray(), bytearray()
+        self._link, theirs = socket.socketpair()
+        for end in (self._link, theirs):
+            end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 20)
+        self._link.setblocking(False)
+        self._printed, printing = os.pipe()
+        os.set_blocking(self._printed, False)
+        memory, beat = _shared(16)
+        self.beat = memoryview(memory).cast("q")
+        self.beat[0] = NO_RUN
+        self._token = os.urandom(8).hex()
+        self.pid = _spawned(self.seed, self._token, theirs.fileno(), beat, printing)
+        self._status: int | None = None
+        theirs.close()
+        os.close(beat)
+        os.close(printing)
+        self._seen: object = None
+        self._since = self._began = time.monotonic()
+        self._put(self.setup.told())
+
+    @property
+    def files(self) -> tuple[int, ...]:
+        """The descriptors on which something may come."""
+        return self._link.fileno(), self._printed
+
+    def give(self, job: Any, message: dict[str, Any]) -> None:
+        """Give it a batch; ``job`` is what its answer is about."""
+        if not self.jobs:
+            self._seen, self._since = None, time.monotonic()
+        self.jobs.append((job, message))
+        self._put(message)
+
+    def _put(self, message: dict[str, Any]) -> None:
+        if message.get("kind") == "model":  # worlds whose code the player loads
+            import pickle
+
+            message = {**message, "rows": pickle.dumps(message["rows"])}
+        data = marshal.dumps(message)
+        self._out += len(data).to_bytes(4, "little") + data
+        self._write()
+
+    def _write(self) -> None:
+        try:
+            while self._out:
+                del self._out[: self._link.send(self._out)]
+        except BlockingIOError:
+            pass
+        except OSError:
+            self._out.clear()  # it is lost, and that shows when it is read from
+
+    def heard(self) -> list[Answer]:
+        """What has come by now.
+
+        Raises:
+            Lost: if it is silent for too long, or has died.
+            InputError: if the explorer cannot be loaded, or of a model of the user's.
+            HarnessError: if the player itself has failed.
+        """
+        self._write()
+        ended = self._read()
+        self._hear_prints()
+        answers = [answer for answer in map(self._message, self._messages()) if answer]
+        if ended and not answers:
+            self._hear_prints()
+            raise self._died()
+        if not answers and self._silent_for() > self.setup.patience:
+            seen = f"silent for {self.setup.limits.answer_timeout:g} s"
+            raise Lost("timeout", seen, machine=True)
+        return answers
+
+    def _read(self) -> bool:
+        """Read what has been written; return whether that was the end."""
+        while True:
+            try:
+                part = self._link.recv(1 << 20)
+            except BlockingIOError:
+                break
+            except OSError:
+                return True
+            if not part:
+                return True
+            self._came += part
+        # A process that was forked by the explorer may hold the link open.
+        return self._code() is not None
+
+    def _messages(self) -> Iterable[bytes]:
+        came = self._came
+        while len(came) >= 4 and len(came) >= 4 + (size := int.from_bytes(came[:4], "little")):
+            message = bytes(came[4 : 4 + size])
+            del came[: 4 + size]
+            yield message
+            if self._came is not came:
+                return
+
+    def _message(self, message: bytes) -> Answer | None:
+        letter, content = message[0] if message else -1, message[1:]
+        if letter == PART:
+            self.part += content
+            return None
+        if letter == REFUSAL:
+            raise InputError(content.decode(errors="surrogatepass"))
+        if letter == FAILURE:
+            raise HarnessError(content.decode(errors="replace"))
+        try:
+            if letter == READY and self.description is None:
+                keywords, digest, has_shield = marshal.loads(content)  # noqa: S302  # an honest program
+                self.description = Description(frozenset(keywords), digest, has_shield)
+            elif letter in (LOGS, NO_ROOM) and self.jobs:
+                job, asked = self.jobs.popleft()
+                self._seen, self._since = None, time.monotonic()
+                logs = None if letter == NO_ROOM else _logs(content, _runs(asked))
+                return Answer(job, logs)
+            else:
+                raise ValueError(letter)
+        except (ValueError, TypeError, EOFError):
+            seen = "what a player has said is none of its messages"
+            raise Lost("crash", seen, machine=False) from None
+        return None
+
+    def _hear_prints(self) -> None:
+        with suppress(OSError):
+            while part := os.read(self._printed, 1 << 16):
+                if self.description is not None:
+                    self.prints.add(part)
+                elif len(self._relayed) < RELAYED:
+                    self._relayed += part
+                    text = part.decode(errors="backslashreplace")
+                    with suppress(OSError, ValueError):
+                        sys.stderr.write(harmless(text))
+                        sys.stderr.flush()
+
+    def _silent_for(self) -> float:
+        """Seconds without a turn of the explorer, while an answer is due."""
+        now = time.monotonic()
+        if self.description is None:
+            limit = self.setup.limits.start_timeout
+            if now - self._began > limit:
+                loads = "load" if is_library(self.setup.subject.name) else "import"
+                raise InputError(
+                    f"{show(self.setup.subject.name)} does not {loads}: it was at it for {limit:g} s"
+                )
+            return 0.0
+        seen = self.beat[0], self.beat[1]
+        if not self.jobs or seen[0] == NO_RUN or seen != self._seen:
+            self._seen, self._since = seen, now
+        return now - self._since
+
+    def _died(self) -> Lost:
+        """What the end of the process means."""
+        deadline = time.monotonic() + GRACE
+        while (code := self._code()) is None and time.monotonic() < deadline:
+            time.sleep(0.005)
+        how = "the end of the process's pipe"
+        if code is not None:
+            how = f"the end of the process ({ended_by(code)})"
+        if self.description is None:
+            if code is not None and code < 0 and self._tries == 1:  # perhaps from outside
+                return Lost("crash", how, machine=True)
+            limits, name = self.setup.limits, self.setup.subject.name
+            limit = "" if limits.memory is None else f", with memory limited to {limits.memory} MB"
+            loaded = "loaded" if is_library(name) else "imported"
+            raise InputError(f"a process came to {how} when it {loaded} {show(name)}{limit}")
+        return Lost("crash", how, machine=code is not None and code < 0)
+
+    def _code(self) -> int | None:
+        """The exit code of the process; None while it goes on."""
+        if self._status is None:
+            pid, status = os.waitpid(self.pid, os.WNOHANG)
+            if pid:
+                self._status = os.waitstatus_to_exitcode(status)
+        return self._status
+
+    def again(self) -> None:
+        """Start anew, with the batches whose answers are due; a first message is not one."""
+        self.close()
+        if self.description is not None:
+            self._tries, self.description = 0, None
+        due, self.jobs = self.jobs, deque()
+        self._start()
+        for job, message in due:
+            self.give(job, message)
+
+    def loaded(self) -> Description:
+        """What is said of the explorer, once it is loaded.
+
+        Raises:
+            InputError: if it cannot be loaded.
+        """
+        while self.description is None:
+            wait([self], 0.1)
+            try:
+                self.heard()
+            except Lost:
+                self.again()
+        return self.description
+
+    def close(self) -> None:
+        """End the process, and all that it has started."""
+        self._link.close()
+        if is_program(self.setup.subject.name):  # it ends its program
+            deadline = time.monotonic() + GRACE
+            while self._code() is None and time.monotonic() < deadline:
+                time.sleep(0.01)
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(self.pid, signal.SIGKILL)
+        if self._code() is None:
+            _, status = os.waitpid(self.pid, 0)
+            self._status = os.waitstatus_to_exitcode(status)
+        self._hear_prints()
+        os.close(self._printed)
+        linux.end_adopted(self._token)
+
+
+class Here:
+    """An explorer that plays in this process, where a silent one cannot be stopped.
+
+    Args:
+        explorer: the explorer.
+        of_user: whether it is a user's, whose prints are dropped.
+
+    Attributes:
+        beat, description, files, part: as of a player.
+        prints: those of the last job, if they are recorded.
+    """
+
+    description = Description(frozenset(), "", has_shield=False)
+    files: tuple[int, ...] = ()
+    seed = None
+
+    def __init__(self, explorer: Explorer, *, of_user: bool = True, prints: bool = False) -> None:
+        self._explorer, self._of_user, self._recorded = explorer, of_user, prints
+        self.jobs: deque[tuple[Any, dict[str, Any]]] = deque()
+        self.beat, self.part = [NO_RUN, 0], bytearray()
+        self.prints = Prints()
+
+    def give(self, job: Any, message: dict[str, Any]) -> None:
+        """Give it a batch."""
+        self.jobs.append((job, message))
+
+    def heard(self) -> list[Answer]:
+        """Play one job."""
+        if not self.jobs:
+            return []
+        job, message = self.jobs.popleft()
+        if not self._of_user:
+            return [Answer(job, self._played(message))]
+        with printing_to(self.prints if self._recorded else Silence()):
+            return [Answer(job, self._played(message))]
+
+    def _played(self, message: dict[str, Any]) -> list[bytes]:
+        from allworlds.engines.player import _choices, _makers
+
+        rows, make = message["rows"], _makers()[message["kind"]]
+        logs = [b""] * len(rows)
+        for number in message["order"]:
+            world, told, over, budget, name, script = rows[number]
+            logs[number] = play_run(
+                make(world, told, over),
+                self._explorer,
+                _choices(message, name, script),
+                budget,
+                self.beat,
+                any_answer=message["any_answer"],
+            )
+        return logs
+
+    def again(self) -> None:
+        """Go on in this process, which cannot be replaced."""
+
+    def close(self) -> None:
+        """Leave it."""
+
+
+def wait(players: Sequence[Player | Here], seconds: float, others: Sequence[int] = ()) -> bool:
+    """Wait until something may have come; return whether one of the others is ready."""
+    poll = select.poll()
+    for player in players:
+        if isinstance(player, Here):
+            seconds = 0 if player.jobs else seconds
+        for file in player.files:
+            poll.register(file, select.POLLIN)
+        if isinstance(player, Player) and player._out:  # noqa: SLF001  # this module's
+            poll.register(player.files[0], select.POLLIN | select.POLLOUT)
+    for file in others:
+        poll.register(file, select.POLLIN)
+    ready = {file for file, _ in poll.poll(1000 * seconds)}
+    return any(file in ready for file in others)
+
+
+def _runs(message: dict[str, Any]) -> int:
+    """The number of logs that answer a message."""
+    return int(message["runs"])
+
+
+def _logs(content: bytes, runs: int) -> list[bytes]:
+    """The logs of an answer.
+
+    Raises:
+        ValueError: if these are not so many.
+    """
+    at = 4 * runs
+    sizes = [int.from_bytes(content[i : i + 4], "little") for i in range(0, at, 4)]
+    if at + sum(sizes) != len(content):
+        raise ValueError(content[:16])
+    logs = []
+    for size in sizes:
+        logs.append(content[at : at + size])
+        at += size
+    return logs
+
+
+# ---------------------------------------------------------------- starting
+
+
+def _shared(size: int) -> tuple[mmap.mmap, int]:
+    """Memory that another process can share, and its descriptor."""
+    if hasattr(os, "memfd_create"):
+        file = os.memfd_create("allworlds")
+    else:
+        import tempfile
+
+        with tempfile.TemporaryFile() as named:
+            file = os.dup(named.fileno())
+    os.truncate(file, size)
+    return mmap.mmap(file, size), file
+
+
+class _Spawner(threading.Thread):
+    """The thread that starts all players: they end when it does, which is with this process."""
+
+    def __init__(self) -> None:
+        super().__init__(daemon=True, name="starts players")
+        self.pid = os.getpid()
+        self._asked: SimpleQueue[tuple[Callable[[], int], SimpleQueue[Any]]] = SimpleQueue()
+        self.start()
+
+    def run(self) -> None:
+        """Serve for ever."""
+        linux.adopt()
+        while True:
+            act, answer = self._asked.get()
+            try:
+                answer.put(act())
+            except OSError as error:
+                answer.put(error)
+
+    def done(self, act: Callable[[], int]) -> int:
+        """What a function returns that is called in that thread."""
+        answer: SimpleQueue[Any] = SimpleQueue()
+        self._asked.put((act, answer))
+        came = answer.get()
+        if isinstance(came, OSError):
+            raise HarnessError(f"no process could be started: {came.strerror}")
+        return int(came)
+
+
+_spawners: list[_Spawner] = []
+
+
+def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
+    """The number of a new process."""
+    if not _spawners or _spawners[0].pid != os.getpid():
+        _spawners[:] = [_Spawner()]
+    environment = {**os.environ, HASH_SEED: str(seed), _TOKEN: token}
+    nothing = (os.POSIX_SPAWN_OPEN, 0, os.devnull, os.O_RDONLY, 0)
+    # Whatever these descriptors are here, they are copied out of the way first.
+    free = max(link, beat, printing, 4) + 1
+    high = [free, free + 1, free + 2]
+    copies = [(os.POSIX_SPAWN_DUP2, *each) for each in zip((link, beat, printing), high)]
+    places = [(free, 3), (free + 1, 4), (free + 2, 1), (free + 2, 2)]
+    moved = [(os.POSIX_SPAWN_DUP2, *each) for each in places]
+    closed = [(os.POSIX_SPAWN_CLOSE, each) for each in high]
+    command = [sys.executable, "-P", "-c", _BOOT, *child_path()]
+    return _spawners[0].done(
+        lambda: os.posix_spawn(
+            sys.executable,
+            command,
+            environment,
+            file_actions=[nothing, *copies, *moved, *closed],
+            setsid=True,
+        )
+    )
+
+
+def child_path() -> list[str]:
+    """A child's import path: the user's folders come last, and hide no module of the package."""
+    users = {"", str(Path.cwd())}
+    main = getattr(sys.modules.get("__main__"), "__file__", None)
+    if main:
+        users.add(str(Path(main).resolve().parent))
+    ours = [entry for entry in sys.path if entry not in users]
+    return [*ours, *(entry for entry in sys.path if entry in users and entry)]
+
+

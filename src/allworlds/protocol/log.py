@@ -1,0 +1,277 @@
+"""The log of a run: the only thing that a player makes.  This module alone writes and reads it.
+
+It imports nothing, so that a player starts fast.  A log is a sequence of entries, each of which
+begins with a byte:
+
+    0..199              a motion by so many darts
+    200 SHOWN           a checkpoint: the number of darts, here, sigma, alpha, padding
+    201 ANSWERED        the answer, in the same form
+    202 OVER_BUDGET     one traversal more than the budget; 203 SHOWN_TOO_OFTEN: one checkpoint more
+    204 FAULT           the law's number, whether the machine may be the cause, and three texts
+    205 BEYOND          a motion behind the end of a record
+    206 FAR             a motion by 200 darts or more; 207 DROP, 208 PICK, 209 WRITE with a number
+    210 CHOICE          the index and the number of options (0: it is not known)
+    211 LONG_CHOICE     the same, as numbers of any length; so 212 LONG_SHOWN and 213 LONG_ANSWER
+    214 QUOTIENT        the answer is a rooted quotient; 215 VALUE: it is a text of JSON
+    216 OVER            the run was ended, since all was done; 217 FREE_TOO_OFTEN: an action too many
+    218 REFUSED         the last action is illegal here; who walks the log in the world meets it, too
+
+The padding allows compiled code to read whole words; it knows the bytes up to 205, and
+210.  Behind the byte 204 it need not read.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:  # the module of that name would have to be loaded
+    from collections.abc import Sequence
+
+LARGEST_MOTION = 199
+SHOWN, ANSWERED, OVER_BUDGET, SHOWN_TOO_OFTEN, FAULT, BEYOND = range(200, 206)
+FAR, DROP, PICK, WRITE, CHOICE, LONG_CHOICE, LONG_SHOWN, LONG_ANSWER = range(206, 214)
+QUOTIENT, VALUE, OVER, FREE_TOO_OFTEN, REFUSED = range(214, 219)
+
+ENDS = frozenset({OVER_BUDGET, SHOWN_TOO_OFTEN, BEYOND, OVER, FREE_TOO_OFTEN, REFUSED})
+"""The endings that are one byte."""
+
+LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
+"""The laws that a player finds broken."""
+
+MOST_DARTS = 64
+"""The largest number of darts in a short entry."""
+
+LANES = 16
+"""The number of bytes that compiled code reads at a time."""
+
+DROPPED, PICKED, WROTE = -1, -2, -3
+"""The numbers of actions that are no motions; ``Write(k)`` has ``WROTE - k``."""
+
+
+def span(darts: int) -> int:
+    """The number of bytes of sigma and alpha in a short entry: a byte for each, and zeros."""
+    return darts + (darts + LANES - 1 & -LANES)
+
+
+# ---------------------------------------------------------------- writing
+
+
+def motion(k: int) -> bytes:
+    """A motion by ``k`` darts, from 0 on."""
+    return bytes((k,)) if k <= LARGEST_MOTION else bytes((FAR,)) + _number(k)
+
+
+def written(number: int) -> bytes:
+    """The entry of a number that is written."""
+    return bytes((WRITE,)) + _number(number)
+
+
+def choice(index: int, options: int) -> bytes:
+    """The entry of a choice among so many options."""
+    if 0 <= index <= 255 and options <= 255:
+        return bytes((CHOICE, index, options))
+    return bytes((LONG_CHOICE,)) + _number(index) + _number(options)
+
+
+def shown(sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
+    """The entry of a checkpoint."""
+    return _short(SHOWN, sigma, alpha, here) or (
+        bytes((LONG_SHOWN,)) + _numbers(sigma) + _numbers(alpha) + _number(here)
+    )
+
+
+def answer(sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
+    """The entry of an answer."""
+    return _short(ANSWERED, sigma, alpha, here) or (
+        bytes((LONG_ANSWER,)) + _numbers(sigma) + _numbers(alpha) + _number(here)
+    )
+
+
+def quotient(lists: Sequence[Sequence[int]], here: int) -> bytes:
+    """The entry of a rooted quotient: sigma, alpha, degrees and marks."""
+    return bytes((QUOTIENT,)) + b"".join(map(_numbers, lists)) + _number(here)
+
+
+def value(text: str) -> bytes:
+    """The entry of an answer that is no map, as JSON."""
+    return bytes((VALUE,)) + _text(text)
+
+
+def fault(
+    law: str, expected: str, seen: str, detail: str = "", *, machine: bool = False
+) -> bytes:
+    """The entry of a fault: sentences, and a traceback or the like."""
+    words = b"".join(map(_text, (expected, seen, detail)))
+    return bytes((FAULT, LAWS.index(law), machine)) + words
+
+
+def _short(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
+    """A short entry; empty if there is something in it that is no byte, or too much."""
+    darts = len(sigma)
+    if not (darts == len(alpha) and 1 <= darts <= MOST_DARTS):
+        return b""
+    try:
+        return bytes((code, darts, here, *sigma, *alpha)) + bytes(span(darts) - 2 * darts)
+    except ValueError:
+        return b""
+
+
+def _number(number: int) -> bytes:
+    size = number.bit_length() // 8 + 1
+    return size.to_bytes(4, "little") + number.to_bytes(size, "little", signed=True)
+
+
+def _numbers(numbers: Sequence[int]) -> bytes:
+    return len(numbers).to_bytes(4, "little") + b"".join(map(_number, numbers))
+
+
+def _text(text: str) -> bytes:
+    data = text.encode(errors="surrogatepass")
+    return len(data).to_bytes(4, "little") + data
+
+
+# ---------------------------------------------------------------- reading
+
+
+class Read:
+    """The content of a log.
+
+    Attributes:
+        actions: by their numbers.
+        shown: the checkpoints, each with the number of actions before it.
+        choices, widths: the index of each choice, and the number of its options (0: not known).
+        end: how it ends: a byte, and what belongs to it; an empty tuple if the log is cut off.
+    """
+
+    __slots__ = ("actions", "choices", "end", "shown", "widths")
+
+    def __init__(self, log: bytes, *, whole: bool = True) -> None:
+        """Read a log.
+
+        Args:
+            log: its bytes.
+            whole: whether it must have an end.
+
+        Raises:
+            ValueError: if it is none.
+        """
+        self.actions: list[int] = []
+        self.shown: list[tuple[int, tuple[int, ...], tuple[int, ...], int]] = []
+        self.choices: list[int] = []
+        self.widths: list[int] = []
+        self.end: tuple[object, ...] = ()
+        try:
+            self._read(log)
+        except IndexError:
+            if whole:
+                raise ValueError("the log has no end") from None
+
+    def _read(self, log: bytes) -> None:
+        at, actions = 0, self.actions
+        while True:
+            code = log[at]
+            at += 1
+            if code <= LARGEST_MOTION:
+                actions.append(code)
+            elif code in (SHOWN, ANSWERED):
+                darts, here = log[at], log[at + 1]
+                at += 2
+                sigma, alpha = log[at : at + darts], log[at + darts : at + 2 * darts]
+                if len(alpha) != darts:
+                    raise IndexError
+                at += span(darts)
+                published = tuple(sigma), tuple(alpha), here
+                if code == ANSWERED:
+                    return self._ends(log, at, code, *published)
+                self.shown.append((len(actions), *published))
+            elif code == CHOICE:
+                self.choices.append(log[at])
+                self.widths.append(log[at + 1])
+                at += 2
+            elif code in _ACTIONS:
+                actions.append(_ACTIONS[code])
+            elif code in ENDS:
+                return self._ends(log, at, code)
+            else:
+                end = self._long(log, at, code)
+                if end < 0:
+                    return None
+                at = end
+
+    def _long(self, log: bytes, at: int, code: int) -> int:
+        """Read a long entry; return the place behind it, -1 behind the end of the log."""
+        if code == FAR:
+            at, number = _number_at(log, at)
+            self.actions.append(number)
+        elif code == WRITE:
+            at, number = _number_at(log, at)
+            self.actions.append(WROTE - number)
+        elif code == LONG_CHOICE:
+            at, index = _number_at(log, at)
+            at, options = _number_at(log, at)
+            self.choices.append(index)
+            self.widths.append(options)
+        elif code in _LISTS:
+            parts: list[tuple[int, ...]] = []
+            for _ in range(_LISTS[code]):
+                at, numbers = _numbers_at(log, at)
+                parts.append(numbers)
+            at, here = _number_at(log, at)
+            if code != LONG_SHOWN:
+                self._ends(log, at, code, *parts, here)
+                return -1
+            self.shown.append((len(self.actions), parts[0], parts[1], here))
+        elif code == VALUE:
+            at, text = _text_at(log, at)
+            self._ends(log, at, code, text)
+            return -1
+        elif code == FAULT:
+            law, machine = log[at], log[at + 1]
+            at += 2
+            texts = []
+            for _ in range(3):
+                at, text = _text_at(log, at)
+                texts.append(text)
+            if law >= len(LAWS):
+                raise ValueError(f"no law has the number {law}")
+            self._ends(log, at, code, LAWS[law], *texts, bool(machine))
+            return -1
+        else:
+            raise ValueError(f"the byte {code} begins no entry")
+        return at
+
+    def _ends(self, log: bytes, at: int, *end: object) -> None:
+        if at != len(log):
+            raise ValueError("the log goes on behind its end")
+        self.end = end
+
+
+_ACTIONS = {DROP: DROPPED, PICK: PICKED}
+_LISTS = {LONG_SHOWN: 2, LONG_ANSWER: 2, QUOTIENT: 4}
+
+
+def _number_at(log: bytes, at: int) -> tuple[int, int]:
+    """The place behind a number, and the number."""
+    size = _size_at(log, at)
+    return at + 4 + size, int.from_bytes(log[at + 4 : at + 4 + size], "little", signed=True)
+
+
+def _numbers_at(log: bytes, at: int) -> tuple[int, tuple[int, ...]]:
+    length, numbers = int.from_bytes(log[at : at + 4], "little"), []
+    at += 4
+    for _ in range(length):
+        at, number = _number_at(log, at)
+        numbers.append(number)
+    return at, tuple(numbers)
+
+
+def _text_at(log: bytes, at: int) -> tuple[int, str]:
+    size = _size_at(log, at)
+    return at + 4 + size, log[at + 4 : at + 4 + size].decode(errors="surrogatepass")
+
+
+def _size_at(log: bytes, at: int) -> int:
+    """The length that stands there; that much must follow."""
+    size = int.from_bytes(log[at : at + 4], "little")
+    if len(log) < at + 4 + size:
+        raise IndexError
+    return size

@@ -1,0 +1,475 @@
+"""One run of an explorer, played to its end; its log is all that remains of it.
+
+This is the explorer's side: what answers it may be a world, or the percepts of an earlier play.
+"""
+
+from __future__ import annotations
+
+import json
+import traceback
+from collections.abc import Callable, Generator, Iterable, MutableSequence
+from itertools import islice
+from pathlib import Path
+from typing import Any, Protocol
+
+from allworlds.inputs import (
+    LARGEST_SIZE,
+    SHOWN,
+    InputError,
+    are_plain,
+    integer,
+    let_users_interrupt,
+    show,
+)
+from allworlds.maps import CombinatorialMap, InvalidMap
+from allworlds.protocol import log as entries
+from allworlds.protocol.actions import Drop, Move, Pick, Write
+from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
+from allworlds.protocol.choices import Choices
+from allworlds.protocol.faults import BeyondRecord, ExplorerFault, IllegalAction
+from allworlds.protocol.percept import Percept
+from allworlds.protocol.player import Player, Told
+
+FREE = 10
+"""The drops and picks that are legal for each traversal of the budget, and as many more: they are
+free, and without a limit an explorer could go on so for ever."""
+
+LONGEST = 20_000
+"""The number of characters that are kept of a traceback."""
+
+MOST_DARTS = 2 * LARGEST_SIZE
+"""The largest number of darts in an answer, unless twice the step budget is more."""
+
+AN_ESTIMATE = "Estimate(map, here) with a dart of the map"
+"""The expectation of every answer but a quotient, as a finding states it."""
+
+A_QUOTIENT = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
+"""The expectation of a quotient."""
+
+A_VALUE = "an Estimate, or an answer that JSON has"
+"""The expectation of the answer of a task with any answer."""
+
+NO_MAP, BUILT = "no map: ", "built "
+"""The first words of the text about a map that could not be built, and of its line of code."""
+
+AN_ACTION = "an action, or an estimate at the end"
+
+_OF_MAPS = str(Path(__file__).parents[1] / "maps")
+"""The folder of the code that raises InvalidMap; the explorer's own line is outside."""
+
+
+class Surroundings(Protocol):
+    """What an explorer walks in: a world, or recorded percepts in place of one.
+
+    Attributes:
+        first: the percept before any action.
+        told: what the lighthouse tells before the start; None if there is nothing.
+        over: whether all is done that the task asks for, so that the run ends here.
+    """
+
+    @property
+    def first(self) -> Percept: ...
+    @property
+    def told(self) -> Told: ...
+    @property
+    def over(self) -> bool: ...
+
+    def move(self, k: int) -> Percept:
+        """Return the percept behind a motion below the degree, a copy for the explorer alone."""
+
+    def act(self, action: Drop | Pick | Write) -> Percept:
+        """Return the percept after an action; raise IllegalAction for one that is illegal."""
+
+
+def play_run(
+    around: Surroundings,
+    player: Player,
+    choices: Choices,
+    budget: int,
+    beat: MutableSequence[int],
+    *,
+    any_answer: bool = False,
+    hear: Callable[[bytearray], None] | None = None,
+) -> bytes:
+    """Play one run to its end, and return its log.
+
+    Args:
+        around: answers the actions.
+        player: the explorer.
+        choices: given to an explorer that takes choices.
+        budget: the largest legal number of traversals; one checkpoint more is legal.
+        beat: ``beat[1]`` grows at each turn of the explorer and is 0 when it has ended, so that
+            someone else can see a silent explorer.
+        any_answer: whether the task asks for no estimate.
+        hear: gets the log so far before each turn, if the run may not come to an end.
+
+    Raises:
+        InputError: of a model of the user's that answers the explorer.
+
+    Cost: linear in the steps, besides the explorer's own.
+    """
+    log = bytearray()
+    told = around.told
+    turns = _Turns(log, around, choices, budget, beat, hear)
+    generator = None
+    beat[1] = 1
+    try:
+        generator = player(
+            around.first, choices, told if told is None or type(told) is int else dict(told)  # type: ignore[call-overload]
+        )
+        turns.play(generator)
+    except StopIteration as stop:
+        turns.note_choices()
+        most = max(MOST_DARTS, 2 * budget)
+        log += any_answer_entry(stop.value, most) if any_answer else answer_entry(stop.value, most)
+    except BaseException as error:
+        if error is turns.broken:  # of a model of the user's, and no fault of the explorer's
+            raise
+        turns.note_choices()
+        log += _raised(error)
+    finally:
+        closed(generator)
+        beat[1] = 0
+    return bytes(log)
+
+
+class _Turns:
+    """The turns of one run."""
+
+    def __init__(
+        self,
+        log: bytearray,
+        around: Surroundings,
+        choices: Choices,
+        budget: int,
+        beat: MutableSequence[int],
+        hear: Callable[[bytearray], None] | None,
+    ) -> None:
+        self.log, self.around, self.choices = log, around, choices
+        self.budget, self.beat, self.hear = budget, beat, hear
+        self.broken: InputError | None = None
+        self._noted = self._shown = 0
+
+    def note_choices(self) -> None:
+        """Write the choices since the last turn into the log."""
+        record, widths = self.choices.record, self.choices.widths
+        for i in range(self._noted, len(record)):
+            self.log += entries.choice(record[i], widths[i] if i < len(widths) else 0)
+        self._noted = len(record)
+
+    def play(self, generator: Generator[Any, Any, Any]) -> None:
+        """Play until a fault, or until all is done; the answer arrives as StopIteration."""
+        around, log, beat, record = self.around, self.log, self.beat, self.choices.record
+        send, add, hear = generator.send, log.append, self.hear
+        left, free, turn = self.budget, FREE * (self.budget + 1), 1
+        degree, reply = around.first.degree, None
+        while not self._is_over():
+            if hear is not None:
+                hear(log)
+            message = send(reply)
+            turn += 1
+            beat[1] = turn
+            if len(record) != self._noted:
+                self.note_choices()
+            if type(message) is Move:
+                k = message.k
+                if type(k) is not int and (k := self._integer(message)) is None:
+                    return
+                if not left:
+                    return add(entries.OVER_BUDGET)
+                left -= 1
+                k %= degree
+                if k <= entries.LARGEST_MOTION:
+                    add(k)
+                else:
+                    log += entries.motion(k)
+                try:
+                    reply = around.move(k)
+                except BeyondRecord:
+                    return add(entries.BEYOND)
+                except InputError as error:
+                    self.broken = error
+                    raise
+                degree = reply.degree
+            elif type(message) is Checkpoint:
+                if not self._publish(message):
+                    return None
+                reply = None
+            elif type(message) in (Drop, Pick, Write):
+                reply = self._act(message, free)
+                if reply is None:
+                    return None
+                free -= 1
+                degree = reply.degree
+            else:
+                log += _illegal("a Move, Drop, Pick, Write or Checkpoint", message)
+                return None
+        add(entries.OVER)
+        return None
+
+    def _is_over(self) -> bool:
+        try:
+            return self.around.over
+        except InputError as error:
+            self.broken = error
+            raise
+
+    def _integer(self, message: Move | Write) -> int | None:
+        """The number of an action; None if it is none, which the log says then."""
+        try:
+            return integer(message.k)
+        except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
+            let_users_interrupt(error)
+            name = type(message).__name__
+            self.log += _illegal(f"{name}(k) with an integer k", message)
+            return None
+
+    def _act(self, action: Drop | Pick | Write, free: int) -> Percept | None:
+        """The percept after an action that is no motion; None if the run ends with it."""
+        log = self.log
+        if type(action) is Write:
+            number = self._integer(action)
+            if number is None:
+                return None
+            if number < 0:
+                log += _illegal("Write(k) with k from 0 on", action)
+                return None
+            action = Write(number)
+            log += entries.written(number)
+        else:
+            log.append(entries.DROP if type(action) is Drop else entries.PICK)
+        if not free:
+            log.append(entries.FREE_TOO_OFTEN)
+            return None
+        try:
+            return self.around.act(action)
+        except IllegalAction:
+            log.append(entries.REFUSED)
+        except BeyondRecord:
+            log.append(entries.BEYOND)
+        except InputError as error:
+            self.broken = error
+            raise
+        return None
+
+    def _publish(self, message: Checkpoint) -> bool:
+        """Write a checkpoint into the log; return whether the run goes on."""
+        if self._shown > self.budget:
+            self.log.append(entries.SHOWN_TOO_OFTEN)
+            return False
+        self._shown += 1
+        most = max(MOST_DARTS, 2 * self.budget)
+        try:
+            sigma, alpha = integers(message.sigma, most), integers(message.alpha, most)
+            self.log += entries.shown(sigma, alpha, integer(message.here))
+        except TooManyDarts as error:
+            walked = "a checkpoint of what has been walked along"
+            self.log += entries.fault("illegal-action", walked, str(error))
+            return False
+        except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+            let_users_interrupt(error)
+            self.log += _illegal("a checkpoint of two sequences of integers and an integer", message)
+            return False
+        return True
+
+
+def _illegal(expected: str, message: object) -> bytes:
+    return entries.fault("illegal-action", expected, show(message))
+
+
+# ---------------------------------------------------------------- answers
+
+
+class TooManyDarts(ValueError):
+    """Raised for a map of more darts than the robot can have walked along."""
+
+
+def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
+    """The entry of an answer, which may be a subclass, or tampered with.
+
+    Args:
+        answer: anything.
+        most: the largest number of darts that is looked at.
+    """
+    quotient = type(answer) is Ambiguous
+    expected = A_QUOTIENT if quotient else AN_ESTIMATE
+    if not quotient and type(answer) is not Estimate:
+        return entries.fault("no-estimate", expected, show(answer))
+    try:
+        if type(answer) is Ambiguous:
+            lists = answer.sigma, answer.alpha, answer.degree, answer.marks
+            sequences = [integers(each, most) for each in lists]
+            return entries.quotient(sequences, integer(answer.here))
+        assert type(answer) is Estimate
+        claimed: object = answer.map
+        if not isinstance(claimed, CombinatorialMap):
+            return entries.fault("no-estimate", expected, f"a map that is {show(claimed)}")
+        sigma, alpha = integers(claimed.sigma, most), integers(claimed.alpha, most)
+        return entries.answer(sigma, alpha, integer(answer.here))
+    except TooManyDarts as error:
+        return entries.fault("no-estimate", expected, str(error))
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        let_users_interrupt(error)
+        return entries.fault("no-estimate", expected, show(answer))
+
+
+def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
+    """The entry of an answer for a task with any: an estimate, or a value that JSON has."""
+    if type(answer) in (Estimate, Ambiguous):
+        return answer_entry(answer, most)
+    try:
+        text = json.dumps(answer, allow_nan=False)
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        let_users_interrupt(error)
+        return entries.fault("no-estimate", A_VALUE, show(answer))
+    return entries.value(text)
+
+
+def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...]:
+    """The values, perhaps an endless sequence, as integers.
+
+    Raises:
+        TypeError: if one is none.
+        TooManyDarts: if there are more than ``most``; no more than that are asked for.
+    """
+    kept = values if type(values) is tuple else tuple(islice(values, most + 1))
+    if len(kept) > most:
+        raise TooManyDarts(f"more than {most:,} darts")
+    if are_plain(kept):
+        return kept  # type: ignore[return-value]
+    return tuple([integer(value) for value in kept])
+
+
+# ---------------------------------------------------------------- faults
+
+
+def _raised(error: BaseException) -> bytes:
+    """The entry of an explorer that has raised."""
+    let_users_interrupt(error)
+    if type(error) is ExplorerFault and error.law in entries.LAWS:
+        words = AN_ACTION, error.seen, error.detail
+        return entries.fault(error.law, *words, machine=error.machine)
+    name = type(error).__name__
+    try:
+        if isinstance(error, InvalidMap):
+            return _no_map(error)
+        frames = error.__traceback__
+        for _ in range(2):  # those of this module
+            frames = frames and frames.tb_next
+        message = str.__str__(str(error))[:SHOWN]
+        detail = "".join(traceback.format_exception(type(error), error, frames))
+    except BaseException as another:  # noqa: BLE001  # an exception may not even be printable
+        let_users_interrupt(another)
+        return entries.fault("crash", AN_ACTION, f"{name}, which cannot be shown")
+    seen = f"{name}: {message}" if message else name
+    machine = isinstance(error, MemoryError)
+    return entries.fault("crash", AN_ACTION, seen, detail[-LONGEST:], machine=machine)
+
+
+def _no_map(error: InvalidMap) -> bytes:
+    """The entry of an explorer that raised InvalidMap while it built its answer."""
+    built = [
+        f"{BUILT}in {frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
+        for frame in traceback.extract_tb(error.__traceback__)[2:]
+        if not frame.filename.startswith(_OF_MAPS)
+    ]
+    detail = "\n\n".join(filter(None, (error.tried, *built[-1:])))
+    said = f"{NO_MAP}{str.__str__(str(error))[:SHOWN]}"
+    return entries.fault("no-estimate", AN_ESTIMATE, said, detail[:LONGEST])
+
+
+def closed(generator: Generator[Any, Any, Any] | None) -> None:
+    """Close the generator, and ignore every exception that it raises then."""
+    try:
+        if generator is not None:
+            generator.close()
+    except BaseException as error:  # noqa: BLE001  # the run has been decided all the same
+        let_users_interrupt(error)
+
+
+# ---------------------------------------------------------------- what an explorer walks in
+
+
+class Table:
+    """A world as a table: five numbers for each dart; for lighthouses that no action changes.
+
+    They are the first dart of its vertex, whose darts stand one behind the other clockwise, the
+    other dart of its edge, and the percept there: degree, marks, and the bearing and 1, or 0.
+
+    Args:
+        table: the numbers, as bytes where all are small; the start is dart 0.
+        told: before the start.
+    """
+
+    over = False
+
+    def __init__(self, table: bytes | tuple[int, ...], told: Told) -> None:
+        self._table, self._dart, self.told = table, 0, told
+        self.first = percept_of(*table[2:5])
+
+    def move(self, k: int) -> Percept:
+        """The percept behind a motion."""
+        table, at = self._table, 5 * self._dart
+        leaving = self._dart + k
+        if leaving >= table[at] + table[at + 2]:
+            leaving -= table[at + 2]
+        self._dart = table[5 * leaving + 1]
+        at = 5 * self._dart
+        bearing = table[at + 4]
+        return Percept(table[at + 2], table[at + 3], bearing - 1 if bearing else None)
+
+    def act(self, _action: object) -> Percept:
+        """Raise IllegalAction: such a world takes motions alone."""
+        raise IllegalAction
+
+
+class Record:
+    """The percepts of an earlier play, in place of a world.
+
+    Args:
+        sensed: three numbers each, as in a table.
+        told: before the start.
+        over: whether the run is ended where they end.
+    """
+
+    def __init__(self, sensed: bytes | tuple[int, ...], told: Told, over: bool = False) -> None:
+        self._sensed, self._at, self._ends, self.told = sensed, 3, over, told
+        self.first = percept_of(*sensed[:3])
+
+    @property
+    def over(self) -> bool:
+        """Whether all was done here."""
+        return self._ends and self._at == len(self._sensed)
+
+    def move(self, _action: object) -> Percept:
+        """The next percept.
+
+        Raises:
+            BeyondRecord: past the last one.
+        """
+        at, sensed = self._at, self._sensed
+        if at == len(sensed):
+            raise BeyondRecord
+        self._at = at + 3
+        bearing = sensed[at + 2]
+        return Percept(sensed[at], sensed[at + 1], bearing - 1 if bearing else None)
+
+    act = move
+
+
+def percept_of(degree: int, marks: int, bearing: int) -> Percept:
+    """The percept of three numbers, in which a bearing has 1 added, and 0 stands for none."""
+    return Percept(degree, marks, bearing - 1 if bearing else None)
+
+
+def numbers_of(percepts: Iterable[Percept]) -> bytes | tuple[int, ...]:
+    """The numbers of percepts; as bytes where all are small."""
+    numbers = [
+        number
+        for p in percepts
+        for number in (p.degree, p.marks, 0 if p.bearing is None else p.bearing + 1)
+    ]
+    try:
+        return bytes(numbers)
+    except ValueError:
+        return tuple(numbers)
