@@ -8,7 +8,7 @@ import pkgutil
 import signal
 import subprocess
 import sys
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 
 import pytest
 from coverage import Coverage
@@ -16,8 +16,8 @@ from hypothesis import settings
 
 import allworlds
 from allworlds.cli.app import call
-from allworlds.engines.isolation.workers import ThisProcess
-from allworlds.engines.python.in_process import InProcessPlayers
+from allworlds.engines.lanes import Here as OneLane
+from allworlds.engines.players import Here
 from allworlds.explorers import load
 
 COMPILE = """
@@ -133,28 +133,28 @@ def without_workers(monkeypatch):
     explorer.  What a program writes to stderr goes nowhere, as in a player that nobody overhears.
     """
 
-    class Here(ThisProcess):
-        def __exit__(self, *_):
-            if self.subject.program:
-                self.subject.program.close()
+    with ExitStack() as running:
 
-    def loaded(subject, limits):
-        if not subject.importable:
-            return subject
-        return load(subject.name, limits.answer_timeout, subject.source)
+        def loaded(subject, limits):
+            if not subject.importable:
+                return subject
+            here = load(subject.name, limits.answer_timeout, subject.source)
+            running.enter_context(here.running())
+            return here
 
-    @contextmanager
-    def players(subject, limits, _hash_seed=None):
-        here = loaded(subject, limits)
-        with here.running():
-            yield InProcessPlayers(here)
+        def player(setup, _seed, notice=None):
+            subject = loaded(setup.subject, setup.limits)
+            explorer = subject.player(notice) if notice and subject.own else subject.player()
+            return Here(explorer, of_user=subject.from_user, prints=setup.prints)
 
-    monkeypatch.setattr(
-        "allworlds.engines.isolation.workers.Workers",
-        lambda subject, limits, deadline=None: Here(loaded(subject, limits), deadline),
-    )
-    monkeypatch.setattr("allworlds.engines.isolation.apart._players", players)
-    monkeypatch.setattr("allworlds.explorers.program.Program._pass_stderr_on", lambda _: None)
+        for module in ("lane", "single"):
+            monkeypatch.setattr(f"allworlds.engines.{module}.started", player)
+        monkeypatch.setattr(
+            "allworlds.engines.lanes.Lanes",
+            lambda subject, limits, deadline: OneLane(subject, limits, deadline),
+        )
+        monkeypatch.setattr("allworlds.explorers.program.Program._pass_stderr_on", lambda _: None)
+        yield
 
 
 def needs_kernel(item):

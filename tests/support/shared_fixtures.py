@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import processes
-from allworlds.engines.isolation.process import GRACE
+from allworlds.engines.players import GRACE
 from kept_jobs import reporting
 from processes import PATIENCE
 
@@ -101,7 +101,7 @@ def clock(monkeypatch, tmp_path):
     monkeypatch.setenv("HUNG", str(hung))
     clock = Clock(hung)
     for module in (
-        "engines.isolation.process",
+        "engines.players",
         "engines.units.effort",
         "studies.check.confirmation",
     ):
