@@ -9,11 +9,9 @@ import pytest
 from allworlds.cli import output
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WRONG_LEARNERS
 from allworlds.document import replace
-from allworlds.engines import Scope, engine_table as engines
+from allworlds.engines import Scope, engine_table as engines, lane, players
 from allworlds.engines.compiled.agreement import AGREEMENT_EDGES
-from allworlds.engines.isolation import player
 from allworlds.engines.kernel import capabilities
-from allworlds.engines.python import players
 from allworlds.explorers import load, program
 from allworlds.explorers.program_lines import SAYINGS
 from allworlds.explorers.shared_library.library import INTERFACE_VERSION
@@ -62,14 +60,14 @@ def test_the_page_of_trust_says_how_many_mutants_there_are():
         ("verdicts.md", r"one line of at most (\d+) characters", output.LONGEST),
         ("verdicts.md", r"is smaller than (\d+) MB", frame.LARGEST // 1_000_000),
         ("trust.md", r"at most ([\d,]+) darts of an answer", endings.MOST_DARTS),
-        ("trust.md", r"`PYTHONHASHSEED` 0, the second (\d)", players.OTHER_SEED),
+        ("trust.md", r"`PYTHONHASHSEED` 0, the second (\d)", lane.SECOND),
         (
             "how-to/languages.md",
             r"law of the protocol its last (\d) KiB",
             program.STDERR_KEPT >> 10,
         ),
         ("how-to/languages.md", r"a line of more than (\d+) MiB", program.LONGEST_LINE >> 20),
-        ("how-to/languages.md", r"more memory than (\d) GB", player.NATIVE_MEMORY >> 10),
+        ("how-to/languages.md", r"more memory than (\d) GB", players.NATIVE_MEMORY >> 10),
         ("how-to/languages.md", r"`ALLWORLDS_VERSION` (\d) \|", INTERFACE_VERSION),
         ("scaling.md", r"more than ([\d,]+) worlds", time_estimate.MANY["python"]),
         ("scaling.md", r"compiled engine: (\d+) million", time_estimate.MANY["compiled"] // 10**6),

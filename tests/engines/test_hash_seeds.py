@@ -1,78 +1,15 @@
 """Explorers that go by hashes: told from others, and judged so that a report is always the same."""
 
 import json
-from types import SimpleNamespace
 
 import pytest
 
-from allworlds.engines import GOES_BY_HASHES, Limits, PythonEngine, Scope, Silent
-from allworlds.engines.isolation.confirm import repeat
-from allworlds.engines.isolation.jobs import PlayerSetup
-from allworlds.engines.python.players import OTHER_SEED, SEEDS
-from allworlds.engines.python.second_play import PlayedTwice, _Unlike
-from allworlds.explorers import load
-from allworlds.judging import Log, Over, Rules
-from allworlds.maps import Extent, MapClass
+from allworlds.engines import GOES_BY_HASHES, Limits, Silent, subject_of
+from allworlds.engines.lane import SECOND
+from allworlds.engines.single import played_again
 from allworlds.studies.check import check
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
-
-
-class Seeded:
-    """Players of an explorer whose one action follows from its hash seed, and from what was before.
-
-    Attributes:
-        action: of a seed, and of the number of plays in its process.
-        seeds: of both players.
-        met: the seeds of the processes that were started, one after the other.
-    """
-
-    def __init__(self, action):
-        self.action, self.seeds, self.met, self._plays = action, SEEDS, [], {}
-
-    def restart(self):
-        self._plays.clear()
-
-    def send_records(self, records, policy):
-        assert policy == "fifo"
-        self.records = records
-
-    def receive_logs(self):
-        return [self._played() for _ in self.records]
-
-    def _played(self):
-        _, seed = self.seeds
-        if seed not in self._plays:
-            self.met.append(seed)
-        self._plays[seed] = turn = self._plays.get(seed, 0) + 1
-        return log(self.action(seed, turn))
-
-
-def log(action):
-    return Log((action,), (), Over())
-
-
-UNLIKE = [_Unlike(SimpleNamespace(record=turn, log=log(0)), None, log(5)) for turn in range(3)]
-
-
-def explained(players):
-    """Whether the seeds explain that first plays are 0, and second ones 5."""
-    engine = PythonEngine(Scope(Extent(MapClass.MAPS, 1), Rules("directional")), 1)
-    answer = PlayedTwice(engine, "x", players)._seeds_explain(UNLIKE)
-    assert players.seeds == SEEDS
-    assert not players._plays  # later plays are not after these
-    return answer
-
-
-def test_seeds_explain_plays_that_each_of_them_repeats():
-    players = Seeded(lambda seed, _: 5 * seed)
-    assert explained(players)
-    assert players.met == [0, OTHER_SEED]
-
-
-@pytest.mark.parametrize("other", [(0, 1), (0, 3), (OTHER_SEED, 2)])
-def test_one_play_that_a_seed_does_not_repeat_shows_that_seeds_explain_nothing(other):
-    assert not explained(Seeded(lambda *played: 7 if played == other else 5 * played[0]))
 
 
 WALKS_BY_HASHES = """
@@ -151,7 +88,7 @@ def test_a_sample_of_an_explorer_that_goes_by_hashes_is_shrunk_with_either_seed(
     assert first.to_json() == second.to_json()
     (found,) = first.findings
     assert found.world.map.edge_count == 3
-    assert found.hash_seed == OTHER_SEED
+    assert found.hash_seed == SECOND
 
 
 EVERY_OTHER_TIME = """
@@ -189,5 +126,6 @@ def test_an_answer_that_is_no_map_is_not_confirmed_by_one_that_is(tmp_path):
     (found,) = check(f"{module}:explore", edges=1).findings
     assert (found.law, found.confirmed) == ("no-estimate", True)
     module.write_text(f"{walk}    return estimate\n")
-    again = repeat(found, PlayerSetup.of(load(f"{module}:explore"), Limits()))
+    explore = f"{module}:explore"
+    again = played_again(found, subject_of(explore, Limits()), Limits())
     assert again.law == "nondeterministic"

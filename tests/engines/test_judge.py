@@ -8,7 +8,7 @@ from numba import cfunc, from_dtype, types
 from allworlds import CombinatorialMap, Estimate, Move
 from allworlds.document import replace
 from allworlds.engines import LevelRuns, Scope
-from allworlds.engines.compiled.agreement import ListingEngine
+from allworlds.engines.compiled.agreement import listed_runs
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.kernel.algorithm1 import algorithm1_addresses
 from allworlds.engines.kernel.calls import address_of
@@ -227,12 +227,11 @@ def laws_of(monkeypatch, explore, only):
     subject = replace(in_process_subject(explore), explore=explore)
     for edges in EDGES:
         extent = Extent(MapClass.MAPS, edges)
-        listing = ListingEngine(Scope(extent, rules), 1).for_built_in(subject)
         for prefix in prefixes(edges, depth=1):
-            for _, listed in listing.parts(LevelRuns(edges, prefix)):
-                level = level_of("algorithm1", rules, extent, edges)
-                judged = judge(level, prefix, listed=len(listed)).listed
-                yield [run.law for run in listed], [run.law for run in judged]
+            listed = listed_runs(Scope(extent, rules), subject, LevelRuns(edges, prefix))
+            level = level_of("algorithm1", rules, extent, edges)
+            judged = judge(level, prefix, listed=len(listed)).listed
+            yield [run.law for run in listed], [run.law for run in judged]
 
 
 @pytest.mark.slow

@@ -15,7 +15,7 @@ import pytest
 import processes
 from allworlds import ambiguity, check, worst
 from allworlds.engines import Silent
-from allworlds.engines.python.python_engine import BoundPythonEngine
+from allworlds.engines.judge import PythonJudge
 from allworlds.engines.run_directory import finished_units
 from allworlds.inputs import InputError
 from allworlds.studies.worst.compiled_engine import ScheduleSearch
@@ -182,7 +182,8 @@ def test_what_is_finished_is_not_done_again(name, tmp_path, monkeypatch):
     def nobody(*_):
         raise AssertionError("a unit was done again")
 
-    for engine in (BoundPythonEngine, ScheduleSearch, import_module(CENSUS).PartBySensing):
+    monkeypatch.setattr(PythonJudge, "batches", nobody)
+    for engine in (ScheduleSearch, import_module(CENSUS).PartBySensing):
         monkeypatch.setattr(engine, "parts", nobody)
     assert job(run=tmp_path / "run").to_json() == whole
     with pytest.raises(AssertionError):

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds.document import replace
-from allworlds.engines.python.second_play import ENOUGH
+from allworlds.engines import lane
 from allworlds.inputs import InputError
 from allworlds.judging import Finding
 from allworlds.studies.check import check
@@ -29,12 +29,15 @@ def explore(first):
 @pytest.mark.parametrize(
     ("edges", "workers"), [(1, 1), (2, 1), (2, 2), pytest.param(4, 1, marks=pytest.mark.slow)]
 )
-def test_there_are_two_plays_a_run_and_a_few_more_at_first(tmp_path, edges, workers):
+def test_there_are_two_plays_a_run_and_more_under_other_seeds(tmp_path, edges, workers):
     plays, module = tmp_path / "plays", tmp_path / "counts.py"
     module.write_text(COUNTS.format(file=str(plays)))
     report = check(f"{module}:explore", edges=edges, workers=workers)
     assert report.exit_code == 0
-    assert 2 * report.runs <= len(plays.read_text()) <= 2 * report.runs + ENOUGH * workers
+    small = sum(row.runs for row in report.rows if row.edges <= lane.SMALL)
+    more = lane.KEPT * len(lane.SIX_MORE) if edges > lane.SMALL else 0
+    ours = small if workers == 1 else 0  # of two lanes one tries other seeds
+    assert 2 * report.runs + ours + more <= len(plays.read_text()) <= 2 * report.runs + small + more
 
 
 def test_a_finding_carries_the_hash_seed_that_decides_and_replay_sets_it(tmp_path):

@@ -8,7 +8,7 @@ import re
 import pytest
 
 import small
-from allworlds.engines.isolation.player import NATIVE_MEMORY
+from allworlds.engines.players import NATIVE_MEMORY
 from allworlds.explorers import NativeExplorer, load, shared_library as libraries, threads_left
 from allworlds.explorers.shared_library.guarded_memory import Guarded
 from allworlds.explorers.shared_library.header import header_text

@@ -6,7 +6,7 @@ import pytest
 
 from allworlds.explorers import algorithm1
 from allworlds.judging import Answered, Fault, default_step_budget, play
-from allworlds.judging.endings import MOST_DARTS
+from allworlds.protocol.playing import MOST_DARTS
 from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
 from allworlds.protocol import (
     Ambiguous,

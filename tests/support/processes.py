@@ -76,7 +76,7 @@ def commands(pids):
 
 def is_guardian(pid):
     """Whether a child is a guardian; what it has forked has the same command."""
-    return _is_named(pid, b"isolation.roles")
+    return _is_named(pid, b"allworlds.engines.player")
 
 
 def _is_named(pid, word):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import MutableSequence, Sequence
 from typing import Any, NamedTuple, Protocol
 
 from msgspec import Struct
@@ -133,7 +133,13 @@ def _copy(percept: Percept) -> Percept:
 
 
 def play(
-    world: Environment, player: Player, choices: Choices, budget: int, *, maps: bool = True
+    world: Environment,
+    player: Player,
+    choices: Choices,
+    budget: int,
+    beat: MutableSequence[int] | None = None,
+    *,
+    maps: bool = True,
 ) -> Episode:
     """Run one explorer in one world to its end, in this process.
 
@@ -142,11 +148,13 @@ def play(
         player: the explorer.
         choices: given to an explorer that takes choices.
         budget: the largest legal number of traversals; one checkpoint more is legal.
+        beat: see :func:`allworlds.protocol.playing.play_run`.
         maps: whether the task asks for a map.
 
     Cost: linear in the steps, besides the explorer's own.
     """
-    log = play_run(InWorld(world), player, choices, budget, [0, 0], any_answer=not maps)
+    beat = [0, 0] if beat is None else beat
+    log = play_run(InWorld(world), player, choices, budget, beat, any_answer=not maps)
     return followed(Log.of(log), world, budget, maps=maps)
 
 

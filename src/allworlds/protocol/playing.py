@@ -172,9 +172,9 @@ class _Turns:
             if len(record) != self._noted:
                 self.note_choices()
             if type(message) is Move:
-                k = message.k
+                k = getattr(message, "k", None)  # it may lack its parts
                 if type(k) is not int and (k := self._integer(message)) is None:
-                    return
+                    return None
                 if not left:
                     return add(entries.OVER_BUDGET)
                 left -= 1

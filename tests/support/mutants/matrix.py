@@ -29,7 +29,6 @@ from allworlds.judging import (
     Answered,
     Case,
     Undecided,
-    any_ending_of,
     canonical_world,
     default_step_budget,
     judge,
@@ -172,7 +171,7 @@ def _refused_errands(level: int) -> Iterator[_Refused]:
             world = World(map_, next(iter(kind.places(map_, 0))), 0)
             budget = default_step_budget(paper_bound(map_.vertex_count, level))
             there = task.environment(world)
-            episode = play(there, player, Choices(), budget, ended=any_ending_of)
+            episode = play(there, player, Choices(), budget, maps=False)
             if task.flaw(world, episode.transcript, episode.ending):
                 yield (task, world, episode.transcript), world, mutant.name
 
