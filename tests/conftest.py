@@ -8,7 +8,7 @@ import pkgutil
 import signal
 import subprocess
 import sys
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 
 import pytest
 from coverage import Coverage

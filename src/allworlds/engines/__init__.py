@@ -153,7 +153,7 @@ if TYPE_CHECKING:
     from allworlds.engines.lanes import workers_for as workers_for
     from allworlds.engines.players import Unsettled as Unsettled
     from allworlds.engines.single import single_run as single_run
-    from allworlds.engines.single_run import SingleRun as SingleRun, unused_choice as unused_choice
+    from allworlds.engines.run_report import SingleRun as SingleRun, unused_choice as unused_choice
     from allworlds.engines.stderr_stream import patient_stderr as patient_stderr
     from allworlds.engines.subject_probe import subject_of as subject_of
 else:

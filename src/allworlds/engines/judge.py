@@ -12,12 +12,12 @@ from dataclasses import dataclass, field
 from random import Random
 from typing import Any, NamedTuple
 
-from allworlds.engines.python.examiner import Outcome, Referee, name_run
+from allworlds.engines.python.examiner import LOST, Outcome, Referee, name_run
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
 from allworlds.engines.python.tally import Tally
 from allworlds.inputs import InputError, show
-from allworlds.judging import Episode, Log, Over, followed
+from allworlds.judging import Episode, Fault, Log, Over, followed
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import (
     DEFAULT_POLICY,
@@ -205,7 +205,8 @@ class PythonJudge:
         read, rules, world = Log.of(log), self.rules, due.world
         episode = self.episode(world, read)
         # Of a run that was lost the choices may be known less far than they were due.
-        choices = max(read.choices, due.script, key=len)
+        lost = isinstance(episode.ending, Fault) and episode.ending.law in LOST
+        choices = max(read.choices, due.script, key=len) if lost else read.choices
         outcome = self.referee.outcome(world, episode, choices)
         if isinstance(episode.ending, Over) and not rules.task.over_at_the_end(
             world, episode.transcript
@@ -288,6 +289,13 @@ def drawn_order(random: Random, runs: int) -> list[int]:
     """The numbers of the runs, in an order that is drawn."""
     order = [*range(runs)]
     random.shuffle(order)
+    return order
+
+
+def with_one_again(random: Random, order: list[int]) -> list[int]:
+    """The order, in which one run may stand twice: who counts runs does not know which comes."""
+    if random.getrandbits(1):
+        order.insert(random.randrange(len(order)), random.choice(order))
     return order
 
 

@@ -23,7 +23,14 @@ from random import Random
 from typing import Any, NamedTuple
 
 from allworlds.document import replace
-from allworlds.engines.judge import Batch, Due, PythonJudge, Work, drawn_order
+from allworlds.engines.judge import (
+    Batch,
+    Due,
+    PythonJudge,
+    Work,
+    drawn_order,
+    with_one_again,
+)
 from allworlds.engines.players import Here, Lost, Player, Setup, Unsettled, wait
 from allworlds.engines.python.comparison import (
     difference_of,
@@ -460,12 +467,13 @@ class Lane:
         try:
             logs = answered(player, message)
         except Lost:
-            player.close()
             return  # what is lost is tried in the other players, too
-        if seed in ONE_MORE and len(rows) > 0 and rows[0][0].work is work:
-            self._others[seed] = player
         else:
-            player.close()
+            if rows[0][0].work is work:  # there may be more
+                self._others[seed] = player
+        finally:
+            if seed not in self._others:
+                player.close()
         for (batch, row), log in zip(rows, logs, strict=True):
             second = Log.of(log)
             if self._differ(batch.outcome(row).log, second):
@@ -500,7 +508,8 @@ class Lane:
     def _message(self, which: int, batch: Batch, rows: Sequence[int]) -> dict[str, Any]:
         if which == FIRST:
             return batch.worlds(rows)
-        return batch.records(rows, drawn_order(self._random, len(rows)))
+        order = drawn_order(self._random, len(rows))
+        return batch.records(rows, with_one_again(self._random, order))
 
     def _alone(self, which: int, batch: Batch, row: int, lost: Lost) -> bytes:
         """The log of a run in which a player was lost, by a fresh player that plays it alone."""

@@ -209,6 +209,8 @@ class Player:
 
     def _read(self) -> bool:
         """Read what has been written; return whether that was the end."""
+        # A process that was forked by the explorer may hold the link open.
+        ended = self._code() is not None
         while True:
             try:
                 part = self._link.recv(1 << 20)
@@ -219,8 +221,7 @@ class Player:
             if not part:
                 return True
             self._came += part
-        # A process that was forked by the explorer may hold the link open.
-        return self._code() is not None
+        return ended
 
     def _messages(self) -> Iterable[bytes]:
         came = self._came

@@ -18,7 +18,7 @@ from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import GivenWorlds
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.tally import Tally
-from allworlds.engines.single_run import SingleRun
+from allworlds.engines.run_report import SingleRun
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 from allworlds.inputs import InputError
