@@ -16,7 +16,7 @@ from collections.abc import Callable, Coroutine, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from contextlib import ExitStack, contextmanager, suppress
 from functools import lru_cache
-from itertools import islice
+from itertools import islice, takewhile
 from tempfile import TemporaryDirectory
 from threading import Lock, Timer
 from time import monotonic, perf_counter
@@ -27,7 +27,7 @@ from allworlds.engines.isolation.process_tree import kill_tree
 from allworlds.engines.transports.inline import ThisThread
 from allworlds.engines.units.effort import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
 from allworlds.engines.units.unit import PartialResult, Sum, Transport
-from allworlds.inputs import INSTALL, InputError, show
+from allworlds.inputs import InputError, ensure_installed, show
 from allworlds.version import __version__
 
 PATIENCE, IDLE = 10.0, 120.0
@@ -55,12 +55,15 @@ class Dask:
         probe: Callable[[], str] = str,
         order: Callable[[Iterable[Any]], Iterable[Any]] = iter,
     ) -> None:
-        self._distributed = _installed()
+        ensure_installed("distributed", "distributed", "--dask")
+        import distributed
+
+        self._distributed: Any = distributed
         self._cluster, self._workers, self._deadline = cluster, workers, deadline
         self._inside, self._probe, self._order = inside, probe, order
-        self._job = uuid4().hex
         self._stack: Any = ExitStack()
-        self._threads, self._cost = 0, 1.0  # of the cluster; seconds a unit, by the last tasks
+        self._job, self._threads = uuid4().hex, 0
+        self._cost = 1.0  # seconds a unit, the last tasks counting most
 
     def __enter__(self) -> Self:
         utils, address = self._distributed.utils, self._cluster.address
@@ -93,27 +96,22 @@ class Dask:
         waiting, at_work = iter(self._order(units)), dict[Future[Any], list[Any]]()
         packed = self._distributed.protocol.pickle.dumps((self._inside, self._probe, engine))
         self._cost *= 16  # as it grows with a level
-        try:
-            while True:
-                while len(at_work) < 3 * max(2, self._threads):
-                    # A task has some milliseconds of its own, a scheduler bears a hundred a second.
-                    number = int(max(0.25, self._threads / 100) / self._cost)
-                    if not (batch := [*islice(waiting, max(1, number))]):
-                        break
-                    at_work[self._begin(self._done(self._job, __version__, packed, batch))] = batch
-                if not at_work:
-                    return
-                if self._watched.done():
-                    self._watched.result()
-                for future in wait(at_work, POLL, FIRST_COMPLETED).done:
-                    batch, (results, seconds) = at_work.pop(future), future.result()
-                    self._cost = (self._cost + seconds / len(batch)) / 2
-                    for unit, result in zip(batch, results, strict=True):
-                        yield PartialResult(unit, result, last=True)
-                check_deadline(self._deadline)
-        finally:
-            for future in at_work:
-                future.cancel()
+        while True:
+            while len(at_work) < 3 * max(2, self._threads):
+                # A task has some milliseconds of its own, a scheduler bears a hundred a second.
+                number = int(max(0.25, self._threads / 100) / self._cost)
+                if not (batch := [*islice(waiting, max(1, number))]):
+                    break
+                at_work[self._begin(self._done(self._job, __version__, packed, batch))] = batch
+            if not at_work:
+                return
+            for future in wait([*at_work, self._watched], POLL, FIRST_COMPLETED).done:
+                results, seconds = future.result()  # of the watch, its error
+                batch = at_work.pop(future)
+                self._cost = (self._cost + seconds / len(batch)) / 2
+                for unit, result in zip(batch, results, strict=True):
+                    yield PartialResult(unit, result, last=True)
+            check_deadline(self._deadline)
 
     def _begin(self, work: Coroutine[Any, Any, Any]) -> Future[Any]:
         return asyncio.run_coroutine_threadsafe(work, self._runner.loop.asyncio_loop)
@@ -129,22 +127,19 @@ class Dask:
         await self._client.close()
 
     async def _connect(self, address: str) -> None:
-        distributed, kind = self._distributed, ""
+        distributed, kind, why = self._distributed, "", f"it is silent for {PATIENCE:g} s"
         security = distributed.Security().get_connection_args("client")
         try:
             # A client of Dask waits without end for a silent scheduler.
             async with distributed.rpc(address, connection_args=security) as server:
                 kind = (await asyncio.wait_for(server.identity(), PATIENCE))["type"]
-        except TimeoutError:
-            why = f"no scheduler answers there: it is silent for {PATIENCE:g} s"
+            why = f"a {kind.lower()} answers there, which is no scheduler"
         except OSError as error:
-            why = f"no scheduler answers there: {error.strerror or 'there is no connection'}"
+            why = f"no scheduler answers there: {str(error) or why}"
         except (ValueError, TypeError):
             why = "no scheduler answers there: this is no address"
         except Exception:  # noqa: BLE001  # whatever another service has sent
             why = "what answers there is no scheduler"
-        else:
-            why = f"a {kind.lower()} answers there, which is no scheduler"
         if kind != "Scheduler":
             legal = f"legal are the address of one, as tcp://HOST:8786, and {LOCAL}"
             raise InputError(f"dask {show(address)}: {why}; {legal}")
@@ -153,8 +148,7 @@ class Dask:
     async def _watch(self) -> NoReturn:
         """Count the threads, and give up the workers that are silent for too long.
 
-        A worker that was stopped, or is behind a broken network, keeps its connection: it is known
-        by its heartbeats alone, which the scheduler tells by its own clock.
+        One that was stopped keeps its connection: its heartbeats tell, by the scheduler's clock.
         """
         scheduler, limit = self._client.scheduler, self._cluster.timeout
         silence = f"for {limit:g} s"
@@ -194,24 +188,17 @@ def here_or(cluster: DaskCluster | None, deadline: float | None) -> Transport[An
     return Dask(cluster, os.cpu_count() or 1, deadline) if cluster else ThisThread(deadline)
 
 
-def _installed() -> Any:
-    try:
-        import distributed
-    except ImportError:
-        how = INSTALL.format("distributed")
-        raise InputError(f"--dask needs the package distributed: {how}") from None
-    return distributed
-
-
 @lru_cache(8)
 def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa: ARG001  # each its own
     """What makes a lane on this worker, and the engine, once for all tasks of a level."""
+    from distributed import get_worker, protocol
+
     said = f"has allworlds {__version__}, not {version}"
     if version == __version__:
-        inside, probe, engine = _installed().protocol.pickle.loads(packed)
+        inside, probe, engine = protocol.pickle.loads(packed)  # type: ignore[no-untyped-call]  # Dask is not typed
         if not (said := probe()):
             return inside, engine
-    raise InputError(f"the Dask worker {_installed().get_worker().address}: {said}")
+    raise InputError(f"the Dask worker {get_worker().address}: {said}")
 
 
 class _Job:
@@ -219,23 +206,8 @@ class _Job:
 
     def __init__(self) -> None:
         self.turn, self.timer = Lock(), Timer(IDLE, self.close)
-        self.engine: Any = None
         self.idle: list[Transport[Any]] = []
-        self.ended = False
-
-    def check(self) -> None:
-        """Raise ClusterLost if the job has ended."""
-        if self.ended:
-            raise ClusterLost("the job has ended")
-
-    def keep(self, lane: Transport[Any]) -> None:
-        """Keep a lane for the next task, for some time."""
-        with self.turn:
-            self.idle.append(lane)
-            self.timer.cancel()
-            self.timer = Timer(0 if self.ended else IDLE, self.close)
-            self.timer.daemon = True
-            self.timer.start()
+        self.ended, self.engine = False, None
 
     def close(self) -> None:
         """Close the idle lanes."""
@@ -257,20 +229,27 @@ def done(job: str, version: str, packed: bytes, batch: list[Any]) -> tuple[list[
     """
     state, began, results = _JOBS.setdefault(job, _Job()), perf_counter(), dict[str, Sum]()
     with state.turn:
-        state.check()
+        if state.ended:
+            raise ClusterLost("the job has ended")
         inside, engine = _unpacked(job, version, packed)
         lane = state.idle.pop() if state.idle else inside().__enter__()
         state.engine = engine
     try:
-        for part in lane.map(engine, batch):
-            state.check()
+        for part in takewhile(lambda _: not state.ended, lane.map(engine, batch)):
             whole = results.setdefault(part.unit.key, part.result)
             if whole is not part.result:
                 whole.add(part.result)
     except BaseException:
         lane.__exit__(None, None, None)
         raise
-    state.keep(lane)
+    with state.turn:
+        state.idle.append(lane)
+        state.timer.cancel()
+        state.timer = Timer(0 if state.ended else IDLE, state.close)
+        state.timer.daemon = True  # the owner may have been killed
+        state.timer.start()
+    if state.ended:
+        raise ClusterLost("the job has ended")
     return [results[unit.key] for unit in batch], perf_counter() - began
 
 
@@ -288,22 +267,18 @@ def local_cluster(workers: int) -> Iterator[str]:
 
     All are children of one process, so that no answer is waited for.
     """
-    start = f"import sys; sys.path[:] = {sys.path}; from {__name__} import serve; serve({workers})"
     with TemporaryDirectory(ignore_cleanup_errors=True) as place:
-        process = subprocess.Popen(  # noqa: S603  # our own module
+        start = f"from {__name__} import serve; serve({workers}, {place!r})"
+        start = f"import sys; sys.path[:] = {sys.path}; {start}"
+        process: Any = subprocess.Popen(  # noqa: S603  # our own module
             [sys.executable, "-P", "-W", "ignore", "-c", start],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            env={
-                **os.environ,
-                "DASK_TEMPORARY_DIRECTORY": place,
-                # By default Dask samples each worker a hundred times a second.
-                "DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",
-            },
+            # By default Dask samples each worker a hundred times a second.
+            env=os.environ | {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False"},
             start_new_session=True,  # a Ctrl-C is for the owner
         )
         try:
-            assert process.stdout
             if not (address := process.stdout.readline().decode().strip()):
                 raise ClusterLost("the local Dask cluster has not started")
             yield address
@@ -312,11 +287,13 @@ def local_cluster(workers: int) -> Iterator[str]:
             process.communicate()
 
 
-def serve(workers: int) -> None:
-    """Print the address of a new cluster of this machine, which ends when stdin does."""
+def serve(workers: int, place: str) -> None:
+    """Print the address of a new cluster, which ends when stdin does."""
+    from distributed import LocalCluster
+
     told = os.dup(1)
     os.dup2(2, 1)  # what workers print is not for the owner
-    silent = {"silence_logs": logging.CRITICAL, "dashboard_address": "127.0.0.1:0"}
-    with _installed().LocalCluster(n_workers=workers, threads_per_worker=1, **silent) as cluster:
+    more = {"dashboard_address": "127.0.0.1:0", "local_directory": place, "silence_logs": 50}
+    with LocalCluster(n_workers=workers, threads_per_worker=1, **more) as cluster:  # type: ignore[no-untyped-call]
         os.write(told, f"{cluster.scheduler_address}\n".encode())
         sys.stdin.read()
