@@ -267,15 +267,16 @@ def local_cluster(workers: int) -> Iterator[str]:
 
     All are children of one process, so that no answer is waited for.
     """
+    start = f"import sys; sys.path[:] = {sys.path}; from {__name__} import serve; serve({workers})"
     with TemporaryDirectory(ignore_cleanup_errors=True) as place:
-        start = f"from {__name__} import serve; serve({workers}, {place!r})"
-        start = f"import sys; sys.path[:] = {sys.path}; {start}"
         process: Any = subprocess.Popen(  # noqa: S603  # our own module
             [sys.executable, "-P", "-W", "ignore", "-c", start],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             # By default Dask samples each worker a hundred times a second.
-            env=os.environ | {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False"},
+            env=os.environ
+            | {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False"}
+            | {"DASK_TEMPORARY_DIRECTORY": place},
             start_new_session=True,  # a Ctrl-C is for the owner
         )
         try:
@@ -287,13 +288,13 @@ def local_cluster(workers: int) -> Iterator[str]:
             process.communicate()
 
 
-def serve(workers: int, place: str) -> None:
+def serve(workers: int) -> None:
     """Print the address of a new cluster, which ends when stdin does."""
     from distributed import LocalCluster
 
     told = os.dup(1)
     os.dup2(2, 1)  # what workers print is not for the owner
-    more = {"dashboard_address": "127.0.0.1:0", "local_directory": place, "silence_logs": 50}
+    more = {"dashboard_address": "127.0.0.1:0", "silence_logs": logging.CRITICAL}
     with LocalCluster(n_workers=workers, threads_per_worker=1, **more) as cluster:  # type: ignore[no-untyped-call]
         os.write(told, f"{cluster.scheduler_address}\n".encode())
         sys.stdin.read()
