@@ -190,7 +190,7 @@ def here_or(cluster: DaskCluster | None, deadline: float | None) -> Transport[An
 
 @lru_cache(8)
 def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa: ARG001  # each its own
-    """What makes a lane on this worker, and the engine, once for all tasks of a level."""
+    """The maker of lanes on this worker, and the engine: once for all tasks of a level."""
     from distributed import get_worker, protocol
 
     said = f"has allworlds {__version__}, not {version}"
