@@ -56,7 +56,7 @@ BESIDE = {"corpus", "schemas", "py.typed"}
 
 # The only homes of each library that does not come with Python.
 HOMES = {
-    "dask": ["engines.transports.dask_local"],
+    "dask": ["engines.transports.dask"],
     "distributed": ["engines.transports"],
     "hypothesis": ["strategies"],
     "llvmlite": ["engines.kernel"],

@@ -112,8 +112,7 @@ if TYPE_CHECKING:
         told_scope as told_scope,
         tried_places as tried_places,
     )
-    from allworlds.engines.transports.dask_cluster import Dask as Dask, here_or as here_or
-    from allworlds.engines.transports.dask_lanes import ClusterLost as ClusterLost
+    from allworlds.engines.transports.dask import Dask as Dask, here_or as here_or
     from allworlds.engines.transports.threads import Threads as Threads
     from allworlds.engines.units.effort import (
         AskedCluster as AskedCluster,
@@ -122,6 +121,7 @@ if TYPE_CHECKING:
         AskedPatience as AskedPatience,
         AskedTime as AskedTime,
         AskedWorkers as AskedWorkers,
+        ClusterLost as ClusterLost,
         Limits as Limits,
         TimeIsUp as TimeIsUp,
     )

@@ -104,7 +104,7 @@ class Compiled:
         near = Threads(workers, job.deadline, BATCH)
         if job.cluster is None:
             return ReadyEngine(near, engine)
-        from allworlds.engines.transports.dask_cluster import Dask
+        from allworlds.engines.transports.dask import Dask
 
         far = Dask(job.cluster, workers, job.deadline)
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
@@ -125,7 +125,7 @@ def players_for(job: Job) -> Transport[Any]:
 
 def _cluster(job: Job, cluster: DaskCluster) -> Transport[Any]:
     """A cluster, on each worker of which an explorer is played as it would be here."""
-    from allworlds.engines.transports.dask_cluster import Dask
+    from allworlds.engines.transports.dask import Dask
 
     subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
     if subject.from_user and not subject.importable:

@@ -19,9 +19,8 @@ from allworlds.engines.progress import NOBODY, Listener
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.run_directory.finished_units import ENDED, Records, records_in, shelf
 from allworlds.engines.run_directory.identity import Identity
-from allworlds.engines.transports.dask_lanes import ClusterLost
 from allworlds.engines.transports.inline import ThisThread
-from allworlds.engines.units.effort import TimeIsUp, deadline_after
+from allworlds.engines.units.effort import ClusterLost, TimeIsUp, deadline_after
 from allworlds.engines.units.gather import gather
 from allworlds.engines.units.kept_form import from_kept
 from allworlds.engines.units.levels import SweptLevel, levels_of, tell_of_size

@@ -266,6 +266,10 @@ class TimeIsUp(Exception):
     """Raised if the time limit of the whole job has been reached."""
 
 
+class ClusterLost(Exception):
+    """Raised if workers are lost again and again, or the scheduler is lost."""
+
+
 def deadline_after(time_limit: float | None) -> float | None:
     """The end of a time limit, in seconds, that begins now; on the monotonic clock."""
     return None if time_limit is None else time.monotonic() + time_limit

@@ -1,5 +1,6 @@
 """Units on a Dask cluster: the report is the same, whatever becomes of its workers."""
 
+import asyncio
 import json
 import os
 import signal
@@ -17,7 +18,7 @@ import processes
 from allworlds import check, count, worst
 from allworlds.engines import ClusterLost, Dask, Silent
 from allworlds.engines.compiled import tallies as compiled
-from allworlds.engines.transports import dask_cluster as cluster, dask_lanes as lanes
+from allworlds.engines.transports import dask as cluster
 from allworlds.engines.transports.inline import ThisThread
 from allworlds.engines.units.effort import DaskCluster
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
@@ -55,18 +56,11 @@ def test_small_levels_are_not_sent(here, monkeypatch):
                 sent.add(part.unit.edges)
                 yield part
 
-    monkeypatch.setattr("allworlds.engines.transports.dask_cluster.Dask", Noted)
+    monkeypatch.setattr("allworlds.engines.transports.dask.Dask", Noted)
     monkeypatch.setattr(compiled, "SOON", 100)
     monkeypatch.setattr(compiled, "SOON_WALKED", 200_000)
     assert check(edges=6, engine="kernel", dask=here).worlds == 119_364
     assert sent == {4, 5}
-
-
-JOBS = {
-    "python": lambda **more: check(edges=3, engine="python", **more),
-    "kernel": lambda **more: check(edges=5, engine="kernel", **more),
-    "foreign": lambda **more: check(f"{WRONG}:right", edges=2, **more),
-}
 
 
 def test_an_explorer_of_a_module_travels_as_its_text(here, tmp_path, monkeypatch):
@@ -109,8 +103,8 @@ def test_a_worker_of_another_version_is_named(here, monkeypatch):
         check(edges=1, engine="python", dask=here)
 
 
-def done_for_another_version(job, _, *more):
-    return lanes.done(job, "0.0", *more)
+def done_for_another_version(job, _, *more, done=cluster.done):
+    return done(job, "0.0", *more)
 
 
 def test_an_explorer_of_this_process_is_not_sent(here):
@@ -171,7 +165,7 @@ def test_the_address_of_a_worker_is_refused(refused, here):
     with distributed.Client(here) as client:
         worker = next(iter(client.scheduler_info()["workers"]))
     said = refused("worst", "--edges", "1", "--dask", worker)
-    assert f"dask '{worker}': a worker answers there; give the address of its scheduler" in said
+    assert f"dask '{worker}': a worker answers there, which is no scheduler; legal" in said
 
 
 def test_without_the_package_it_is_named(refused, monkeypatch):
@@ -268,79 +262,115 @@ class Twice:
 def task(monkeypatch):
     """A task as it comes to a worker; the list of the lanes that were closed."""
     monkeypatch.setattr(Lane, "closed", [])
-    packed = lanes.Errand(Lane, cluster.all_well, Twice()).packed()
+    packed = distributed.protocol.pickle.dumps((Lane, str, Twice()))
 
     def do(job):
-        told = lanes.done(job, __version__, packed, [Unit(7)])
-        assert told.results == [[7, 7]]
-        return told
+        results, seconds = cluster.done(job, __version__, packed, [Unit(7)])
+        assert (results, seconds >= 0) == ([[7, 7]], True)
 
     return do, Lane.closed
 
 
 def test_lanes_that_nobody_uses_are_closed(monkeypatch, task):
     do, closed = task
-    monkeypatch.setattr(lanes, "IDLE", 0.0)
-    do("a")
-    assert processes.wait(lambda: closed)
-    assert processes.wait(lambda: not lanes._JOBS["a"].errands)
-    do("a")
-    assert processes.wait(lambda: len(closed) == 2)
+    monkeypatch.setattr(cluster, "IDLE", 0.0)
+    for number in (1, 2):
+        do("a")
+        assert processes.wait(lambda number=number: len(closed) == number)
 
 
-def test_lanes_that_somebody_uses_are_looked_at_again(monkeypatch, task):
+def test_lanes_are_used_until_their_job_ends(task, monkeypatch):
     do, closed = task
-    looks = []
-    monkeypatch.setattr(lanes, "_look_in", lambda *look: looks.append(look))
     do("b")
+    (lane,) = cluster._JOBS["b"].idle
+    monkeypatch.setattr("distributed.protocol.pickle.loads", None)
     do("b")
-    assert looks == [("b", lanes.IDLE)]
-    lanes._close_unused("b")
-    assert (len(looks), closed) == (2, [])
-    lanes.end_job("b")
-    assert len(closed) == 1
+    assert cluster._JOBS["b"].idle == [lane]
+    cluster.end_job("b")
+    assert closed == [lane]
     with pytest.raises(ClusterLost, match="has ended"):
         do("b")
-    lanes._close_unused("b")
-    assert len(looks) == 2
 
 
 def test_what_is_done_when_its_job_ends_is_given_up(task, monkeypatch):
     do, closed = task
-    monkeypatch.setattr(Twice, "parts", lambda self, _: iter([lanes.end_job("c"), Tally([1])]))
-    monkeypatch.setattr(Tally, "worlds", 1)
+    monkeypatch.setattr(Twice, "parts", lambda self, _: iter([cluster.end_job("c"), Tally([1])]))
     with pytest.raises(ClusterLost, match="has ended"):
         do("c")
-    assert len(closed) == 1
+    assert processes.wait(lambda: len(closed) == 1)
 
 
-def test_what_is_the_same_in_all_tasks_is_unpacked_once(task, monkeypatch):
-    do, _ = task
-    do("d")
-    assert do("d").seconds >= 0
-    monkeypatch.setattr("distributed.protocol.pickle.loads", None)
-    do("d")
+# ---------------------------------------------------------------- a made-up scheduler
 
 
-@pytest.mark.no_cover
-def test_a_task_holds_as_many_units_as_are_worth_sending():
-    pace = cluster.Pace()
-    pace.took(1, None)
-    pace.begin_level()
-    assert pace.units(100, 2) == 1
-    pace.took(1, 0.01)
-    assert pace.units(1000, 2) == 100
-    assert pace.units(80, 2) == 20
-    assert pace.units(3, 2) == 4
-    assert pace.units(10**6, 1000) == 500
-    assert pace.units(10**6, 10_000) == 50
-    pace.begin_level()
-    assert pace.units(1000, 2) == 6
-    pace.took(50, 500.0)
-    assert pace.units(1000, 2) == 1
-    pace.took(10, 0.0)
-    assert pace.units(1000, 2) == 1
-    assert cluster.Pace(1e-6).units(1000, 2) == 40_000
+class Stop(Exception):
+    """The end of a watch."""
+
+
+class Scheduler:
+    """A scheduler with two workers, and a clock."""
+
+    def __init__(self):
+        self.now, self.beats, self.fault = 0.0, {"a": 0.0, "b": 0.0}, None
+        self.scheduler = self
+
+    async def identity(self):
+        if self.fault:
+            raise self.fault
+        return {
+            "workers": {name: {"last_seen": at, "nthreads": 2} for name, at in self.beats.items()}
+        }
+
+    async def unregister(self, address, stimulus_id):
+        assert stimulus_id
+        del self.beats[address]
+
+
+@pytest.fixture
+def looked(monkeypatch):
+    """Watch for some seconds, in which some workers give signs of life; return the threads."""
+    scheduler = Scheduler()
+    monkeypatch.setattr(cluster, "monotonic", lambda: scheduler.now)
+
+    def look(seconds, *lively):
+        async def sleep(passed):
+            scheduler.now += passed
+            scheduler.beats.update(dict.fromkeys(lively, scheduler.now))
+            if scheduler.now > seconds:
+                raise Stop
+
+        monkeypatch.setattr(asyncio, "sleep", sleep)
+        transport = Dask(DaskCluster("tcp://127.0.0.1:1", 5.0))
+        transport._client = scheduler
+        with suppress(Stop):
+            asyncio.run(transport._watch())
+        return transport._threads
+
+    look.scheduler = scheduler
+    return look
+
+
+def test_a_silent_worker_is_given_up_when_its_time_is_over(looked):
+    assert looked(5, "b") == 4
+    looked.scheduler.now = 0.0
+    assert looked(6, "b") == 2
+    assert {*looked.scheduler.beats} == {"b"}
+
+
+def test_a_cluster_whose_workers_are_all_silent_is_lost(looked):
+    assert looked(5) == 4
+    looked.scheduler.now = 0.0
+    with pytest.raises(ClusterLost, match=r"no worker of the Dask .* gave a sign of life for 5 s"):
+        looked(6)
+
+
+@pytest.mark.parametrize(
+    ("fault", "said"), [(TimeoutError(), "gave no sign of life for 5 s"), (OSError(), "is gone")]
+)
+def test_a_cluster_without_a_scheduler_is_lost(looked, fault, said):
+    looked.scheduler.fault = fault
+    with pytest.raises(ClusterLost, match=said):
+        looked(1, "a")
 
 
 # ---------------------------------------------------------------- real processes
@@ -471,7 +501,7 @@ def test_a_cluster_of_this_machine_leaves_nothing_behind(stopped, tmp_path, monk
 @pytest.mark.slow
 def test_a_cluster_of_this_machine_that_is_killed_is_told_of_in_one_line(capfd):
     def kill():
-        (cluster_,) = {*processes.named("dask_local")} & {*processes.children_of(os.getpid())}
+        (cluster_,) = {*processes.named("transports.dask")} & {*processes.children_of(os.getpid())}
         os.kill(cluster_, signal.SIGKILL)
 
     killer = After(300, kill)
@@ -480,5 +510,5 @@ def test_a_cluster_of_this_machine_that_is_killed_is_told_of_in_one_line(capfd):
     assert report.exit_code == 3
     (notice,) = killer.notices
     assert "is gone" in notice
-    assert processes.end(lambda: processes.named("dask_local"))
+    assert processes.end(lambda: processes.named("transports.dask"))
     assert capfd.readouterr() == ("", "")

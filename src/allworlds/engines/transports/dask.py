@@ -1,0 +1,300 @@
+"""Units on the workers of a Dask cluster.
+
+A task is some units with an engine and the transport on the worker; its results are whole, so a
+unit whose worker is lost is done again, by another worker.  A *lane* is such a transport, which
+outlives the tasks: the processes of a user's explorer are started once for each thread of a worker.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Coroutine, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from contextlib import ExitStack, contextmanager, suppress
+from functools import lru_cache
+from itertools import islice, takewhile
+from tempfile import TemporaryDirectory
+from threading import Lock, Timer
+from time import monotonic, perf_counter
+from typing import Any, NoReturn, Self
+from uuid import uuid4
+
+from allworlds.engines.isolation.process_tree import kill_tree
+from allworlds.engines.transports.inline import ThisThread
+from allworlds.engines.units.effort import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
+from allworlds.engines.units.unit import PartialResult, Sum, Transport
+from allworlds.inputs import InputError, ensure_installed, show
+from allworlds.version import __version__
+
+PATIENCE, IDLE = 10.0, 120.0
+"""Seconds in which a scheduler must answer at first, and after which unused lanes are closed."""
+
+
+class Dask:
+    """The transport to a Dask scheduler; leaving the context cancels the unfinished tasks.
+
+    Args:
+        cluster: with the address of the scheduler.
+        workers: processes of a local cluster.
+        deadline: on the monotonic clock, or None.
+        inside: makes the transport on a worker; picklable.
+        probe: returns the reason against a worker; picklable.
+        order: of the units.
+    """
+
+    def __init__(
+        self,
+        cluster: DaskCluster,
+        workers: int = 1,
+        deadline: float | None = None,
+        inside: Callable[[], Transport[Any]] = ThisThread,
+        probe: Callable[[], str] = str,
+        order: Callable[[Iterable[Any]], Iterable[Any]] = iter,
+    ) -> None:
+        ensure_installed("distributed", "distributed", "--dask")
+        import distributed
+
+        self._distributed: Any = distributed
+        self._cluster, self._workers, self._deadline = cluster, workers, deadline
+        self._inside, self._probe, self._order = inside, probe, order
+        self._stack: Any = ExitStack()
+        self._job, self._threads = uuid4().hex, 0
+        self._cost = 1.0  # seconds a unit, the last tasks counting most
+
+    def __enter__(self) -> Self:
+        utils, address = self._distributed.utils, self._cluster.address
+        with self._stack as stack:
+            # What befalls a cluster is told in one line, and not in Dask's own.
+            stack.enter_context(utils.silence_logging_cmgr(logging.CRITICAL))
+            if address == LOCAL:
+                address = stack.enter_context(local_cluster(self._workers))
+            # Only the loop's thread waits for the cluster, so that the caller can be interrupted.
+            self._runner = utils.LoopRunner()
+            self._runner.start()
+            stack.callback(self._runner.stop)
+            self._begin(self._connect(address)).result()
+            stack.push(self._leave)
+            self._watched = self._begin(self._watch())
+            self._stack = stack.pop_all()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._stack.__exit__(*error)
+
+    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
+        """Yield the results of all units, each of them whole, as they come.
+
+        Raises:
+            TimeIsUp: when the time limit has been reached.
+            ClusterLost: if workers are lost again and again, or the cluster is silent.
+            InputError: if a worker cannot do the job.
+        """
+        waiting, at_work = iter(self._order(units)), dict[Future[Any], list[Any]]()
+        packed = self._distributed.protocol.pickle.dumps((self._inside, self._probe, engine))
+        self._cost *= 16  # as it grows with a level
+        while True:
+            while len(at_work) < 3 * max(2, self._threads):
+                # A task has some milliseconds of its own, a scheduler bears a hundred a second.
+                number = int(max(0.25, self._threads / 100) / self._cost)
+                if not (batch := [*islice(waiting, max(1, number))]):
+                    break
+                at_work[self._begin(self._done(self._job, __version__, packed, batch))] = batch
+            if not at_work:
+                return
+            for future in wait([*at_work, self._watched], POLL, FIRST_COMPLETED).done:
+                results, seconds = future.result()  # of the watch, its error
+                batch = at_work.pop(future)
+                self._cost = (self._cost + seconds / len(batch)) / 2
+                for unit, result in zip(batch, results, strict=True):
+                    yield PartialResult(unit, result, last=True)
+            check_deadline(self._deadline)
+
+    def _begin(self, work: Coroutine[Any, Any, Any]) -> Future[Any]:
+        return asyncio.run_coroutine_threadsafe(work, self._runner.loop.asyncio_loop)
+
+    def _leave(self, kind: type[BaseException] | None, *_: object) -> None:
+        # Who is in a hurry does not wait for the cluster; it notices by itself.
+        seconds = 2.0 if kind is None or issubclass(kind, Exception) else 0.2
+        with suppress(Exception):
+            self._runner.run_sync(self._goodbye, callback_timeout=seconds)
+
+    async def _goodbye(self) -> None:
+        await self._client.run(end_job, self._job, on_error="ignore")
+        await self._client.close()
+
+    async def _connect(self, address: str) -> None:
+        distributed, kind, why = self._distributed, "", f"it is silent for {PATIENCE:g} s"
+        security = distributed.Security().get_connection_args("client")
+        try:
+            # A client of Dask waits without end for a silent scheduler.
+            async with distributed.rpc(address, connection_args=security) as server:
+                kind = (await asyncio.wait_for(server.identity(), PATIENCE))["type"]
+            why = f"a {kind.lower()} answers there, which is no scheduler"
+        except OSError as error:
+            why = f"no scheduler answers there: {str(error) or why}"
+        except (ValueError, TypeError):
+            why = "no scheduler answers there: this is no address"
+        except Exception:  # noqa: BLE001  # whatever another service has sent
+            why = "what answers there is no scheduler"
+        if kind != "Scheduler":
+            legal = f"legal are the address of one, as tcp://HOST:8786, and {LOCAL}"
+            raise InputError(f"dask {show(address)}: {why}; {legal}")
+        self._client = await distributed.Client(address, asynchronous=True, set_as_default=False)
+
+    async def _watch(self) -> NoReturn:
+        """Count the threads, and give up the workers that are silent for too long.
+
+        One that was stopped keeps its connection: its heartbeats tell, by the scheduler's clock.
+        """
+        scheduler, limit = self._client.scheduler, self._cluster.timeout
+        silence = f"for {limit:g} s"
+        heard, beats = monotonic(), dict[tuple[str, float], float]()
+        try:
+            while True:
+                workers = (await asyncio.wait_for(scheduler.identity(), limit))["workers"]
+                told = [(name, worker["last_seen"]) for name, worker in workers.items()]
+                now = monotonic()
+                beats = {beat: beats.get(beat, now) for beat in told}
+                heard = max([heard, *beats.values()])
+                if now - heard > limit:
+                    raise ClusterLost(f"no worker of {self._cluster} gave a sign of life {silence}")
+                for (name, _), since in beats.items():
+                    if now - since > limit:
+                        del workers[name]
+                        ended = scheduler.unregister(address=name, stimulus_id="silent")
+                        await asyncio.wait_for(ended, limit)
+                self._threads = sum(worker["nthreads"] for worker in workers.values())
+                await asyncio.sleep(1)
+        except TimeoutError:
+            raise ClusterLost(f"{self._cluster} gave no sign of life {silence}") from None
+        except OSError:
+            raise ClusterLost(f"{self._cluster} is gone") from None
+
+    async def _done(self, *task: Any) -> Any:
+        try:
+            return await self._client.submit(done, *task, pure=False)
+        except self._distributed.scheduler.KilledWorker as error:
+            raise ClusterLost(f"Dask workers were lost over the same units: {error}") from None
+        except self._distributed.CancelledError:
+            raise ClusterLost(f"{self._cluster} is gone") from None
+
+
+def here_or(cluster: DaskCluster | None, deadline: float | None) -> Transport[Any]:
+    """The transport in this thread, or to the cluster; a local one has a process a core."""
+    return Dask(cluster, os.cpu_count() or 1, deadline) if cluster else ThisThread(deadline)
+
+
+@lru_cache(8)
+def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa: ARG001  # each its own
+    """The maker of lanes on this worker, and the engine: once for all tasks of a level."""
+    from distributed import get_worker, protocol
+
+    said = f"has allworlds {__version__}, not {version}"
+    if version == __version__:
+        inside, probe, engine = protocol.pickle.loads(packed)  # type: ignore[no-untyped-call]  # Dask is not typed
+        if not (said := probe()):
+            return inside, engine
+    raise InputError(f"the Dask worker {get_worker().address}: {said}")
+
+
+class _Job:
+    """The state of one job on a worker: the engine at work, and idle lanes."""
+
+    def __init__(self) -> None:
+        self.turn, self.timer = Lock(), Timer(IDLE, self.close)
+        self.idle: list[Transport[Any]] = []
+        self.ended, self.engine = False, None
+
+    def close(self) -> None:
+        """Close the idle lanes."""
+        with self.turn:
+            idle, self.idle = self.idle, []
+        for lane in idle:
+            lane.__exit__(None, None, None)
+
+
+_JOBS: dict[str, _Job] = {}
+
+
+def done(job: str, version: str, packed: bytes, batch: list[Any]) -> tuple[list[Any], float]:
+    """Do some units on a worker: their results and the seconds.
+
+    Raises:
+        InputError: if this worker cannot do the job.
+        ClusterLost: if the job has ended.
+    """
+    state, began, results = _JOBS.setdefault(job, _Job()), perf_counter(), dict[str, Sum]()
+    with state.turn:
+        if state.ended:
+            raise ClusterLost("the job has ended")
+        inside, engine = _unpacked(job, version, packed)
+        lane = state.idle.pop() if state.idle else inside().__enter__()
+        state.engine = engine
+    try:
+        for part in takewhile(lambda _: not state.ended, lane.map(engine, batch)):
+            whole = results.setdefault(part.unit.key, part.result)
+            if whole is not part.result:
+                whole.add(part.result)
+    except BaseException:
+        lane.__exit__(None, None, None)
+        raise
+    with state.turn:
+        state.idle.append(lane)
+        state.timer.cancel()
+        state.timer = Timer(0 if state.ended else IDLE, state.close)
+        state.timer.daemon = True  # the owner may have been killed
+        state.timer.start()
+    if state.ended:
+        raise ClusterLost("the job has ended")
+    return [results[unit.key] for unit in batch], perf_counter() - began
+
+
+def end_job(job: str) -> None:
+    """Cancel all work for a job on this worker."""
+    state = _JOBS.setdefault(job, _Job())
+    state.ended = True
+    getattr(state.engine, "halt", int)()
+    state.close()
+
+
+@contextmanager
+def local_cluster(workers: int) -> Iterator[str]:
+    """The address of a cluster of so many processes, which are killed at the end.
+
+    All are children of one process, so that no answer is waited for.
+    """
+    start = f"import sys; sys.path[:] = {sys.path}; from {__name__} import serve; serve({workers})"
+    with TemporaryDirectory(ignore_cleanup_errors=True) as place:
+        process: Any = subprocess.Popen(  # noqa: S603  # our own module
+            [sys.executable, "-P", "-W", "ignore", "-c", start],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            # By default Dask samples each worker a hundred times a second.
+            env=os.environ
+            | {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False"}
+            | {"DASK_TEMPORARY_DIRECTORY": place},
+            start_new_session=True,  # a Ctrl-C is for the owner
+        )
+        try:
+            if not (address := process.stdout.readline().decode().strip()):
+                raise ClusterLost("the local Dask cluster has not started")
+            yield address
+        finally:
+            kill_tree(process.pid)
+            process.communicate()
+
+
+def serve(workers: int) -> None:
+    """Print the address of a new cluster, which ends when stdin does."""
+    from distributed import LocalCluster
+
+    told = os.dup(1)
+    os.dup2(2, 1)  # what workers print is not for the owner
+    more = {"dashboard_address": "127.0.0.1:0", "silence_logs": logging.CRITICAL}
+    with LocalCluster(n_workers=workers, threads_per_worker=1, **more) as cluster:  # type: ignore[no-untyped-call]
+        os.write(told, f"{cluster.scheduler_address}\n".encode())
+        sys.stdin.read()
