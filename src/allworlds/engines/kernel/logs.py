@@ -21,6 +21,7 @@ from allworlds.engines.kernel.invariants import look_at
 from allworlds.engines.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
 from allworlds.engines.kernel.log_codes import (
     ANSWERED,
+    CHOICE,
     ILLEGAL,
     LARGEST_MOTION,
     MOST_PUBLISHED,
@@ -77,6 +78,8 @@ def follow(world, reader, budget, log, judged):
         elif code == ANSWERED and _find_map(reader, at, published):
             at += 2 + span(published.darts)
             law = 0
+        elif code == CHOICE:
+            at += 2
         elif (code == OVER_BUDGET and cost == budget) or (
             code == SHOWN_TOO_OFTEN and shown > budget
         ):
@@ -121,7 +124,8 @@ def _find_map(reader, at, published):
 def differing(first, begins, ends, second, again, runs, different):
     """The number of runs whose second logs differ from the first; noted in ``different``.
 
-    Maps that are published on the way are judged once, and need not be equal in the second log.
+    Maps that are published on the way are judged once, and need not be equal in the second log;
+    nor need the choices be.
 
     ``first`` and ``second`` are the bytes of the logs, and ``begins`` and ``again`` say where that
     of each run begins; ``ends`` where the first ends.  A log tells where it ends, so that one which
@@ -142,8 +146,8 @@ def differing(first, begins, ends, second, again, runs, different):
 
 @inner
 def _mean_the_same(one, length, other, room):
-    """Whether the logs have equal motions and endings, whatever maps they publish."""
-    a, b = _behind_the_shown(one, 0, length), _behind_the_shown(other, 0, room)
+    """Whether the logs have equal motions and endings, whatever they publish and choose."""
+    a, b = _next_motion(one, 0, length), _next_motion(other, 0, room)
     while a < length and b < room:
         code = byte_of(one, a)
         if code != byte_of(other, b):
@@ -151,15 +155,21 @@ def _mean_the_same(one, length, other, room):
         if code > LARGEST_MOTION:
             rest = length - a
             return rest <= room - b and _same(one + a, other + b, rest)
-        a, b = _behind_the_shown(one, a + 1, length), _behind_the_shown(other, b + 1, room)
+        a, b = _next_motion(one, a + 1, length), _next_motion(other, b + 1, room)
     return False
 
 
 @inlined
-def _behind_the_shown(log, at, end):
-    """The place where the log goes on behind the map that is published there."""
-    while at + 1 < end and byte_of(log, at) == SHOWN:
-        at += 3 + span(byte_of(log, at + 1))
+def _next_motion(log, at, end):
+    """The place of the next motion or ending, behind published maps and choices."""
+    while at + 1 < end:
+        code = byte_of(log, at)
+        if code == SHOWN:
+            at += 3 + span(byte_of(log, at + 1))
+        elif code == CHOICE:
+            at += 3
+        else:
+            break
     return at
 
 
