@@ -7,7 +7,7 @@ from allworlds.engines.isolation.generator_player import load as load_generators
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.kernel.batches import load_native
 from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.native import play_worlds
+from allworlds.engines.kernel.native import play
 from allworlds.engines.kernel.runs import examine
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.run_counter import PartwiseEngine
@@ -15,7 +15,7 @@ from allworlds.engines.python.run_counter import PartwiseEngine
 
 def is_kept() -> int:
     """Return 1 if the kernel has been compiled before, else 0."""
-    return int(all(map(is_compiled, (play_worlds, examine))))
+    return int(all(map(is_compiled, (play, examine))))
 
 
 def load() -> None:

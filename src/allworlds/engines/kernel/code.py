@@ -39,7 +39,7 @@ def encode(world, root, row, start):
 
 
 @inner
-def encode_unrooted(world, row, start):
+def _encode_unrooted(world, row, start):
     """Write the least of the canonical codes from all roots to ``row[start:]``."""
     encode(world, 0, row, start)
     darts = world.darts
@@ -57,13 +57,25 @@ def encode_unrooted(world, row, start):
 
 
 @inner
-def is_greater(least, row):
-    """Whether there are as many smaller rows as are kept."""
-    return not _before(row, least, least.shape[0] - 1)
+def note(world, law, row):
+    """Write a run as a row, but for its map's code without a root."""
+    row[0] = world.vertices
+    encode(world, 0, row, 1)
+    row[1 + 2 * world.darts] = world.place
+    row[2 + 2 * world.darts] = law
 
 
 @inner
-def keep_least_of_kind(least, row, kind):
+def blame(world, law, least, row):
+    """Keep a run that breaks a law, if it is among the least."""
+    note(world, law, row)
+    if _before(row, least, least.shape[0] - 1):
+        _encode_unrooted(world, row, 3 + 2 * world.darts)
+        _keep_least_of_kind(least, row, 2 + 2 * world.darts)
+
+
+@inner
+def _keep_least_of_kind(least, row, kind):
     """Do :func:`keep_least`, but of the rows that agree from ``row[kind]`` on keep one."""
     for place in range(least.shape[0]):
         if least[place, 0] and _alike(row, least, place, kind):

@@ -17,7 +17,6 @@ from allworlds.engines.kernel.calls import (
     word_of,
 )
 from allworlds.engines.kernel.compiling import entry, inlined, inner
-from allworlds.engines.kernel.invariants import look_at
 from allworlds.engines.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
 from allworlds.engines.kernel.log_codes import (
     ANSWERED,
@@ -31,6 +30,7 @@ from allworlds.engines.kernel.log_codes import (
     STRANGE,
 )
 from allworlds.engines.kernel.names import LANES
+from allworlds.engines.kernel.published import look_at
 from allworlds.engines.kernel.records import DARTS, NONE
 from allworlds.engines.kernel.worlds import arrival
 
@@ -46,7 +46,7 @@ span = inlined(log_codes.span)
 
 @inner
 def follow(world, reader, budget, log, judged):
-    """Follow the next log through the world; see :func:`allworlds.engines.kernel.explorers.play`.
+    """Follow the next log through the world; see :func:`allworlds.engines.kernel.runs.play`.
 
     Bytes that are no log are counted as strange, in addition to the result here.
     """
@@ -58,7 +58,7 @@ def follow(world, reader, budget, log, judged):
     if at < 0:
         at = size
     cost = shown = walked = 0
-    dart, law = world.start, NONE
+    dart, law = 0, NONE
     _note(reader, noted, world, dart)
     while law == NONE:
         code = byte_of(logs, at) if at < size else int64(STRANGE)
@@ -121,7 +121,7 @@ def _find_map(reader, at, published):
 
 
 @entry
-def differing(first, begins, ends, second, again, runs, different):
+def differing(first, begins, ends, second, again, different):
     """The number of runs whose second logs differ from the first; noted in ``different``.
 
     Maps that are published on the way are judged once, and need not be equal in the second log;
@@ -133,7 +133,7 @@ def differing(first, begins, ends, second, again, runs, different):
     """
     found = 0
     one, other = address_of(first), address_of(second)
-    for run in range(runs):
+    for run in range(len(different)):
         a, b = int64(begins[run]), int64(again[run])
         length, room = int64(ends[run]) - a, len(second) - b
         inside = a >= 0 and b >= 0 and a + length <= len(first)

@@ -7,7 +7,7 @@ glued, and its root is dart 0.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from numpy import dtype, int32, int64, recarray, uint8, zeros
 
@@ -82,15 +82,11 @@ WORLD = dtype(
     [
         ("darts", int64),
         ("vertices", int64),
-        ("start", int64),
         # The lighthouse: the number of its place, its dart at v0, what it tells.
         ("place", int64),
         ("pointed", int64),
         ("told", int64),
-        # A dart's place on the rings, which hold each vertex's darts clockwise, one vertex
-        # after the other; where the ring of its vertex begins; its vertex and the degree there.
-        ("spot", int64, DARTS),
-        ("ring", int64, DARTS),
+        # The first dart of a dart's vertex, the vertex, and the degree there.
         ("first", int64, DARTS),
         ("owner", int64, DARTS),
         ("degree", int64, DARTS),
@@ -99,7 +95,7 @@ WORLD = dtype(
         # What is sensed on arriving by a dart.
         ("marks", int64, DARTS),
         ("bearing", int64, DARTS),
-        # By vertices: where its ring begins.
+        # By vertices: the first dart.
         ("root", int64, DARTS),
         # The canonical order of the darts, and the place of each in it.
         ("order", int64, DARTS),
@@ -276,9 +272,8 @@ JOB = dtype(
 )
 """A unit of work on its way."""
 
-
-ASKED = dtype([("policy", int64), ("wrong", int64)], align=True)
-"""How the choices of a native explorer are answered, and whether one was illegal."""
+ASKED = dtype([("policy", int64), ("wrong", int64), ("room", int64)], align=True)
+"""How a native explorer's choices are answered, whether one was illegal; darts of its sigma."""
 
 READER = dtype(
     [
@@ -303,6 +298,134 @@ READER = dtype(
     align=True,
 )
 """An explorer that repeats the logs of another one."""
+
+WALKED = 80
+"""Room for more than the darts of a world, so that a robot that errs stays in its buffers."""
+
+NOW = dtype(
+    [
+        # Where the walk stands, and the dart that it is about to cross.
+        ("stage", uint8),
+        ("y", uint8),
+        # The world W: its open darts, and how many darts and vertices there are.
+        ("open", int64),
+        ("darts", uint8),
+        ("vertices", uint8),
+        # The robot's S: how many darts and vertices; its U; which vertices of W are in it; for
+        # each vertex its distance to v0 and the first dart that leads nearer, packed.
+        ("s_darts", uint8),
+        ("s_vertices", uint8),
+        ("unexplored", int64),
+        ("in_s", int64),
+        ("level", int64),
+        ("parent", int64),
+        ("position", uint8),
+        ("passes", uint8),
+        # The pass: the dart e, what it led to, the hypotheses left, the one tested, the steps
+        # of the test, and the dart in which the next one should end.
+        ("e", uint8),
+        ("x", uint8),
+        ("hypotheses", int64),
+        ("candidate", uint8),
+        ("steps", uint8),
+        ("t", uint8),
+        # The cost and the counters of the walk, packed.
+        ("total", int64),
+    ],
+    align=True,
+)
+"""The state to which a walk goes back to decide a dart in another way."""
+
+CHOICE = dtype([("untried", int64), ("degree", int64), ("now", NOW)], align=True)
+"""A dart that must be decided: partners and degrees to be tried, and the walk up to there."""
+
+WALK = dtype(
+    [
+        ("now", NOW),
+        ("edges", int64),
+        ("limit", int64),
+        ("policy", int64),
+        ("fuel", int64),
+        ("back_weight", int64),
+        ("bound", int64, DARTS),
+        ("viable", uint8, (DARTS, 2 * DARTS)),
+        ("sensed", uint8, DARTS),
+        # What has been met: worlds, and by vertices what they have shown.
+        ("worlds", int64),
+        ("counts", int64, (DARTS, DEPTHS)),
+        # W, by darts: the partner, the vertex, the degree there as it is and as it is sensed,
+        # and the dart behind the last one of the vertex.  The degrees of the vertices.
+        ("partner", uint8, WALKED),
+        ("owner", uint8, WALKED),
+        ("degree", uint8, WALKED),
+        ("felt", uint8, WALKED),
+        ("end", uint8, WALKED),
+        ("degrees", uint8, WALKED),
+        # S, by darts: the partner, the vertex, the degree that is expected there, the image in
+        # W.  By vertices: the darts, and the vertices joined to each.  By degrees: the darts.
+        ("s_partner", uint8, WALKED),
+        ("s_owner", uint8, WALKED),
+        ("s_degree", uint8, WALKED),
+        ("image", uint8, WALKED),
+        ("own", int64, WALKED),
+        ("of_degree", int64, WALKED),
+        ("adjacent", int64, WALKED),
+        # The two ends of the edge that each pass has added to S.
+        ("one_end", uint8, WALKED),
+        ("other_end", uint8, WALKED),
+        # The decisions that can still be taken otherwise.
+        ("depth", int64),
+        ("choices", CHOICE, WALKED),
+        # Room for a world that is to be blamed.
+        ("world", WORLD),
+    ],
+    align=True,
+)
+"""Algorithm 1 on its way through all worlds at once."""
+
+SCHEDULES = dtype(
+    [
+        ("gluing", GLUING),
+        ("world", WORLD),
+        ("transit", int64),
+        # By darts: the number of the edge; the most expensive and the cheapest way to go on.
+        ("edge_of", int64, DARTS),
+        ("most", int64, DARTS),
+        ("least", int64, DARTS),
+        # By vertices: those joined in S, and lengths of paths.
+        ("adjacent", int64, DARTS),
+        ("near", int64, DARTS),
+        ("far", int64, DARTS),
+        # A path on its way, and its ends: steps until a mismatch.
+        ("at", int64, DARTS),
+        ("robot", int64, DARTS),
+        ("turned", int64, DARTS),
+        ("visited", int64, DARTS),
+        ("shortest", int64),
+        ("longest", int64),
+        # Different tests, and those of a false hypothesis that matched.
+        ("tests", int64),
+        ("wrong", int64),
+    ],
+    align=True,
+)
+"""All schedules in one world after the other."""
+
+
+class Kept(NamedTuple):
+    """Runs that are kept, as rows: n, the code, the place, the law's number, the unrooted code.
+
+    Attributes:
+        most_expensive: by n, the least of the runs that cost most; without an unrooted code.
+        least: the least runs that break a law, ascending.
+        row: room for one of these.
+        listed: room for something about each run, as far as it goes.
+    """
+
+    most_expensive: Any
+    least: Any
+    row: Any
+    listed: Any
 
 
 def new(kind: Any) -> Any:

@@ -38,7 +38,7 @@ def search(job, prefix, viable, worst, best, reached, halt, counts, rows, row, o
     """Search all schedules in every map whose gluing begins with ``prefix``.
 
     Args:
-        job: a record of :data:`~allworlds.engines.kernel.walk_records.SCHEDULES`; its gluing is new
+        job: a record of :data:`~allworlds.engines.kernel.records.SCHEDULES`; its gluing is new
             but for what is asked for.
         prefix: the first decisions.
         viable: the gluing rule.
