@@ -18,9 +18,9 @@ from numpy import argwhere, array, asarray, full, int8, int64, maximum, zeros
 
 from allworlds.engines.kernel import demand_driven as walks, runs
 from allworlds.engines.kernel.capabilities import EXPLORERS
-from allworlds.engines.kernel.classes import rule_address
 from allworlds.engines.kernel.compiling import uncollected
 from allworlds.engines.kernel.counting import count
+from allworlds.engines.kernel.gluing import rule_address
 from allworlds.engines.kernel.law_numbers import LAWS
 from allworlds.engines.kernel.lighthouses import lighthouse_address
 from allworlds.engines.kernel.names import EVENTS, POLICIES

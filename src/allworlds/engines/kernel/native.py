@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from numba import int32, types
 from numpy import int64
 
+from allworlds.engines.kernel import log_codes as codes, names, stretch
 from allworlds.engines.kernel.calls import (
     address_of,
     ask_answer,
@@ -28,39 +29,8 @@ from allworlds.engines.kernel.calls import (
 )
 from allworlds.engines.kernel.compiling import RECORD, callback, entry, inlined, inner
 from allworlds.engines.kernel.gluing import advance
-from allworlds.engines.kernel.log_codes import (
-    ANSWERED,
-    ILLEGAL,
-    MOST_PUBLISHED,
-    OVER_BUDGET,
-    SHOWN,
-    SHOWN_TOO_OFTEN,
-    STRANGE,
-)
 from allworlds.engines.kernel.logs import LONGEST_ENTRY, span
-from allworlds.engines.kernel.names import (
-    AMBIGUOUS,
-    ANSWER_READY,
-    CHECKPOINT,
-    LANES,
-    LIFO,
-    MOVE,
-    NEAREST,
-)
 from allworlds.engines.kernel.records import ASKED, NONE
-from allworlds.engines.kernel.stretch import (
-    BEARING,
-    DEGREE,
-    FIRST,
-    MARKS,
-    MOST_PLACES,
-    PARTNER,
-    RUN_BUDGET,
-    RUN_MOTIONS,
-    RUN_NUMBER,
-    RUN_TOLD,
-    WIDE,
-)
 from allworlds.engines.kernel.worlds import settle
 
 # The addresses of an explorer, in their order.  There are two rooms for sigma and alpha, which take
@@ -104,7 +74,7 @@ def lay_out(job, unit, heads, worlds):
     written, a row for each run.
     """
     g, world, placed = job.gluing, job.world, 0
-    while job.number < job.until and placed <= len(heads) - 2 * MOST_PLACES:
+    while job.number < job.until and placed <= len(heads) - 2 * stretch.MOST_PLACES:
         if not advance(g, unit.prefix, unit.viable):
             job.until = 0
             break
@@ -114,13 +84,22 @@ def lay_out(job, unit, heads, worlds):
             job.number += 1
         while world.place != NONE:
             head, row = heads[placed], worlds[placed]
-            head[RUN_BUDGET], head[RUN_TOLD] = unit.budgets[world.vertices], world.told
-            head[RUN_NUMBER] = job.number
+            head[stretch.RUN_BUDGET], head[stretch.RUN_TOLD] = (
+                unit.budgets[world.vertices],
+                world.told,
+            )
+            head[stretch.RUN_NUMBER] = job.number
             for dart in range(world.darts):
-                at = WIDE * dart
-                row[at + FIRST], row[at + PARTNER] = world.first[dart], world.alpha[dart]
-                row[at + DEGREE], row[at + MARKS] = world.degree[dart], world.marks[dart]
-                row[at + BEARING] = world.bearing[dart] + 1
+                at = stretch.WIDE * dart
+                row[at + stretch.FIRST], row[at + stretch.PARTNER] = (
+                    world.first[dart],
+                    world.alpha[dart],
+                )
+                row[at + stretch.DEGREE], row[at + stretch.MARKS] = (
+                    world.degree[dart],
+                    world.marks[dart],
+                )
+                row[at + stretch.BEARING] = world.bearing[dart] + 1
             placed += 1
             job.number += 1
             call_with(job.lighthouse, world)
@@ -174,7 +153,7 @@ def _episode(handed, asked, shared, run, again, at, due):
     if again:
         sensed = address_of(shared.percepts) + int64(shared.starts[run])
     else:
-        sensed = address_of(shared.worlds) + run * shared.worlds.shape[1] + DEGREE
+        sensed = address_of(shared.worlds) + run * shared.worlds.shape[1] + stretch.DEGREE
     _sense(sensed + place, handed.percept)
     _begin(explorer, action, asked, head, handed.beat)
     while True:
@@ -184,11 +163,11 @@ def _episode(handed, asked, shared, run, again, at, due):
             return int64(-1), due
         kind = action[0]
         if asked.wrong:
-            logs[at] = STRANGE
+            logs[at] = codes.STRANGE
             break
-        if kind == MOVE:
-            if cost == head[RUN_BUDGET]:
-                logs[at] = OVER_BUDGET
+        if kind == names.MOVE:
+            if cost == head[stretch.RUN_BUDGET]:
+                logs[at] = codes.OVER_BUDGET
                 break
             degree, motion = byte_of(sensed, place), int64(action[1])
             if motion < 0 or motion >= degree:
@@ -197,17 +176,17 @@ def _episode(handed, asked, shared, run, again, at, due):
             at += 1
             if not again:
                 place = _arrival(sensed, place, motion, degree)
-            elif cost < head[RUN_MOTIONS]:
+            elif cost < head[stretch.RUN_MOTIONS]:
                 place += 3
             else:
                 # The first play ended here.
-                logs[at] = STRANGE
+                logs[at] = codes.STRANGE
                 break
             _sense(sensed + place, handed.percept)
             cost += 1
-        elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
+        elif kind == names.CHECKPOINT and shown <= head[stretch.RUN_BUDGET]:
             shown += 1
-            at, due = _publish(handed, asked, logs, at, SHOWN, due)
+            at, due = _publish(handed, asked, logs, at, codes.SHOWN, due)
             if due[0] < 0:
                 break
         else:
@@ -229,22 +208,26 @@ def _sense(address, percept):
 @inlined
 def _arrival(sensed, place, motion, degree):
     """The place of the percept behind the motion, in a laid-out world."""
-    leaving = place + WIDE * motion
-    if leaving >= WIDE * (byte_of(sensed, place + FIRST - DEGREE) + degree):
-        leaving -= WIDE * degree
-    return WIDE * byte_of(sensed, leaving + PARTNER - DEGREE)
+    leaving = place + stretch.WIDE * motion
+    if leaving >= stretch.WIDE * (byte_of(sensed, place + stretch.FIRST - stretch.DEGREE) + degree):
+        leaving -= stretch.WIDE * degree
+    return stretch.WIDE * byte_of(sensed, leaving + stretch.PARTNER - stretch.DEGREE)
 
 
 @inlined
 def _begin(explorer, action, asked, head, beat):
     """Let the explorer take the first step of an episode."""
-    beat[0], beat[1] = head[RUN_NUMBER], 1
+    beat[0], beat[1] = head[stretch.RUN_NUMBER], 1
     asked.wrong = 0
     if explorer[CHOOSE]:
         call_choose(explorer[CHOOSE], explorer[STATE], explorer[PICK], explorer[CONTEXT])
     action[0] = action[1] = 0
     call_start(
-        explorer[START], explorer[STATE], explorer[SENSED], int32(head[RUN_TOLD]), explorer[ACTED]
+        explorer[START],
+        explorer[STATE],
+        explorer[SENSED],
+        int32(head[stretch.RUN_TOLD]),
+        explorer[ACTED],
     )
 
 
@@ -252,17 +235,17 @@ def _begin(explorer, action, asked, head, beat):
 def _end(handed, asked, logs, at, due):
     """Write the end of the log, with an answer or without; return its place, and what is due."""
     kind = handed.action[0]
-    if kind == ANSWER_READY:
-        at, due = _publish(handed, asked, logs, at, ANSWERED, due)
+    if kind == names.ANSWER_READY:
+        at, due = _publish(handed, asked, logs, at, codes.ANSWERED, due)
         if due[0] >= 0:
             at -= 1
-    elif kind == CHECKPOINT:
-        logs[at] = SHOWN_TOO_OFTEN
-    elif kind == AMBIGUOUS:
+    elif kind == names.CHECKPOINT:
+        logs[at] = codes.SHOWN_TOO_OFTEN
+    elif kind == names.AMBIGUOUS:
         # The other engine knows what a quotient is worth.
-        logs[at] = STRANGE
+        logs[at] = codes.STRANGE
     else:
-        logs[at] = ILLEGAL
+        logs[at] = codes.ILLEGAL
     return at, due
 
 
@@ -275,7 +258,7 @@ NOTHING_DUE = (int64(-1), int64(0), int64(0))
 def _publish(handed, asked, logs, at, what, due):
     """Write a published map; return the place behind it, and the address of the map that is due.
 
-    If the map does not fit, STRANGE is written, and no map is due.
+    If the map does not fit, codes.STRANGE is written, and no map is due.
     """
     explorer, here, room = handed.addresses, handed.here, 1 - due[1]
     here[0] = NONE
@@ -290,8 +273,8 @@ def _publish(handed, asked, logs, at, what, due):
         )
     )
     _write(explorer, logs, due)
-    if darts < 1 or darts > MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
-        logs[at] = STRANGE
+    if darts < 1 or darts > codes.MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
+        logs[at] = codes.STRANGE
         return at, NOTHING_DUE
     logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
     return at + 3 + span(darts), (at, room, darts)
@@ -299,18 +282,18 @@ def _publish(handed, asked, logs, at, what, due):
 
 @inner
 def _write(explorer, logs, due):
-    """Write the pending map's darts; mark the log STRANGE if one of them is no byte."""
+    """Write the pending map's darts; mark the log codes.STRANGE if one of them is no byte."""
     at, room, darts = due
     if at < 0:
         return
     odd, sigma = int64(0), address_of(logs) + at + 3
     # What is written too much of sigma is written over.
-    for dart in range(0, darts, LANES):
+    for dart in range(0, darts, names.LANES):
         odd |= narrow(sigma + dart, explorer[SIGMA + 2 * room] + 4 * dart, darts - dart)
-    for dart in range(0, darts, LANES):
+    for dart in range(0, darts, names.LANES):
         odd |= narrow(sigma + darts + dart, explorer[ALPHA + 2 * room] + 4 * dart, darts - dart)
     if odd:
-        logs[at] = STRANGE
+        logs[at] = codes.STRANGE
 
 
 def pick(asked, of, options, cost):  # pragma: no cover  # compiled
@@ -320,10 +303,10 @@ def pick(asked, of, options, cost):  # pragma: no cover  # compiled
         return int32(0)
     if of != 0:
         return int32(0)
-    if asked.policy == LIFO:
+    if asked.policy == names.LIFO:
         return int32(options - 1)
     taken = 0
-    if asked.policy == NEAREST and cost:
+    if asked.policy == names.NEAREST and cost:
         for i in range(1, options):
             if entry_of(cost, i) < entry_of(cost, taken):
                 taken = i

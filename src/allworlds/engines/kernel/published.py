@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from numpy import int64
 
+from allworlds.engines.kernel import law_numbers as laws
 from allworlds.engines.kernel.bits import lowest, size as size_of
 from allworlds.engines.kernel.calls import (
     address_of,
@@ -28,14 +29,6 @@ from allworlds.engines.kernel.calls import (
 )
 from allworlds.engines.kernel.capabilities import LONG
 from allworlds.engines.kernel.compiling import inlined, inner
-from allworlds.engines.kernel.law_numbers import (
-    INVARIANT_1,
-    INVARIANT_2,
-    MAP,
-    NO_ESTIMATE,
-    POSE,
-    VARIANT,
-)
 from allworlds.engines.kernel.names import LANES
 from allworlds.engines.kernel.records import NONE
 
@@ -58,7 +51,7 @@ def look_at(judged, published, world, dart, walked):
         explored = _look_anew(judged, published, world, dart, walked)
     t = world.darts // 2 - (explored + 1) // 2
     if judged.shown and t >= judged.t:
-        judged.broken |= 1 << VARIANT
+        judged.broken |= 1 << laws.VARIANT
     judged.t, judged.shown = t, 1
 
 
@@ -72,12 +65,12 @@ def _look_anew(judged, published, world, dart, walked):
         if e != d:
             explored += 1
             if 0 <= e < darts and entry_of(alpha, e) == e:
-                judged.broken |= 1 << INVARIANT_2
+                judged.broken |= 1 << laws.INVARIANT_2
                 mutual = False
-    if not judged.broken >> INVARIANT_1 & 1:
+    if not judged.broken >> laws.INVARIANT_1 & 1:
         taken = _explored_part(judged, published, world, dart, walked)
         if taken == 0:
-            judged.broken |= 1 << INVARIANT_1
+            judged.broken |= 1 << laws.INVARIANT_1
         elif mutual:
             judged.known, judged.explored, judged.taken = darts, explored, taken
             for d in range(darts):
@@ -89,7 +82,7 @@ def _look_anew(judged, published, world, dart, walked):
 def variant_at_the_end(judged):
     """Check that the variant has ended at 0, if S was ever published."""
     if judged.shown and judged.t != 0:
-        judged.broken |= 1 << VARIANT
+        judged.broken |= 1 << laws.VARIANT
 
 
 @inner
@@ -108,14 +101,14 @@ def answer_law(published, world, dart, judged):
         return 0  # the last published S has become the whole world
     _spell_out(published)
     if here < 0 or here >= size or not _is_map(published, judged):
-        return NO_ESTIMATE
+        return laws.NO_ESTIMATE
     if fits:
         if _explored_part(judged, published, world, dart, -1):
             return 0
         for other in range(world.darts):
             if _explored_part(judged, published, world, other, -1):
-                return POSE
-    return MAP
+                return laws.POSE
+    return laws.MAP
 
 
 @inner

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from numpy import array, int64, zeros
 
-from allworlds.engines.kernel.classes import rule_address
+from allworlds.engines.kernel.gluing import rule_address
 from allworlds.engines.kernel.records import SCHEDULES, new
 from allworlds.engines.kernel.schedules import COLUMNS, SHORTEST, SIMPLE, search
 from allworlds.engines.kernel.tables import gluing_rule
