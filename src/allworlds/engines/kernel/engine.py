@@ -37,12 +37,7 @@ UNDEFINED = runs.UNDEFINED
 
 
 def judge(
-    level: Level,
-    prefix: Sequence[int],
-    *,
-    keep: int = 1,
-    halt: Any = None,
-    listed: int = 0,
+    level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None, listed: int = 0
 ) -> Rows:
     """Play and judge every run of the maps whose gluing begins with ``prefix``.
 
@@ -163,11 +158,7 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
 def _bound_table(level: Level) -> Any:
     """The bounds by vertices, degree of v0 and largest degree."""
     bounds, degrees = level.bounds, 2 * level.edges + 1
-    shape = (
-        level.edges + 2,
-        degrees if bounds.by_d0 else 1,
-        degrees if bounds.by_largest else 1,
-    )
+    shape = (level.edges + 2, degrees if bounds.by_d0 else 1, degrees if bounds.by_largest else 1)
     table = full(shape, UNDEFINED, int64)
     for n in range(1, shape[0]):
         for d0 in range(shape[1]):
@@ -262,19 +253,10 @@ def _walked(level: Level, prefix: Sequence[int], reached: Any, kept: Kept, halt:
 
 
 def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
-    worlds, traversals = row[walks.WORLDS], row[walks.TRAVERSALS]
-    return Counts(
-        n,
-        worlds,
-        places * worlds,
-        places * traversals,
-        traversals,
-        row[walks.LARGEST],
-        places * worlds * edges,
-        0,
-        row[walks.LOOP_EDGE],
-        row[walks.PARALLEL_EDGE],
-    )
+    places_, traversals = places * row[walks.WORLDS], row[walks.TRAVERSALS]
+    sums = places * traversals, traversals, row[walks.LARGEST], places_ * edges, 0
+    doubled = row[walks.LOOP_EDGE], row[walks.PARALLEL_EDGE]
+    return Counts(n, row[walks.WORLDS], places_, *sums, *doubled)
 
 
 def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, int]:

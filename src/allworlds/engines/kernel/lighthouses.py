@@ -38,15 +38,11 @@ def position(world):  # pragma: no cover  # compiled
 def directional(world):  # pragma: no cover  # compiled
     """Put one mark at v0 that points to one of its darts: each of them is a place."""
     world.place += 1
-    degree = world.degree[0]
-    if world.place == degree:
+    if world.place == world.degree[0]:
         world.place = NONE
-        return
-    for dart in range(degree):
-        world.marks[dart] = 1
-        world.bearing[dart] = world.place - dart
-        if dart > world.place:
-            world.bearing[dart] += degree
+    else:
+        _mark(world, 0, 1)
+        _point(world, world.place)
 
 
 def compass(world):  # pragma: no cover  # compiled

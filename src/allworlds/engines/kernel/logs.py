@@ -9,13 +9,7 @@ from __future__ import annotations
 from numpy import int64
 
 from allworlds.engines.kernel import log_codes as codes
-from allworlds.engines.kernel.calls import (
-    address_of,
-    byte_of,
-    entry_of,
-    put_entry,
-    word_of,
-)
+from allworlds.engines.kernel.calls import address_of, byte_of, entry_of, put_entry, word_of
 from allworlds.engines.kernel.compiling import entry, inlined, inner
 from allworlds.engines.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
 from allworlds.engines.kernel.names import LANES

@@ -84,21 +84,14 @@ def lay_out(job, unit, heads, worlds):
             job.number += 1
         while world.place != NONE:
             head, row = heads[placed], worlds[placed]
-            head[stretch.RUN_BUDGET], head[stretch.RUN_TOLD] = (
-                unit.budgets[world.vertices],
-                world.told,
-            )
-            head[stretch.RUN_NUMBER] = job.number
+            head[stretch.RUN_BUDGET] = unit.budgets[world.vertices]
+            head[stretch.RUN_TOLD], head[stretch.RUN_NUMBER] = world.told, job.number
             for dart in range(world.darts):
                 at = stretch.WIDE * dart
-                row[at + stretch.FIRST], row[at + stretch.PARTNER] = (
-                    world.first[dart],
-                    world.alpha[dart],
-                )
-                row[at + stretch.DEGREE], row[at + stretch.MARKS] = (
-                    world.degree[dart],
-                    world.marks[dart],
-                )
+                row[at + stretch.FIRST] = world.first[dart]
+                row[at + stretch.PARTNER] = world.alpha[dart]
+                row[at + stretch.DEGREE] = world.degree[dart]
+                row[at + stretch.MARKS] = world.marks[dart]
                 row[at + stretch.BEARING] = world.bearing[dart] + 1
             placed += 1
             job.number += 1
@@ -222,13 +215,8 @@ def _begin(explorer, action, asked, head, beat):
     if explorer[CHOOSE]:
         call_choose(explorer[CHOOSE], explorer[STATE], explorer[PICK], explorer[CONTEXT])
     action[0] = action[1] = 0
-    call_start(
-        explorer[START],
-        explorer[STATE],
-        explorer[SENSED],
-        int32(head[stretch.RUN_TOLD]),
-        explorer[ACTED],
-    )
+    told = int32(head[stretch.RUN_TOLD])
+    call_start(explorer[START], explorer[STATE], explorer[SENSED], told, explorer[ACTED])
 
 
 @inlined
@@ -258,7 +246,7 @@ NOTHING_DUE = (int64(-1), int64(0), int64(0))
 def _publish(handed, asked, logs, at, what, due):
     """Write a published map; return the place behind it, and the address of the map that is due.
 
-    If the map does not fit, codes.STRANGE is written, and no map is due.
+    If the map does not fit, STRANGE is written, and no map is due.
     """
     explorer, here, room = handed.addresses, handed.here, 1 - due[1]
     here[0] = NONE
@@ -282,7 +270,7 @@ def _publish(handed, asked, logs, at, what, due):
 
 @inner
 def _write(explorer, logs, due):
-    """Write the pending map's darts; mark the log codes.STRANGE if one of them is no byte."""
+    """Write the pending map's darts; mark the log STRANGE if one of them is no byte."""
     at, room, darts = due
     if at < 0:
         return
