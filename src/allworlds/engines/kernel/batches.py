@@ -10,26 +10,20 @@ from __future__ import annotations
 import ctypes
 import mmap
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 from msgspec import Struct
 from numpy import arange, array, asarray, frombuffer, int32, int64, uint8, zeros
 
-from allworlds.engines.kernel import logs, native, runs
+from allworlds.engines.kernel import logs, native, runs, stretch as stretches
 from allworlds.engines.kernel.compiling import uncollected
 from allworlds.engines.kernel.engine import flag, rows_of, set_up, unit_of
 from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.names import POLICIES
 from allworlds.engines.kernel.records import ASKED, JOB, READER, ROBOT, new
 from allworlds.engines.kernel.rows import Level, LevelBounds, Rows
-from allworlds.engines.kernel.stretch import (
-    LOG_BYTES,
-    LONGEST_STRETCH,
-    ROWS,
-    RUN_MOTIONS,
-    RUN_NUMBER,
-    Stretch,
-)
+from allworlds.engines.kernel.stretch import LOG_BYTES, LONGEST_STRETCH, ROWS, Stretch
 from allworlds.engines.kernel.tables import tables
 
 
@@ -109,7 +103,7 @@ class UnitJudge:
             results[:] = 0
         runs.examine(job, reader, unit, flag())
         _STARTS[count] = reader.noted
-        self._heads[:, RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
+        self._heads[:, stretches.RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
         self._hand_over()
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
         return rows_of(unit, job, self._robot), good
@@ -122,7 +116,7 @@ class UnitJudge:
         records.starts[:count] = _STARTS[:count]
         records.heads[:count] = self._heads
         # Who plays again is not to know which runs these are.
-        records.heads[:count, RUN_NUMBER] = 0
+        records.heads[:count, stretches.RUN_NUMBER] = 0
 
     def differing(self, size: int) -> list[int]:
         """The numbers of the logs whose second ones differ from them, as they were judged."""
@@ -137,7 +131,7 @@ class UnitJudge:
 
     def number(self, row: int) -> int:
         """The number of the run of a log in its unit."""
-        return int(self._heads[row, RUN_NUMBER])
+        return int(self._heads[row, stretches.RUN_NUMBER])
 
     def log(self, row: int) -> bytes:
         """A log."""
@@ -157,14 +151,11 @@ _PERCEPTS = zeros(LOG_BYTES, uint8)
 _BEGINS, _ENDS, _STARTS = zeros((3, ROWS + 1), int32)
 """Where each of the first logs begins and ends, and where the percepts of its run begin."""
 
-_ROOMS: list[tuple[Any, Any, Any]] = []
 
-
+@cache
 def _room() -> tuple[Any, Any, Any]:
     """This process's memory for two jobs, and for the arrays that are not read."""
-    if not _ROOMS:
-        _ROOMS.append((new(JOB), new(JOB), new(ROBOT)))
-    return _ROOMS[0]
+    return new(JOB), new(JOB), new(ROBOT)
 
 
 class NativePlayer:

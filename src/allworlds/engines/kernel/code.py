@@ -17,16 +17,11 @@ def number(world, root):
     while taken < known:
         x = world.order[taken]
         taken += 1
-        y = world.sigma[x]
-        if world.number[y] == NONE:
-            world.number[y] = known
-            world.order[known] = y
-            known += 1
-        y = world.alpha[x]
-        if world.number[y] == NONE:
-            world.number[y] = known
-            world.order[known] = y
-            known += 1
+        for y in (world.sigma[x], world.alpha[x]):
+            if world.number[y] == NONE:
+                world.number[y] = known
+                world.order[known] = y
+                known += 1
 
 
 @inlined
@@ -78,7 +73,10 @@ def blame(world, law, least, row):
 def _keep_least_of_kind(least, row, kind):
     """Do :func:`keep_least`, but of the rows that agree from ``row[kind]`` on keep one."""
     for place in range(least.shape[0]):
-        if least[place, 0] and _alike(row, least, place, kind):
+        alike = least[place, 0] != 0
+        for i in range(kind, len(row)):
+            alike = alike and row[i] == least[place, i]
+        if alike:
             if not _before(row, least, place):
                 return
             for after in range(place, least.shape[0] - 1):
@@ -116,15 +114,6 @@ def is_less(world, rows, place):
         if y != rows[place, 1 + world.darts + i]:
             return y < rows[place, 1 + world.darts + i]
     return False
-
-
-@inlined
-def _alike(row, least, place, kind):
-    """Whether the row agrees with that of this place, from ``kind`` on."""
-    alike = True
-    for i in range(kind, len(row)):
-        alike = alike and row[i] == least[place, i]
-    return alike
 
 
 @inner

@@ -15,23 +15,14 @@ import gc
 import hashlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, cast
 
 from numba import from_dtype, njit
 from numba.core.ccallback import CFunc
 
-
-def _njit(**more: Any) -> Any:
-    options: dict[str, Any] = {
-        "nogil": True,
-        "error_model": "numpy",
-        "no_cfunc_wrapper": True,
-        "_nrt": False,
-        **more,
-    }
-    return njit(**options)
+_njit = partial(njit, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _nrt=False)
 
 
 def inlined(function: Callable[..., Any]) -> Any:

@@ -41,19 +41,8 @@ the choice of a hypothesis; ended; failed, so that only the worlds with the fail
 
 # The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
 # worlds with a loop and with parallel edges, worlds that break a law, and walks that failed.
-(
-    WORLDS,
-    TRAVERSALS,
-    LARGEST,
-    CASES_1,
-    CASES_2,
-    TESTS_AT_V0,
-    EMPTY_HS,
-    LOOP_EDGE,
-    PARALLEL_EDGE,
-    BROKEN,
-    FAILURES,
-) = range(11)
+WORLDS, TRAVERSALS, LARGEST, CASES_1, CASES_2, TESTS_AT_V0, EMPTY_HS = range(7)
+LOOP_EDGE, PARALLEL_EDGE, BROKEN, FAILURES = range(7, 11)
 _FEW = 0xFF
 
 

@@ -253,10 +253,9 @@ def _walked(level: Level, prefix: Sequence[int], reached: Any, kept: Kept, halt:
 
 
 def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
-    places_, traversals = places * row[walks.WORLDS], row[walks.TRAVERSALS]
-    sums = places * traversals, traversals, row[walks.LARGEST], places_ * edges, 0
-    doubled = row[walks.LOOP_EDGE], row[walks.PARALLEL_EDGE]
-    return Counts(n, row[walks.WORLDS], places_, *sums, *doubled)
+    worlds, cost = row[walks.WORLDS], row[walks.TRAVERSALS]
+    of_runs = places * worlds, places * cost, cost, row[walks.LARGEST], places * worlds * edges, 0
+    return Counts(n, worlds, *of_runs, row[walks.LOOP_EDGE], row[walks.PARALLEL_EDGE])
 
 
 def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, int]:

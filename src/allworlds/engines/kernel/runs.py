@@ -27,17 +27,8 @@ from allworlds.engines.kernel.records import NONE, READER, Kept
 from allworlds.engines.kernel.worlds import arrival, doubled, settle
 
 # The columns of the tally, by vertices.
-(
-    WORLDS,
-    RUNS,
-    TRAVERSALS,
-    TRAVERSALS_ROOTED,
-    LARGEST,
-    CHECKPOINTS,
-    LEFT_OUT,
-    LOOP_EDGE,
-    PARALLEL_EDGE,
-) = range(9)
+WORLDS, RUNS, TRAVERSALS, TRAVERSALS_ROOTED, LARGEST = range(5)
+CHECKPOINTS, LEFT_OUT, LOOP_EDGE, PARALLEL_EDGE = range(5, 9)
 COLUMNS = 9
 
 # The columns of a listed run.
