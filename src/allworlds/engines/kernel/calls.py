@@ -215,7 +215,8 @@ def copy(_context, target, source):
     assert target == source, (target, source)
 
     def generate(context, builder, signature, values):
-        raw_memcpy(builder, *values, number(signature.args[0].size), 1)
+        to, origin = values
+        raw_memcpy(builder, to, origin, number(signature.args[0].size), 1)
         return context.get_dummy_value()
 
     return types.void(target, source), generate

@@ -57,7 +57,7 @@ def judge(
     return rows_of(unit, job, robot)
 
 
-def rows_of(unit: runs.Unit, job: Any, robot: Any) -> Rows:
+def rows_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Rows:
     """The rows of the judge's results."""
     darts, kept = 2 * int(job.gluing.edges), unit.kept
     rows = enumerate(unit.counts.tolist())
@@ -71,10 +71,10 @@ def rows_of(unit: runs.Unit, job: Any, robot: Any) -> Rows:
     )
 
 
-def unit_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0) -> runs.Unit:
+def unit_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0) -> runs.UnitArrays:
     """The arrays of the judge, with room for its results."""
     bounds = _bound_table(level)
-    return runs.Unit(
+    return runs.UnitArrays(
         array(prefix, int64),
         level.tables.viable,
         bounds,
@@ -89,8 +89,8 @@ def unit_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0)
 def _rooms(edges: int, keep: int, listed: tuple[int, int]) -> Kept:
     """Room for the runs that are kept."""
     width = 3 + 8 * edges
-    rows = (zeros((many, width), int64) for many in (edges + 2, keep))
-    return Kept(*rows, zeros(width, int64), zeros(listed, int64))
+    most_expensive, least = (zeros((many, width), int64) for many in (edges + 2, keep))
+    return Kept(most_expensive, least, zeros(width, int64), zeros(listed, int64))
 
 
 def load_judge(level: Level) -> None:

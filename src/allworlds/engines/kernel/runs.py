@@ -39,7 +39,7 @@ LISTED = 4
 UNDEFINED = -(1 << 62)
 
 
-class Unit(NamedTuple):
+class UnitArrays(NamedTuple):
     """The arrays of a unit: what is asked for, and its results.
 
     Attributes:
@@ -71,7 +71,7 @@ def examine(job, player, unit, halt):
     Args:
         job: a new record with the request filled in.
         player: of one of the two kinds.
-        unit: the arrays, a :class:`Unit`.
+        unit: the arrays, a :class:`UnitArrays`.
         halt: ``halt[0]`` is not 0 once the work is to be given up.
     """
     g, world, counts = job.gluing, job.world, unit.counts
