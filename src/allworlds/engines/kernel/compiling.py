@@ -91,6 +91,8 @@ def _stamped(function: Any) -> Any:
     file = _file_of(function)
     if file is not None:
         file._source_stamp = _stamp()  # noqa: SLF001  # there is no public way
+        # It is compared before the rest is read, which may name classes that are gone.
+        file._version = f"{file._version} {_stamp()}"  # noqa: SLF001  # as above
     return function
 
 
