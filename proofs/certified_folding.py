@@ -88,7 +88,7 @@ def folds_compiled(world: World, log: Transcript) -> bool:
     """Whether the compiled judge, which knows the log's world, finds no open dart."""
     map_, steps = world.map, steps_of(log)
     laid, walked, room = (np.zeros(1, record) for record in (WORLD, LOG, FOLD))
-    laid["start"], walked["cost"] = world.start, len(steps)
+    walked["cost"] = len(steps)
     for dart in map_.darts:
         laid["alpha"][0, dart] = map_.alpha[dart]
         laid["degree"][0, dart] = map_.degree_at[dart]

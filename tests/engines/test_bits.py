@@ -8,9 +8,7 @@ def compiled(mask):
     return lowest(mask), highest(mask), size(mask)
 
 
-def test_compiled_and_interpreted_sets_are_the_same():
+def test_sets_have_a_least_and_a_greatest_element_and_a_size():
     for mask in [*range(1, 300), 1 << 40, (1 << 40) + 5, (1 << 62) + (1 << 61)]:
         elements = [i for i in range(63) if mask >> i & 1]
-        expected = (elements[0], elements[-1], len(elements))
-        assert (lowest(mask), highest(mask), size(mask)) == expected
-        assert compiled(mask) == expected
+        assert compiled(mask) == (elements[0], elements[-1], len(elements))

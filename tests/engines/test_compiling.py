@@ -1,8 +1,10 @@
 """Compiled code is kept, and used again as long as the sources are the same."""
 
 import os
+import pickle
 from pathlib import Path
 
+import numba
 import pytest
 
 from allworlds.engines.kernel import compiling
@@ -27,6 +29,13 @@ def test_what_is_kept_is_good_for_the_same_sources_installed_later():
 def test_what_is_kept_is_no_good_for_other_sources(monkeypatch):
     compile_apart("algorithm1")
     monkeypatch.setattr(compiling._file_of(examine), "_source_stamp", "of others")
+    assert not is_compiled(examine)
+
+
+def test_what_other_sources_kept_is_not_read(monkeypatch, tmp_path):
+    index = tmp_path / "index"
+    index.write_bytes(pickle.dumps(numba.__version__) + b"callworlds.engines.kernel.runs\nGone\n.")
+    monkeypatch.setattr(compiling._file_of(examine), "_index_path", str(index))
     assert not is_compiled(examine)
 
 

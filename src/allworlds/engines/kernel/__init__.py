@@ -5,18 +5,17 @@ lock only to start and to end, so that threads share the work.
 
 ``engine``, ``rows``
     the door: plain numbers in, plain rows out;
-``runs``, ``episode``, ``explorers``, ``answers``, ``invariants``, ``embedding``, ``folding``
+``runs``, ``published``, ``folding``
     the judge: every run of every map of a class, played, judged and tallied;
-``gluing``, ``classes``, ``worlds``, ``lighthouses``
+``gluing``, ``worlds``, ``lighthouses``
     the worlds: maps, finished one after the other, with every lighthouse;
-``algorithm1``, ``two_vertices``
+``algorithm1``
     explorers, each behind the C interface of all explorers;
-``native``, ``known_runs``, ``picking``, ``logs``, ``log_codes``, ``writing``, ``stretch``,
-``batches``
+``native``, ``logs``, ``log_codes``, ``writing``, ``stretch``, ``batches``
     users' explorers, played in processes of their own, many runs at a time;
 ``memory_arrays``
     the memory of stretches, as compiled code sees it;
-``demand_driven``, ``ways``, ``demand_tally``
+``demand_driven``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``schedule_costs``
     the worst and the best cost of a world over all schedules, and its door;
@@ -24,7 +23,7 @@ lock only to start and to end, so that threads share the work.
     the numbers of maps, by vertices and faces;
 ``capabilities``
     the explorers and lighthouses that it knows, and the sizes that it has room for;
-``records``, ``walk_records``, ``tables``, ``names``, ``law_numbers``
+``records``, ``tables``, ``names``, ``law_numbers``
     the records in memory, the tables, and the names of small numbers;
 ``compiling``, ``calls``, ``bits``, ``code``
     compilation, C functions called by their addresses, sets as bit masks, codes.

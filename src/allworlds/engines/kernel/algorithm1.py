@@ -1,10 +1,13 @@
 """Algorithm 1, compiled: an explorer behind the C interface, one call for each percept.
 
 Between two calls it stands in one of the phases below.  Tests that have matched to the end are
-left to the variant: with a direction they are proved, without one a query follows
-(:mod:`allworlds.engines.kernel.two_vertices`).  It answers its choices as the policy says: darts of
-U first in, first out, last in, first out, or nearest; hypotheses in the order of S; the first of
-the shortest paths.  The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
+left to the variant: with a direction they are proved.  Without one v0 and a neighbour v1 of it can
+be recognised: before its first pass the robot searches the dart of v0 that leads to v1, and a test
+that has come to v0 is proved by the query: out by that dart, and back.
+
+It answers its choices as the policy says: darts of U first in, first out, last in, first out, or
+nearest; hypotheses in the order of S; the first of the shortest paths.  The twins are
+:mod:`allworlds.explorers.builtin.algorithm1` and :mod:`allworlds.explorers.builtin.undirected`.
 
 Source: Algorithm 1, Section IV.
 """
@@ -17,22 +20,9 @@ from functools import cache
 from numba import types
 from numpy import int64
 
+from allworlds.engines.kernel import names
 from allworlds.engines.kernel.calls import address_of
 from allworlds.engines.kernel.compiling import RECORD, callback, inlined, inner
-from allworlds.engines.kernel.names import (
-    ANSWER_READY,
-    AT_V0,
-    CASE_1,
-    CASE_2,
-    CASE_3,
-    CHECKPOINT,
-    EMPTY_H,
-    FIFO,
-    LIFO,
-    LOOP,
-    MOVE,
-    NON_LOOP,
-)
 from allworlds.engines.kernel.records import ACTION, ANSWER, NONE, PERCEPT, ROBOT
 
 PASSING, FOLLOWING, CROSSING, TESTING, RETRACING, MATCHED = range(6)
@@ -65,10 +55,10 @@ def answer(robot, published):  # pragma: no cover  # compiled
 @cache
 def algorithm1_addresses() -> tuple[int, int, int]:
     """The addresses of the compiled explorer: start, step, answer."""
-    return addresses(start, step)
+    return _addresses(start, step)
 
 
-def addresses(start: Callable[..., None], step: Callable[..., None]) -> tuple[int, int, int]:
+def _addresses(start: Callable[..., None], step: Callable[..., None]) -> tuple[int, int, int]:
     """The addresses of the compiled functions of a variant."""
     robot, percept, action = RECORD(ROBOT), RECORD(PERCEPT), RECORD(ACTION)
     return (
@@ -94,12 +84,12 @@ def begin(robot, degree, marks, bearing):
 def next_pass(robot, action):
     """Lines 2-4: the dart e to be explored, and the way to it; or the answer."""
     if robot.known == 0:
-        action.kind = ANSWER_READY
+        action.kind = names.ANSWER_READY
         return
     taken = 0
-    if robot.policy == LIFO:
+    if robot.policy == names.LIFO:
         taken = robot.known - 1
-    elif robot.policy != FIFO:
+    elif robot.policy != names.FIFO:
         _measure(robot, robot.owner[robot.here])
         for i in range(1, robot.known):
             if _far(robot, robot.unexplored[i]) < _far(robot, robot.unexplored[taken]):
@@ -137,7 +127,7 @@ def _follow(robot, action):
         robot.phase = FOLLOWING
         dart = robot.path[robot.done]
         robot.done += 1
-    action.kind, action.motion = MOVE, offset(robot, dart)
+    action.kind, action.motion = names.MOVE, offset(robot, dart)
     robot.here = robot.alpha[dart]
 
 
@@ -172,7 +162,7 @@ def _suppose(robot):
             robot.hypotheses[robot.alike] = dart
             robot.alike += 1
     if robot.alike == 0:
-        robot.events[EMPTY_H] += 1
+        robot.events[names.EMPTY_H] += 1
 
 
 @inner
@@ -185,7 +175,7 @@ def next_hypothesis(robot, action):
     robot.tried += 1
     robot.done = 0
     if robot.owner[robot.partner] == 0:
-        robot.events[AT_V0] += 1
+        robot.events[names.AT_V0] += 1
     _test(robot, action)
 
 
@@ -201,7 +191,7 @@ def _test(robot, action):
     motion = offset(robot, dart)
     robot.motions[robot.done] = motion
     robot.done += 1
-    action.kind, action.motion = MOVE, motion - robot.turned
+    action.kind, action.motion = names.MOVE, motion - robot.turned
     robot.turned = 0
     robot.here = robot.alpha[dart]
 
@@ -209,7 +199,7 @@ def _test(robot, action):
 @inner
 def reject(robot, action):
     """Cases (1) and (2), and the first step of line 15."""
-    robot.events[CASE_2 if robot.owner[robot.here] == 0 else CASE_1] += 1
+    robot.events[names.CASE_2 if robot.owner[robot.here] == 0 else names.CASE_1] += 1
     robot.turned = -robot.turned
     retrace(robot, action)
 
@@ -225,7 +215,7 @@ def retrace(robot, action):
         next_hypothesis(robot, action)
         return
     robot.phase = RETRACING
-    action.kind, action.motion = MOVE, robot.turned
+    action.kind, action.motion = names.MOVE, robot.turned
     robot.done -= 1
     robot.turned = -robot.motions[robot.done]
 
@@ -233,21 +223,21 @@ def retrace(robot, action):
 @inner
 def confirm(robot, here, action):
     """Case (3), lines 18-19: e and e' are one edge; the robot stands at v0."""
-    robot.events[CASE_3] += 1
-    robot.events[LOOP] += 1
+    robot.events[names.CASE_3] += 1
+    robot.events[names.LOOP] += 1
     goal, partner = robot.goal, robot.partner
     _explore(robot, goal, partner)
     if robot.owner[goal] != robot.owner[partner]:
         _ways_home(robot)
     robot.here = here
     robot.phase = PASSING
-    action.kind = CHECKPOINT
+    action.kind = names.CHECKPOINT
 
 
 @inlined
 def _augment_by_vertex(robot, action):
     """Lines 20-21: v_u is a new vertex; its first dart is the one of entry."""
-    robot.events[NON_LOOP] += 1
+    robot.events[names.NON_LOOP] += 1
     v, entry = robot.vertices, robot.darts
     degree = robot.seen_degree
     _add_vertex(robot, degree, robot.seen_marks, robot.seen_bearing)
@@ -255,7 +245,7 @@ def _augment_by_vertex(robot, action):
     robot.home[v] = entry
     robot.here = entry + robot.turned % degree
     robot.phase = PASSING
-    action.kind = CHECKPOINT
+    action.kind = names.CHECKPOINT
 
 
 @inner
@@ -342,3 +332,88 @@ def _ways_home(robot):
     _measure(robot, robot.owner[0])
     for v in range(1, robot.vertices):
         robot.home[v] = _nearer(robot, v)
+
+
+# Without a direction.
+
+SEARCHING, SEARCHED, ASKING, ASKED = range(MATCHED + 1, MATCHED + 5)
+"""At the other end of a dart of v0, and back again; at the other end of the pointed dart, and
+back again."""
+
+
+def start_undirected(robot, percept, told, action):  # pragma: no cover  # compiled
+    """The first step of the search."""
+    robot.degree_of_v0, robot.degree_of_v1 = percept.degree, told
+    begin(robot, int64(percept.degree), _is_v0(robot, percept.degree, percept.marks), NONE)
+    _search(robot, 0, action)
+
+
+def step_undirected(robot, percept, action):  # pragma: no cover  # compiled
+    """Write the explorer's next action, after this percept."""
+    degree, marks = percept.degree, percept.marks
+    if robot.phase == SEARCHING or robot.phase == ASKING:
+        robot.matched = _is_v1(robot, degree, marks)
+        robot.phase += 1
+        action.kind, action.motion = names.MOVE, 0
+    elif robot.phase == SEARCHED:
+        robot.here = robot.pointed
+        if robot.matched or robot.pointed + 1 == robot.darts:
+            next_pass(robot, action)
+        else:
+            _search(robot, robot.pointed + 1, action)
+    elif robot.phase == PASSING:
+        next_pass(robot, action)
+    else:
+        if robot.phase == ASKED:
+            _hear(robot, action)
+        else:
+            sense(robot, degree, _is_v0(robot, degree, marks), NONE, action)
+        if robot.phase == MATCHED:
+            _ask(robot, action)
+
+
+@cache
+def two_vertices_addresses() -> tuple[int, int, int]:
+    """The addresses of the compiled explorer: start, step, answer."""
+    return _addresses(start_undirected, step_undirected)
+
+
+@inlined
+def _is_v0(robot, degree, marks):
+    """Return 1 if this is the percept of v0, else 0."""
+    if robot.natural:
+        return 1 if degree == robot.degree_of_v0 else 0
+    return 1 if marks == 1 else 0
+
+
+@inlined
+def _is_v1(robot, degree, marks):
+    """Return 1 if this is the percept of v1, else 0."""
+    if robot.natural:
+        return 1 if degree == robot.degree_of_v1 else 0
+    return 1 if marks == 2 else 0
+
+
+@inner
+def _search(robot, dart, action):
+    """Leave by this dart of v0, to search v1."""
+    robot.phase, robot.pointed = SEARCHING, dart
+    action.kind, action.motion = names.MOVE, dart - robot.here
+
+
+@inner
+def _ask(robot, action):
+    """Begin the query: leave by the dart that should be the pointed one."""
+    towards = offset(robot, robot.pointed)
+    robot.phase = ASKING
+    action.kind, action.motion = names.MOVE, towards - robot.turned
+    robot.turned = towards
+
+
+@inlined
+def _hear(robot, action):
+    """Use the answer of the query; the robot is back at v0, turned to the dart it left by."""
+    if robot.matched:
+        confirm(robot, robot.pointed, action)
+    else:
+        reject(robot, action)

@@ -10,27 +10,20 @@ from __future__ import annotations
 import ctypes
 import mmap
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from functools import cache
+from typing import Any
 
 from msgspec import Struct
 from numpy import arange, array, asarray, frombuffer, int32, int64, uint8, zeros
 
-from allworlds.engines.kernel import logs, native, runs
+from allworlds.engines.kernel import logs, native, runs, stretch as stretches
 from allworlds.engines.kernel.compiling import uncollected
-from allworlds.engines.kernel.engine import asked_of, rows_of, set_up
+from allworlds.engines.kernel.engine import flag, rows_of, set_up, unit_of
 from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.names import POLICIES
-from allworlds.engines.kernel.picking import pick_address
 from allworlds.engines.kernel.records import ASKED, JOB, READER, ROBOT, new
 from allworlds.engines.kernel.rows import Level, LevelBounds, Rows
-from allworlds.engines.kernel.stretch import (
-    LOG_BYTES,
-    LONGEST_STRETCH,
-    ROWS,
-    RUN_MOTIONS,
-    RUN_NUMBER,
-    Stretch,
-)
+from allworlds.engines.kernel.stretch import LOG_BYTES, LONGEST_STRETCH, ROWS, Stretch
 from allworlds.engines.kernel.tables import tables
 
 
@@ -63,24 +56,24 @@ class UnitJudge:
     def __init__(
         self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, records: Stretch
     ) -> None:
-        self._level, self._stretch, self._records = level, stretch, records
-        self._ahead, self._job, robot = new(JOB), new(JOB), new(ROBOT)
-        self.noted = 0
-        self._reader = new(READER)
+        self._stretch, self._records, self.noted = stretch, records, 0
+        self._ahead, self._job, self._robot = new(JOB), new(JOB), new(ROBOT)
         for job in (self._ahead, self._job):
-            set_up(job, robot, level)
-        self._robot = robot
-        self._asked = asked_of(level, prefix, keep)
-        self._prefix, self._viable, _, _, self._budgets, *_ = self._asked.arguments
+            set_up(job, self._robot, level)
+        self._unit = unit_of(level, prefix, keep)
+        self._reader = reader = new(READER)
+        reader.logs, reader.percepts = _FIRST_LOGS.ctypes.data, _PERCEPTS.ctypes.data
+        reader.begins, reader.ends, reader.starts = (
+            each.ctypes.data for each in (_BEGINS, _ENDS, _STARTS)
+        )
+        reader.room = LOG_BYTES
 
     def lay_out(self, most: int) -> LaidOutRuns:
         """Write the next stretch, of about that many runs, to the memory; return its bounds."""
         ahead, stretch = self._ahead, self._stretch
         first = int(ahead.number)
         ahead.until = first + min(most, LONGEST_STRETCH)
-        placed = native.lay_out(
-            ahead, self._prefix, self._viable, self._budgets, stretch.heads, stretch.worlds
-        )
+        placed = native.lay_out(ahead, self._unit, stretch.heads, stretch.worlds)
         self.heads = stretch.heads[:placed].copy()
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
 
@@ -98,71 +91,53 @@ class UnitJudge:
             batch: the stretch.
             size: of the logs, in bytes.
         """
-        reader, job, asked = self._reader, self._job, self._asked
+        reader, job, unit, count = self._reader, self._job, self._unit, batch.runs
         size = max(0, min(size, LOG_BYTES))
-        kept = _FIRST_LOGS
-        kept[:size] = self._stretch.logs[:size]
-        reader.logs, reader.size = kept.ctypes.data, size
-        reader.begins, reader.ends = _BEGINS.ctypes.data, _ENDS.ctypes.data
-        reader.percepts, reader.starts = _PERCEPTS.ctypes.data, _STARTS.ctypes.data
-        reader.room = LOG_BYTES
+        _FIRST_LOGS[:size] = self._stretch.logs[:size]
+        _BEGINS[:count] = self._stretch.begins[:count]
+        self._logs = _FIRST_LOGS[:size]
+        reader.size = size
         reader.noted = reader.run = reader.strange = 0
         job.until = batch.until
-        asked.clear()
-        count = batch.runs
-        _BEGINS[:count] = self._stretch.begins[:count]
-        runs.examine(job, reader, *asked.arguments, _NEVER)
+        for results in (unit.met, unit.counts, unit.kept.most_expensive, unit.kept.least):
+            results[:] = 0
+        runs.examine(job, reader, unit, flag())
         _STARTS[count] = reader.noted
-        self.heads[:, RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
-        bounds = _BEGINS[:count], _ENDS[:count]
-        self._first = _Logs(self.heads, _STARTS[: count + 1], kept[:size], *bounds)
+        self.heads[:, stretches.RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
         self._hand_over()
         self.noted = int(reader.noted)
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
-        return rows_of(asked, job, self._robot), good
+        return rows_of(unit, job, self._robot), good
 
     def _hand_over(self) -> None:
         """Hand the percepts of these runs to the second player."""
-        records, first = self._records, self._first
-        count = len(first.heads)
-        end = min(int(first.starts[count]), LOG_BYTES)
+        records, count = self._records, len(self.heads)
+        end = min(int(_STARTS[count]), LOG_BYTES)
         records.percepts[:end] = _PERCEPTS[:end]
-        records.starts[:count] = first.starts[:count]
-        records.heads[:count] = first.heads
+        records.starts[:count] = _STARTS[:count]
+        records.heads[:count] = self.heads
         # Who plays again is not to know which runs these are.
-        records.heads[:count, RUN_NUMBER] = 0
+        records.heads[:count, stretches.RUN_NUMBER] = 0
 
     def differing(self, size: int) -> list[int]:
         """The numbers of the logs whose second ones differ from them, as they were judged."""
-        records, first = self._records, self._first
-        count = len(first.begins)
+        records, count = self._records, len(self.heads)
         size = max(0, min(size, LOG_BYTES))
         second, found = _SECOND_LOGS[:size], zeros(count, int64)
         second[:] = records.logs[:size]
         again = records.begins[:count].copy()
-        differ = logs.differing(first.logs, first.begins, first.ends, second, again, count, found)
+        differ = logs.differing(self._logs, _BEGINS, _ENDS, second, again, found)
         different: list[int] = found[:differ].tolist()
         return different
 
     def number(self, row: int) -> int:
         """The number of the run of a log in its unit."""
-        return int(self._first.heads[row, RUN_NUMBER])
+        return int(self.heads[row, stretches.RUN_NUMBER])
 
     def log(self, row: int) -> bytes:
         """A log."""
-        first = self._first
-        log: bytes = first.logs[first.begins[row] : first.ends[row]].tobytes()
+        log: bytes = self._logs[_BEGINS[row] : _ENDS[row]].tobytes()
         return log
-
-
-class _Logs(NamedTuple):
-    """A stretch as it was played first."""
-
-    heads: Any
-    starts: Any
-    logs: Any
-    begins: Any
-    ends: Any
 
 
 _FIRST_LOGS = zeros(LOG_BYTES + logs.SLACK, uint8)
@@ -177,16 +152,11 @@ _PERCEPTS = zeros(LOG_BYTES, uint8)
 _BEGINS, _ENDS, _STARTS = zeros((3, ROWS + 1), int32)
 """Where each of the first logs begins and ends, and where the percepts of its run begin."""
 
-_NEVER = zeros(1, int64)
 
-_ROOMS: list[tuple[Any, Any, Any]] = []
-
-
+@cache
 def _room() -> tuple[Any, Any, Any]:
     """This process's memory for two jobs, and for the arrays that are not read."""
-    if not _ROOMS:
-        _ROOMS.append((new(JOB), new(JOB), new(ROBOT)))
-    return _ROOMS[0]
+    return new(JOB), new(JOB), new(ROBOT)
 
 
 class NativePlayer:
@@ -204,18 +174,16 @@ class NativePlayer:
     ) -> None:
         self._asked = new(ASKED)
         self._memory = arrays  # what is handed to the explorer must stay
-        self._arrays = tuple(_view(each) for each in arrays)
-        percept, action, here, *rooms = (each.ctypes.data for each in self._arrays)
-        self._beat = frombuffer(beat, int64)
-        self._explorer = array(
-            [
-                *(addresses[name] for name in ("start", "step", "answer", "choose")),
-                *(state, percept, action, here),
-                *(pick_address(), asarray(self._asked).ctypes.data),
-                *rooms,
-            ],
-            int64,
+        percept, action, here, *rooms = (_view(each) for each in arrays)
+        self._asked.room = len(rooms[0])
+        pointers = (
+            *(addresses[name] for name in ("start", "step", "answer", "choose")),
+            *(state, percept.ctypes.data, action.ctypes.data, here.ctypes.data),
+            *(native.pick_address(), asarray(self._asked).ctypes.data),
+            *(each.ctypes.data for each in rooms),
         )
+        beat = frombuffer(beat, int64)
+        self._handed = native.Handed(array(pointers, int64), percept, action, here, beat)
 
     def play(self, stretch: Stretch, count: int, order: int, policy: str, *, again: bool) -> int:
         """Play runs; return the number of bytes of their logs, or -1 if there is no room for them.
@@ -230,13 +198,8 @@ class NativePlayer:
         rows = arange(count)
         native.shuffle(rows, order)
         self._asked.policy = POLICIES[policy]
-        percept, action, here, sigma, *_ = self._arrays
-        handed = self._explorer, percept, action, here, len(sigma), self._asked, stretch.heads
-        if again:
-            said = (stretch.percepts, stretch.starts, rows, stretch.logs, stretch.begins)
-            return int(native.play_records(*handed, *said, self._beat))
-        shown = (stretch.worlds, rows, stretch.logs, stretch.begins)
-        return int(native.play_worlds(*handed, *shown, self._beat))
+        shared = native.Shared(*(getattr(stretch, part) for part in native.Shared._fields))
+        return int(native.play(self._handed, self._asked, shared, rows, again))
 
 
 def _view(memory: Any) -> Any:
@@ -255,9 +218,7 @@ def load_native() -> None:
         batch = unit.lay_out(0)
         unit.judge(batch, 0)
         unit.differing(0)
-        player = no_player()
-        for again in (False, True):
-            player.play(stretch, 0, 0, "fifo", again=again)
+        no_player().play(stretch, 0, 0, "fifo", again=False)
 
 
 def any_level() -> Level:

@@ -6,7 +6,8 @@ a 32-bit integer is returned: that is called alike on every platform.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial, wraps
 from typing import Any
 
 from llvmlite import ir
@@ -17,7 +18,8 @@ from allworlds.engines.kernel.names import LANES
 
 intrinsic: Any = extending.intrinsic
 
-_POINTER = ir.IntType(8).as_pointer()
+_BYTE, _INT, _LONG = (ir.IntType(bits) for bits in (8, 32, 64))
+_POINTER = _BYTE.as_pointer()
 
 
 def _lowered(builder: Any, kind: Any, value: Any) -> Any:
@@ -37,20 +39,10 @@ def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> 
         _lowered(builder, kind, value)
         for kind, value in zip(signature.args[1:], values, strict=True)
     ]
-    shape = ir.FunctionType(ir.VoidType(), [value.type for value in lowered])
-    builder.call(builder.inttoptr(address, shape.as_pointer()), lowered)
-    return context.get_dummy_value()
-
-
-def _ask(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
-    """The code of a call that returns a 32-bit integer."""
-    address, *values = values
-    lowered = [
-        _lowered(builder, kind, value)
-        for kind, value in zip(signature.args[1:], values, strict=True)
-    ]
-    shape = ir.FunctionType(ir.IntType(32), [value.type for value in lowered])
-    return builder.call(builder.inttoptr(address, shape.as_pointer()), lowered)
+    answers = signature.return_type == types.int32
+    shape = ir.FunctionType(_INT if answers else ir.VoidType(), [value.type for value in lowered])
+    answer = builder.call(builder.inttoptr(address, shape.as_pointer()), lowered)
+    return answer if answers else context.get_dummy_value()
 
 
 @intrinsic
@@ -86,174 +78,135 @@ def call_choose(_context, address, state, pick, context):
 @intrinsic
 def ask_answer(_context, address, state, capacity, sigma, alpha, here):
     """Call ``answer(state, capacity, sigma, alpha, &here)``; return the number of darts."""
-    return types.int32(address, state, capacity, sigma, alpha, here), _ask
+    return types.int32(address, state, capacity, sigma, alpha, here), _call
 
 
-@intrinsic
-def entry_of(_context, address, index):
+def _instructions(result: Any, function: Callable[..., Any]) -> Any:
+    """A function of 64-bit integers, whose instructions are built by the decorated one."""
+
+    @wraps(function)
+    def typed(_context: Any, *arguments: Any) -> Any:
+        def generate(target, builder, _signature, values):
+            value = function(builder, *values)
+            return target.get_dummy_value() if value is None else value
+
+        return result(*(types.int64 for _ in arguments)), generate
+
+    return intrinsic(typed)
+
+
+expression: Any = partial(_instructions, types.int64)
+"""A decorator of the builder of a function that returns a 64-bit integer."""
+
+statement: Any = partial(_instructions, types.void)
+"""A decorator of the builder of a function that returns nothing."""
+
+
+def number(value: int) -> Any:
+    """The constant."""
+    return ir.Constant(_LONG, value)
+
+
+def _at(builder: Any, address: Any, index: Any, kind: Any) -> Any:
+    """The pointer to the number of that kind with this index, from the address on."""
+    return builder.gep(builder.inttoptr(address, kind.as_pointer()), [index])
+
+
+@expression
+def entry_of(builder, address, index):
     """The 32-bit integer number ``index`` of the array at the address."""
-
-    def generate(_target, builder, _signature, values):
-        integer = ir.IntType(32)
-        start = builder.inttoptr(values[0], integer.as_pointer())
-        return builder.sext(builder.load(builder.gep(start, [values[1]])), ir.IntType(64))
-
-    return types.int64(types.int64, types.int64), generate
+    return builder.sext(builder.load(_at(builder, address, index, _INT)), _LONG)
 
 
-@intrinsic
-def byte_of(_context, address, index):
-    """The byte number ``index`` from the address on."""
-
-    def generate(_target, builder, _signature, values):
-        start = builder.inttoptr(values[0], _POINTER)
-        return builder.zext(builder.load(builder.gep(start, [values[1]])), ir.IntType(64))
-
-    return types.int64(types.int64, types.int64), generate
-
-
-@intrinsic
-def put_entry(_context, address, index, value):
+@statement
+def put_entry(builder, address, index, value):
     """Write the 32-bit integer number ``index`` from the address on."""
+    builder.store(builder.trunc(value, _INT), _at(builder, address, index, _INT), align=1)
 
-    def generate(target, builder, _signature, values):
-        integer = ir.IntType(32)
-        start = builder.inttoptr(values[0], integer.as_pointer())
-        entry = builder.trunc(values[2], integer)
-        builder.store(entry, builder.gep(start, [values[1]]), align=1)
-        return target.get_dummy_value()
 
-    return types.void(types.int64, types.int64, types.int64), generate
+@expression
+def byte_of(builder, address, index):
+    """The byte number ``index`` from the address on."""
+    return builder.zext(builder.load(_at(builder, address, index, _BYTE)), _LONG)
+
+
+@expression
+def word_of(builder, address, index):
+    """The eight bytes from ``index`` bytes behind the address on, as one integer."""
+    word = builder.bitcast(_at(builder, address, index, _BYTE), _LONG.as_pointer())
+    return builder.load(word, align=1)
+
+
+@statement
+def put_word(builder, address, value):
+    """Write the value to the eight bytes at the address, the lowest first."""
+    builder.store(value, _at(builder, address, number(0), _LONG), align=1)
 
 
 @intrinsic
-def address_of(_context, record_array):
-    """The address of an array inside a record."""
+def address_of(_context, array):
+    """The address of an array."""
 
     def generate(target, builder, signature, values):
-        array = target.make_array(signature.args[0])(target, builder, values[0])
-        return builder.ptrtoint(array.data, ir.IntType(64))
+        made = target.make_array(signature.args[0])(target, builder, values[0])
+        return builder.ptrtoint(made.data, _LONG)
 
-    return types.int64(record_array), generate
-
-
-@intrinsic
-def word_of(_context, address, index):
-    """The eight bytes from ``index`` bytes behind the address on, as one integer."""
-
-    def generate(_target, builder, _signature, values):
-        start = builder.gep(builder.inttoptr(values[0], _POINTER), [values[1]])
-        word = builder.bitcast(start, ir.IntType(64).as_pointer())
-        return builder.load(word, align=1)
-
-    return types.int64(types.int64, types.int64), generate
+    return types.int64(array), generate
 
 
-@intrinsic
-def put_word(_context, address, value):
-    """Write the value to the eight bytes at the address, the lowest first."""
-
-    def generate(target, builder, _signature, values):
-        start = builder.inttoptr(values[0], ir.IntType(64).as_pointer())
-        builder.store(values[1], start, align=1)
-        return target.get_dummy_value()
-
-    return types.void(types.int64, types.int64), generate
-
-
-_BYTES = ir.VectorType(ir.IntType(8), LANES)
-_ENTRIES = ir.VectorType(ir.IntType(32), LANES)
-
-
-@intrinsic
-def narrow(_context, target, source, count):
+@expression
+def narrow(builder, target, source, count):
     """Copy the first ``count`` of ``LANES`` 32-bit integers to bytes, and make the others 0.
 
     The returned value is not 0 if one of them is no byte.
     """
-
-    def generate(_target, builder, _signature, values):
-        to, origin, count = values
-        entries = builder.load(builder.inttoptr(origin, _ENTRIES.as_pointer()), align=4)
-        lanes = ir.IntType(LANES)
-        one = ir.Constant(ir.IntType(64), 1)
-        all_ = builder.icmp_signed(">=", count, ir.Constant(ir.IntType(64), LANES))
-        some = builder.sub(builder.shl(one, count), one)
-        asked = builder.select(all_, ir.Constant(ir.IntType(64), -1), some)
-        among = builder.bitcast(builder.trunc(asked, lanes), ir.VectorType(ir.IntType(1), LANES))
-        wanted = builder.select(among, entries, ir.Constant(_ENTRIES, [0] * LANES))
-        builder.store(
-            builder.trunc(wanted, _BYTES), builder.inttoptr(to, _BYTES.as_pointer()), align=1
-        )
-        odd = builder.icmp_unsigned(">", wanted, ir.Constant(_ENTRIES, [255] * LANES))
-        return builder.zext(builder.bitcast(odd, lanes), ir.IntType(64))
-
-    return types.int64(types.int64, types.int64, types.int64), generate
-
-
-@intrinsic
-def widen(_context, target, source):
-    """Copy ``LANES`` bytes to as many 32-bit integers."""
-
-    def generate(context, builder, _signature, values):
-        to, origin = values
-        bytes_ = builder.load(builder.inttoptr(origin, _BYTES.as_pointer()), align=1)
-        builder.store(
-            builder.zext(bytes_, _ENTRIES), builder.inttoptr(to, _ENTRIES.as_pointer()), align=4
-        )
-        return context.get_dummy_value()
-
-    return types.void(types.int64, types.int64), generate
+    entries, lanes = ir.VectorType(_INT, LANES), ir.IntType(LANES)
+    some = builder.sub(builder.shl(number(1), count), number(1))
+    every = builder.icmp_signed(">=", count, number(LANES))
+    asked = builder.trunc(builder.select(every, number(-1), some), lanes)
+    among = builder.bitcast(asked, ir.VectorType(ir.IntType(1), LANES))
+    read = builder.load(_at(builder, source, number(0), entries), align=4)
+    wanted = builder.select(among, read, ir.Constant(entries, [0] * LANES))
+    narrowed = builder.trunc(wanted, ir.VectorType(_BYTE, LANES))
+    builder.store(narrowed, _at(builder, target, number(0), narrowed.type), align=1)
+    odd = builder.icmp_unsigned(">", wanted, ir.Constant(entries, [255] * LANES))
+    return builder.zext(builder.bitcast(odd, lanes), _LONG)
 
 
 WIDE_LANES = 32
 """The number of bytes that are compared, or copied, at a time."""
 
-_WIDE = ir.VectorType(ir.IntType(8), WIDE_LANES)
+_WIDE = ir.VectorType(_BYTE, WIDE_LANES)
 
 
 def _wide(builder: Any, address: Any) -> Any:
     """The vector of bytes at the address."""
-    return builder.load(builder.inttoptr(address, _WIDE.as_pointer()), align=1)
+    return builder.load(_at(builder, address, number(0), _WIDE), align=1)
 
 
 def _where_unlike(builder: Any, one: Any, other: Any) -> Any:
     """The places where the two vectors differ, as a set."""
     differ = builder.icmp_unsigned("!=", one, other)
-    return builder.zext(builder.bitcast(differ, ir.IntType(WIDE_LANES)), ir.IntType(64))
+    return builder.zext(builder.bitcast(differ, ir.IntType(WIDE_LANES)), _LONG)
 
 
-@intrinsic
-def unlike(_context, one, other):
+@expression
+def unlike(builder, one, other):
     """The places of the bytes that differ at the two addresses, as a set."""
-
-    def generate(_target, builder, _signature, values):
-        return _where_unlike(builder, *(_wide(builder, value) for value in values))
-
-    return types.int64(types.int64, types.int64), generate
+    return _where_unlike(builder, _wide(builder, one), _wide(builder, other))
 
 
-@intrinsic
-def moved(_context, address):
+@expression
+def moved(builder, address):
     """The places of the bytes at the address that differ from their own number, as a set."""
-
-    def generate(_target, builder, _signature, values):
-        places = ir.Constant(_WIDE, list(range(WIDE_LANES)))
-        return _where_unlike(builder, _wide(builder, values[0]), places)
-
-    return types.int64(types.int64), generate
+    places = ir.Constant(_WIDE, list(range(WIDE_LANES)))
+    return _where_unlike(builder, _wide(builder, address), places)
 
 
-@intrinsic
-def copy_bytes(_context, target, source):
+@statement
+def copy_bytes(builder, target, source):
     """Copy ``WIDE_LANES`` bytes."""
-
-    def generate(context, builder, _signature, values):
-        to = builder.inttoptr(values[0], _WIDE.as_pointer())
-        builder.store(_wide(builder, values[1]), to, align=1)
-        return context.get_dummy_value()
-
-    return types.void(types.int64, types.int64), generate
+    builder.store(_wide(builder, source), _at(builder, target, number(0), _WIDE), align=1)
 
 
 @intrinsic
@@ -262,8 +215,8 @@ def copy(_context, target, source):
     assert target == source, (target, source)
 
     def generate(context, builder, signature, values):
-        size = ir.Constant(ir.IntType(64), signature.args[0].size)
-        raw_memcpy(builder, values[0], values[1], size, 1)
+        to, origin = values
+        raw_memcpy(builder, to, origin, number(signature.args[0].size), 1)
         return context.get_dummy_value()
 
     return types.void(target, source), generate

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 EXPLORERS = {
     "algorithm1": "engines.kernel.algorithm1:algorithm1_addresses",
-    "algorithm1-cluster": "engines.kernel.two_vertices:two_vertices_addresses",
-    "algorithm1-natural": "engines.kernel.two_vertices:two_vertices_addresses",
+    "algorithm1-cluster": "engines.kernel.algorithm1:two_vertices_addresses",
+    "algorithm1-natural": "engines.kernel.algorithm1:two_vertices_addresses",
 }
 """The built-in explorers that are compiled, with the functions that compile them."""
 

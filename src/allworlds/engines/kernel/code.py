@@ -17,16 +17,11 @@ def number(world, root):
     while taken < known:
         x = world.order[taken]
         taken += 1
-        y = world.sigma[x]
-        if world.number[y] == NONE:
-            world.number[y] = known
-            world.order[known] = y
-            known += 1
-        y = world.alpha[x]
-        if world.number[y] == NONE:
-            world.number[y] = known
-            world.order[known] = y
-            known += 1
+        for y in (world.sigma[x], world.alpha[x]):
+            if world.number[y] == NONE:
+                world.number[y] = known
+                world.order[known] = y
+                known += 1
 
 
 @inlined
@@ -39,7 +34,7 @@ def encode(world, root, row, start):
 
 
 @inner
-def encode_unrooted(world, row, start):
+def _encode_unrooted(world, row, start):
     """Write the least of the canonical codes from all roots to ``row[start:]``."""
     encode(world, 0, row, start)
     darts = world.darts
@@ -57,16 +52,31 @@ def encode_unrooted(world, row, start):
 
 
 @inner
-def is_greater(least, row):
-    """Whether there are as many smaller rows as are kept."""
-    return not _before(row, least, least.shape[0] - 1)
+def note(world, law, row):
+    """Write a run as a row, but for its map's code without a root."""
+    row[0] = world.vertices
+    encode(world, 0, row, 1)
+    row[1 + 2 * world.darts] = world.place
+    row[2 + 2 * world.darts] = law
 
 
 @inner
-def keep_least_of_kind(least, row, kind):
+def blame(world, law, least, row):
+    """Keep a run that breaks a law, if it is among the least."""
+    note(world, law, row)
+    if _before(row, least, least.shape[0] - 1):
+        _encode_unrooted(world, row, 3 + 2 * world.darts)
+        _keep_least_of_kind(least, row, 2 + 2 * world.darts)
+
+
+@inner
+def _keep_least_of_kind(least, row, kind):
     """Do :func:`keep_least`, but of the rows that agree from ``row[kind]`` on keep one."""
     for place in range(least.shape[0]):
-        if least[place, 0] and _alike(row, least, place, kind):
+        alike = least[place, 0] != 0
+        for i in range(kind, len(row)):
+            alike = alike and row[i] == least[place, i]
+        if alike:
             if not _before(row, least, place):
                 return
             for after in range(place, least.shape[0] - 1):
@@ -104,15 +114,6 @@ def is_less(world, rows, place):
         if y != rows[place, 1 + world.darts + i]:
             return y < rows[place, 1 + world.darts + i]
     return False
-
-
-@inlined
-def _alike(row, least, place, kind):
-    """Whether the row agrees with that of this place, from ``kind`` on."""
-    alike = True
-    for i in range(kind, len(row)):
-        alike = alike and row[i] == least[place, i]
-    return alike
 
 
 @inner

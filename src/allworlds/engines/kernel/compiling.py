@@ -15,23 +15,14 @@ import gc
 import hashlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, cast
 
 from numba import from_dtype, njit
 from numba.core.ccallback import CFunc
 
-
-def _njit(**more: Any) -> Any:
-    options: dict[str, Any] = {
-        "nogil": True,
-        "error_model": "numpy",
-        "no_cfunc_wrapper": True,
-        "_nrt": False,
-        **more,
-    }
-    return njit(**options)
+_njit = partial(njit, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _nrt=False)
 
 
 def inlined(function: Callable[..., Any]) -> Any:
@@ -100,6 +91,8 @@ def _stamped(function: Any) -> Any:
     file = _file_of(function)
     if file is not None:
         file._source_stamp = _stamp()  # noqa: SLF001  # there is no public way
+        # It is compared before the rest is read, which may name classes that are gone.
+        file._version = f"{file._version} {_stamp()}"  # noqa: SLF001  # as above
     return function
 
 

@@ -29,7 +29,7 @@ def count(c, prefix, viable, counts):
         c.after[0, dart], c.before[0, dart] = (dart + 1) % first, (dart - 1) % first
     depth = 0
     fresh = True
-    while True:
+    while depth >= 0:
         open_ = c.opened[depth]
         owed = darts - c.darts[depth]
         others = open_ & (open_ - 1)
@@ -46,8 +46,6 @@ def count(c, prefix, viable, counts):
             # The last two darts; alone on their faces, they close one, else two.
             closed = 1 if c.after[depth, y] == y else 2
             counts[c.vertices[depth], c.faces[depth] + closed] += 1
-            if depth == 0:
-                return
             depth -= 1
             fresh = False
             continue
@@ -64,8 +62,6 @@ def count(c, prefix, viable, counts):
             while degree <= owed and not viable[owed - degree, size(others) + degree - 1]:
                 degree += 1
             if degree > owed or c.vertices[depth] >= c.limit:
-                if depth == 0:
-                    return
                 depth -= 1
                 fresh = False
                 continue

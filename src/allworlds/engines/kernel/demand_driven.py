@@ -22,29 +22,32 @@ from __future__ import annotations
 
 from allworlds.engines.kernel.bits import highest, lowest, size
 from allworlds.engines.kernel.calls import copy
+from allworlds.engines.kernel.code import blame, is_less, note
 from allworlds.engines.kernel.compiling import entry, inlined, inner
-from allworlds.engines.kernel.demand_tally import (
-    COST,
-    EDGE,
-    ENDED,
-    FAILED,
-    NEXT,
-    ONE_AT_V0,
-    ONE_CASE_1,
-    ONE_CASE_2,
-    ONE_EMPTY_H,
-    ONE_LOOP,
-    ONE_PARALLEL,
-    PATH,
-    PICK,
-    tally,
-)
 from allworlds.engines.kernel.names import FIFO, LIFO
-from allworlds.engines.kernel.ways import distance, nearest, ways_home
+
+# One number holds the cost and the counters of a walk, so that a decision saves one number.
+COST = 0xFFFFF
+ONE_CASE_1 = 1 << 20
+ONE_CASE_2 = 1 << 28
+ONE_AT_V0 = 1 << 36
+ONE_EMPTY_H = 1 << 44
+ONE_LOOP = 1 << 52
+ONE_PARALLEL = 1 << 53
+
+EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
+"""The phases of a walk: before crossing e; before a step of a path; before the choice of e; before
+the choice of a hypothesis; ended; failed, so that only the worlds with the failure are left."""
+
+# The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
+# worlds with a loop and with parallel edges, worlds that break a law, and walks that failed.
+WORLDS, TRAVERSALS, LARGEST, CASES_1, CASES_2, TESTS_AT_V0, EMPTY_HS = range(7)
+LOOP_EDGE, PARALLEL_EDGE, BROKEN, FAILURES = range(7, 11)
+_FEW = 0xFF
 
 
 @entry
-def explore(w, prefix, reached, most_expensive, least, row, listed, halt):
+def explore(w, prefix, reached, kept, halt):
     """Walk and tally every world whose gluing begins with ``prefix``, once each.
 
     Args:
@@ -52,11 +55,8 @@ def explore(w, prefix, reached, most_expensive, least, row, listed, halt):
         prefix: decisions about the oldest open dart, as in the Python enumeration; at least
             the root's degree.
         reached: by vertices, a cost that is known to be met; becomes the largest that is.
-        most_expensive: by vertices, the least of the most expensive worlds, as the rows of
-            ``least``.
-        least: the least worlds that break a law, as rows: vertices, then the canonical code.
-        row: room for one of these.
-        listed: each world while there is room: cost, vertices, degrees, then partners.
+        kept: the worlds that are kept, as runs at place 0 that break the law 0; of each that
+            is listed: cost, vertices, degrees, then partners.
         halt: ``halt[0]`` is not 0 once the work is to be given up.
     """
     s = w.now
@@ -74,7 +74,7 @@ def explore(w, prefix, reached, most_expensive, least, row, listed, halt):
             _open_choice(w, s, others)
         else:
             w.worlds += 1
-            tally(w, s, reached, most_expensive, least, row, listed)
+            _tally(w, s, reached, kept)
             if w.depth == 0 or halt[0]:
                 return
             _go_back(w, s)
@@ -168,6 +168,64 @@ def _choose(w, s):
 
 
 @inlined
+def _tally(w, s, reached, kept):
+    """Tally one world, and the walk in it."""
+    n, cost = s.vertices, s.total & COST
+    w.counts[n, WORLDS] += 1
+    if s.stage == FAILED:
+        w.counts[n, FAILURES] += 1
+        _blame(w, s, kept)
+        return
+    if cost >= reached[n]:
+        _settle(w, s)
+        if cost > reached[n] or is_less(w.world, kept.most_expensive, n):
+            reached[n] = cost
+            note(w.world, 0, kept.most_expensive[n])
+    w.counts[n, TRAVERSALS] += cost
+    w.counts[n, LARGEST] = max(w.counts[n, LARGEST], cost)
+    w.counts[n, CASES_1] += s.total >> 20 & _FEW
+    w.counts[n, CASES_2] += s.total >> 28 & _FEW
+    w.counts[n, TESTS_AT_V0] += s.total >> 36 & _FEW
+    w.counts[n, EMPTY_HS] += s.total >> 44 & _FEW
+    w.counts[n, LOOP_EDGE] += s.total >> 52 & 1
+    w.counts[n, PARALLEL_EDGE] += s.total >> 53 & 1
+    if cost > w.bound[n]:
+        _blame(w, s, kept)
+    if w.worlds <= len(kept.listed):
+        _list(w, s, kept.listed[w.worlds - 1])
+
+
+@inner
+def _settle(w, s):
+    """Complete the world from the walk."""
+    world = w.world
+    world.darts, world.vertices = s.darts, s.vertices
+    for dart in range(s.darts):
+        end = w.end[dart]
+        world.sigma[dart] = dart + 1 if dart + 1 < end else end - w.degree[dart]
+        world.alpha[dart] = w.partner[dart]
+
+
+@inner
+def _blame(w, s, kept):
+    """Keep a world in which a law is broken, if it is among the least."""
+    w.counts[s.vertices, BROKEN] += 1
+    _settle(w, s)
+    blame(w.world, 0, kept.least, kept.row)
+
+
+@inner
+def _list(w, s, row):
+    """List the world, and what the walk cost."""
+    n = s.vertices
+    row[0], row[1] = s.total & COST, n
+    for v in range(n):
+        row[2 + v] = w.degrees[v]
+    for dart in range(s.darts):
+        row[2 + n + dart] = w.partner[dart]
+
+
+@inlined
 def _go_back(w, s):
     """Take the walk back to where the last choice was opened."""
     now = w.choices[w.depth - 1].now
@@ -216,7 +274,7 @@ def _pick(w, s):
     elif w.policy == LIFO:
         e = highest(s.unexplored)
     else:
-        e = nearest(w, s)
+        e = _nearest(w, s)
     s.e = e
     s.unexplored ^= 1 << e
     v = w.s_owner[e]
@@ -226,7 +284,7 @@ def _pick(w, s):
     elif v == 0:
         s.total += s.level >> (4 * s.position) & 15
     elif s.position != v:
-        s.total += distance(w, s.position, v)
+        s.total += _distance(w, s.position, v)
     s.y = w.image[e]
     s.stage = EDGE
 
@@ -369,6 +427,70 @@ def _augment_by_loop(w, s):
         if way < s.parent >> near & 31:
             s.parent = s.parent & ~(31 << near) | way << near
     elif difference > 1:
-        ways_home(w, s)
+        _ways_home(w, s)
     s.position = 0
     s.stage = PICK
+
+
+@inner
+def _distance(w, start, goal):
+    """The length of a shortest walk in S; the vertices are joined."""
+    reached = front = 1 << start
+    steps = 0
+    while not reached >> goal & 1:
+        steps += 1
+        after = 0
+        while front:
+            after |= w.adjacent[lowest(front)]
+            front &= front - 1
+        front = after & ~reached
+        if not front:
+            return steps
+        reached |= front
+    return steps
+
+
+@inner
+def _ways_home(w, s):
+    """For each vertex of S its distance to v0, and the first dart that leads nearer, packed."""
+    level = parent = 0
+    reached = front = 1
+    steps = 0
+    while front:
+        steps += 1
+        after = 0
+        while front:
+            after |= w.adjacent[lowest(front)]
+            front &= front - 1
+        front = after & ~reached
+        reached |= front
+        rest = front
+        while rest:
+            level |= steps << (4 * lowest(rest))
+            rest &= rest - 1
+    explored = ((1 << s.s_darts) - 1) & ~s.unexplored
+    for v in range(1, s.s_vertices):
+        nearer = (level >> (4 * v) & 15) - 1
+        ways = w.own[v] & explored
+        while level >> (4 * w.s_owner[w.s_partner[lowest(ways)]]) & 15 != nearer:
+            ways &= ways - 1
+        parent |= lowest(ways) << (5 * (v - 1))
+    s.level, s.parent = level, parent
+
+
+@inner
+def _nearest(w, s):
+    """The first among the darts in U with the shortest walk."""
+    reached = front = 1 << s.position
+    while front:
+        after = darts = 0
+        while front:
+            v = lowest(front)
+            front &= front - 1
+            darts |= w.own[v]
+            after |= w.adjacent[v]
+        if darts & s.unexplored:
+            return lowest(darts & s.unexplored)
+        front = after & ~reached
+        reached |= front
+    return lowest(s.unexplored)

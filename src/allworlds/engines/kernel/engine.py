@@ -16,19 +16,17 @@ from typing import Any
 
 from numpy import argwhere, array, asarray, full, int8, int64, maximum, zeros
 
-from allworlds.engines.kernel import demand_tally as tally, runs
+from allworlds.engines.kernel import demand_driven as walks, runs
 from allworlds.engines.kernel.capabilities import EXPLORERS
-from allworlds.engines.kernel.classes import rule_address
 from allworlds.engines.kernel.compiling import uncollected
 from allworlds.engines.kernel.counting import count
-from allworlds.engines.kernel.demand_driven import explore
+from allworlds.engines.kernel.gluing import rule_address
 from allworlds.engines.kernel.law_numbers import LAWS
 from allworlds.engines.kernel.lighthouses import lighthouse_address
 from allworlds.engines.kernel.names import EVENTS, POLICIES
-from allworlds.engines.kernel.records import COUNTING, JOB, ROBOT, new
+from allworlds.engines.kernel.records import COUNTING, JOB, ROBOT, WALK, Kept, new
 from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows
 from allworlds.engines.kernel.tables import gluing_rule, packed
-from allworlds.engines.kernel.walk_records import WALK
 from allworlds.lazy import loaded
 
 EVERY = 1 << 62
@@ -39,12 +37,7 @@ UNDEFINED = runs.UNDEFINED
 
 
 def judge(
-    level: Level,
-    prefix: Sequence[int],
-    *,
-    keep: int = 1,
-    halt: Any = None,
-    listed: int = 0,
+    level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None, listed: int = 0
 ) -> Rows:
     """Play and judge every run of the maps whose gluing begins with ``prefix``.
 
@@ -59,65 +52,45 @@ def judge(
     """
     job, robot = _room()
     set_up(job, robot, level)
-    asked = asked_of(level, prefix, keep, listed)
-    runs.examine(job, job.explorer, *asked.arguments, flag() if halt is None else halt)
-    return rows_of(asked, job, robot)
+    unit = unit_of(level, prefix, keep, listed)
+    runs.examine(job, job.explorer, unit, flag() if halt is None else halt)
+    return rows_of(unit, job, robot)
 
 
-def rows_of(asked: AskedLevel, job: Any, robot: Any) -> Rows:
+def rows_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Rows:
     """The rows of the judge's results."""
-    met = argwhere(asked.met).tolist()
-    darts = 2 * int(job.gluing.edges)
-    rows = enumerate(asked.counts.tolist())
+    darts, kept = 2 * int(job.gluing.edges), unit.kept
+    rows = enumerate(unit.counts.tolist())
     return Rows(
         tuple(Counts(n, *row) for n, row in rows if row[runs.WORLDS]),
         dict(zip(EVENTS, robot.events.tolist(), strict=False)),
-        tuple((n, d0, largest) for n, d0, largest in met),
-        tuple(_at(row, darts) for row in asked.most_expensive.tolist() if row[0]),
-        tuple(_broken(row, darts) for row in asked.least.tolist() if row[0]),
-        tuple(Listed(LAWS[law], *rest) for law, *rest in asked.listing[: job.number].tolist()),
+        tuple((n, d0, largest) for n, d0, largest in argwhere(unit.met).tolist()),
+        tuple(_at(row, darts) for row in kept.most_expensive.tolist() if row[0]),
+        tuple(_broken(row, darts) for row in kept.least.tolist() if row[0]),
+        tuple(Listed(LAWS[law], *rest) for law, *rest in kept.listed[: job.number].tolist()),
     )
 
 
-class AskedLevel:
-    """The arguments of the judge between the job and the flag, and room for its results."""
-
-    def __init__(
-        self,
-        level: Level,
-        prefix: Sequence[int],
-        bounds: Any,
-        keep: int = 1,
-        listed: int = 0,
-    ) -> None:
-        width = 3 + 8 * level.edges  # n, the rooted code, place and law, the unrooted code
-        self.counts = zeros((level.edges + 2, runs.COLUMNS), int64)
-        self.met = zeros(bounds.shape, int8)
-        self.most_expensive = zeros((level.edges + 2, width), int64)
-        self.least = zeros((keep, width), int64)
-        self.listing = zeros((listed, runs.LISTED), int64)
-        self.arguments = (
-            array(prefix, int64),
-            level.tables.viable,
-            bounds,
-            self.met,
-            array(level.budgets, int64),
-            self.counts,
-            self.most_expensive,
-            self.least,
-            zeros(width, int64),
-            self.listing,
-            zeros(2, int64),
-        )
-
-    def clear(self) -> None:
-        """Clear all results."""
-        self.counts[:] = self.met[:] = self.most_expensive[:] = self.least[:] = 0
+def unit_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0) -> runs.UnitArrays:
+    """The arrays of the judge, with room for its results."""
+    bounds = _bound_table(level)
+    return runs.UnitArrays(
+        array(prefix, int64),
+        level.tables.viable,
+        bounds,
+        zeros(bounds.shape, int8),
+        array(level.budgets, int64),
+        zeros((level.edges + 2, runs.COLUMNS), int64),
+        _rooms(level.edges, keep, (listed, runs.LISTED)),
+        zeros(2, int64),
+    )
 
 
-def asked_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0) -> AskedLevel:
-    """The arguments for a piece of a level."""
-    return AskedLevel(level, prefix, _bound_table(level), keep, listed)
+def _rooms(edges: int, keep: int, listed: tuple[int, int]) -> Kept:
+    """Room for the runs that are kept."""
+    width = 3 + 8 * edges
+    most_expensive, least = (zeros((many, width), int64) for many in (edges + 2, keep))
+    return Kept(most_expensive, least, zeros(width, int64), zeros(listed, int64))
 
 
 def load_judge(level: Level) -> None:
@@ -126,7 +99,7 @@ def load_judge(level: Level) -> None:
     stop[0] = 1
     with uncollected():
         job, _ = _room()
-        runs.examine(job, job.explorer, *asked_of(level, (-1,)).arguments, stop)
+        runs.examine(job, job.explorer, unit_of(level, (-1,)), stop)
 
 
 def explorer_addresses(explorer: str) -> tuple[int, int, int]:
@@ -185,11 +158,7 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
 def _bound_table(level: Level) -> Any:
     """The bounds by vertices, degree of v0 and largest degree."""
     bounds, degrees = level.bounds, 2 * level.edges + 1
-    shape = (
-        level.edges + 2,
-        degrees if bounds.by_d0 else 1,
-        degrees if bounds.by_largest else 1,
-    )
+    shape = (level.edges + 2, degrees if bounds.by_d0 else 1, degrees if bounds.by_largest else 1)
     table = full(shape, UNDEFINED, int64)
     for n in range(1, shape[0]):
         for d0 in range(shape[1]):
@@ -228,23 +197,19 @@ def walk(
 
     Cost: less than 100 ns a world; constant memory.
     """
-    edges, darts = level.edges, 2 * level.edges
-    width = 2 + 4 * darts  # n, the rooted code, place 0, the unrooted code
-    most_expensive, least = zeros((edges + 2, width), int64), zeros((keep, width), int64)
-    nothing, known = zeros((0, 1), int64), reached_in(edges) if reached is None else reached
+    edges, darts, places = level.edges, 2 * level.edges, -prefix[0]
+    kept = _rooms(edges, keep, (0, 1))
+    known = reached_in(edges) if reached is None else reached
     now = known.copy()  # other threads may learn, too
-    w = _walked(
-        level, prefix, now, most_expensive, least, nothing, flag() if halt is None else halt
-    )
+    w = _walked(level, prefix, now, kept, flag() if halt is None else halt)
     maximum(known, now, out=known)
     rows = w.counts[: edges + 2].tolist()
-    places = -prefix[0]
     return Rows(
         tuple(_walked_counts(n, row, edges, places) for n, row in enumerate(rows) if row[0]),
         _walked_events(rows, edges, places),
         tuple((n, 0, 0) for n, row in enumerate(rows) if row[0]),
-        tuple(_at(row, darts) for row in most_expensive.tolist() if row[0]),
-        tuple(BrokenRun(*_at(row, darts)[:3], None, "") for row in least.tolist() if row[0]),
+        tuple(_at(row, darts) for row in kept.most_expensive.tolist() if row[0]),
+        tuple(BrokenRun(*_at(row, darts)[:3], None, "") for row in kept.least.tolist() if row[0]),
     )
 
 
@@ -257,14 +222,13 @@ def costs(
     that is listed.
     """
     edges = level.edges
-    listed = zeros((worlds, 4 + 3 * edges), int64)
-    most_expensive, least = (zeros((n, 2 + 8 * edges), int64) for n in (edges + 2, 1))
-    w = _walked(level, prefix, reached_in(level.edges), most_expensive, least, listed, flag())
-    result = []
-    for cost, n, *rest in listed[: w.worlds].tolist():
-        if n:
-            result.append((cost, tuple(rest[:n]), tuple(rest[n : n + 2 * edges])))
-    return result
+    kept = _rooms(edges, 1, (worlds, 4 + 3 * edges))
+    w = _walked(level, prefix, reached_in(edges), kept, flag())
+    return [
+        (cost, tuple(rest[:n]), tuple(rest[n : n + 2 * edges]))
+        for cost, n, *rest in kept.listed[: w.worlds].tolist()
+        if n
+    ]
 
 
 def reached_in(edges: int) -> Any:
@@ -272,15 +236,7 @@ def reached_in(edges: int) -> Any:
     return zeros(edges + 2, int64)
 
 
-def _walked(
-    level: Level,
-    prefix: Sequence[int],
-    reached: Any,
-    most_expensive: Any,
-    least: Any,
-    listed: Any,
-    halt: Any,
-) -> Any:
+def _walked(level: Level, prefix: Sequence[int], reached: Any, kept: Kept, halt: Any) -> Any:
     """The record of a walk that has been done."""
     if not hasattr(_OWN, "walk"):
         _OWN.walk = new(WALK)
@@ -292,38 +248,27 @@ def _walked(
     w.viable[:owed, :opened] = tables.viable
     w.sensed[: len(tables.sensed)] = tables.sensed
     w.counts[:] = 0
-    row = zeros(least.shape[1], int64)
-    explore(w, array(prefix, int64), reached, most_expensive, least, row, listed, halt)
+    walks.explore(w, array(prefix, int64), reached, kept, halt)
     return w
 
 
 def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
-    worlds, traversals = row[tally.WORLDS], row[tally.TRAVERSALS]
-    return Counts(
-        n,
-        worlds,
-        places * worlds,
-        places * traversals,
-        traversals,
-        row[tally.LARGEST],
-        places * worlds * edges,
-        0,
-        row[tally.LOOP_EDGE],
-        row[tally.PARALLEL_EDGE],
-    )
+    worlds, cost = row[walks.WORLDS], row[walks.TRAVERSALS]
+    of_runs = places * worlds, places * cost, cost, row[walks.LARGEST], places * worlds * edges, 0
+    return Counts(n, worlds, *of_runs, row[walks.LOOP_EDGE], row[walks.PARALLEL_EDGE])
 
 
 def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, int]:
     events = dict.fromkeys(EVENTS, 0)
     for n, row in enumerate(rows):
-        ended = row[tally.WORLDS] - row[tally.FAILURES]
+        ended = row[walks.WORLDS] - row[walks.FAILURES]
         loops = (edges - n + 1) * ended
         for event, times in (
-            ("case-1", row[tally.CASES_1]),
-            ("case-2", row[tally.CASES_2]),
+            ("case-1", row[walks.CASES_1]),
+            ("case-2", row[walks.CASES_2]),
             ("case-3", loops),
-            ("v0-hypothesis", row[tally.TESTS_AT_V0]),
-            ("empty-H", row[tally.EMPTY_HS]),
+            ("v0-hypothesis", row[walks.TESTS_AT_V0]),
+            ("empty-H", row[walks.EMPTY_HS]),
             ("loop", loops),
             ("non-loop", (n - 1) * ended),
         ):

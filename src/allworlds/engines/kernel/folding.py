@@ -34,7 +34,7 @@ def folds(world, log, fold):
 def _begin(world, fold):
     """Begin with the node of v0 alone."""
     fold.parent[0] = fold.linked[0] = fold.node = 0
-    fold.open = world.degree[world.start]
+    fold.open = world.degree[0]
     fold.nodes = 1
 
 

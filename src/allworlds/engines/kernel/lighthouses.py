@@ -20,6 +20,9 @@ from allworlds.engines.kernel.worlds import darken
 ALL_CHOICES = 3
 """The largest number of edges for which every choice of a compass's darts is a place."""
 
+ANY, SINGLE, UNIQUE = range(3)
+"""The neighbours of v0: all, those that one edge leads to, those that their degree tells apart."""
+
 
 def none(world):  # pragma: no cover  # compiled
     """Go to the next place of no lighthouse: the one place."""
@@ -38,15 +41,11 @@ def position(world):  # pragma: no cover  # compiled
 def directional(world):  # pragma: no cover  # compiled
     """Put one mark at v0 that points to one of its darts: each of them is a place."""
     world.place += 1
-    degree = world.degree[0]
-    if world.place == degree:
+    if world.place == world.degree[0]:
         world.place = NONE
-        return
-    for dart in range(degree):
-        world.marks[dart] = 1
-        world.bearing[dart] = world.place - dart
-        if dart > world.place:
-            world.bearing[dart] += degree
+    else:
+        _mark(world, 0, 1)
+        _point(world, world.place)
 
 
 def compass(world):  # pragma: no cover  # compiled
@@ -89,18 +88,13 @@ def compass(world):  # pragma: no cover  # compiled
 
 def cluster(world):  # pragma: no cover  # compiled
     """Put one mark at v0 and two at a neighbour v1: a place for each dart that leads to one."""
-    _to_neighbour(world)
-    if world.place != NONE:
+    if _to_neighbour(world, ANY):
         _cluster(world)
 
 
 def cluster_single(world):  # pragma: no cover  # compiled
     """Do :func:`cluster`, but only where exactly one edge joins v0 and v1."""
-    _to_neighbour(world)
-    while world.place != NONE and _joined(world, world.owner[world.alpha[world.pointed]]) > 1:
-        world.place -= 1
-        _to_neighbour(world)
-    if world.place != NONE:
+    if _to_neighbour(world, SINGLE):
         _cluster(world)
 
 
@@ -109,25 +103,24 @@ def natural(world):  # pragma: no cover  # compiled
 
     The explorer is told the degree of v1.
     """
-    _to_neighbour(world)
-    while world.place != NONE and not _unique(world, world.pointed):
-        world.place -= 1
-        _to_neighbour(world)
-    if world.place != NONE:
+    if _to_neighbour(world, UNIQUE):
         world.told = world.degree[world.alpha[world.pointed]]
 
 
 @inner
-def _to_neighbour(world):
-    """Go to the next dart of v0 that leads to another vertex, or to no place."""
+def _to_neighbour(world, which):
+    """Go to the next dart of v0 to such a neighbour; return False if there is no such place."""
     world.place += 1
     while True:
         world.pointed += 1
         if world.pointed == world.degree[0]:
             world.place = NONE
-            return
-        if world.owner[world.alpha[world.pointed]] != 0:
-            return
+            return False
+        v1 = world.owner[world.alpha[world.pointed]]
+        if v1 == 0 or (which == SINGLE and _joined(world, v1) > 1):
+            continue
+        if which != UNIQUE or _unique(world, world.pointed):
+            return True
 
 
 @inner

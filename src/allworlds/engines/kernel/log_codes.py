@@ -11,6 +11,9 @@ from allworlds.engines.kernel.names import LANES
 LARGEST_MOTION = 199
 SHOWN, ANSWERED, OVER_BUDGET, SHOWN_TOO_OFTEN, ILLEGAL, STRANGE = range(200, 206)
 
+CHOICE = 210
+"""A choice was answered: two bytes follow, its index and the number of options."""
+
 MOST_PUBLISHED = 64
 """The largest number of darts that can be read again; more are left to the general engine."""
 

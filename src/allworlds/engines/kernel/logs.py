@@ -8,44 +8,28 @@ from __future__ import annotations
 
 from numpy import int64
 
-from allworlds.engines.kernel import log_codes
-from allworlds.engines.kernel.calls import (
-    address_of,
-    byte_of,
-    entry_of,
-    put_entry,
-    word_of,
-)
+from allworlds.engines.kernel import log_codes as codes
+from allworlds.engines.kernel.calls import address_of, byte_of, entry_of, put_entry, word_of
 from allworlds.engines.kernel.compiling import entry, inlined, inner
-from allworlds.engines.kernel.invariants import look_at
 from allworlds.engines.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
-from allworlds.engines.kernel.log_codes import (
-    ANSWERED,
-    ILLEGAL,
-    LARGEST_MOTION,
-    MOST_PUBLISHED,
-    OVER_BUDGET,
-    SHOWN,
-    SHOWN_TOO_OFTEN,
-    STRANGE,
-)
 from allworlds.engines.kernel.names import LANES
+from allworlds.engines.kernel.published import look_at
 from allworlds.engines.kernel.records import DARTS, NONE
 from allworlds.engines.kernel.worlds import arrival
 
-LONGEST_ENTRY = 4 + 2 * MOST_PUBLISHED + LANES
+LONGEST_ENTRY = 4 + 2 * codes.MOST_PUBLISHED + LANES
 """The largest number of bytes that are written in one step."""
 
 SLACK = DARTS
 """The number of bytes behind a log that may be read; their values have no meaning."""
 
 
-span = inlined(log_codes.span)
+span = inlined(codes.span)
 
 
 @inner
 def follow(world, reader, budget, log, judged):
-    """Follow the next log through the world; see :func:`allworlds.engines.kernel.explorers.play`.
+    """Follow the next log through the world; see :func:`allworlds.engines.kernel.runs.play`.
 
     Bytes that are no log are counted as strange, in addition to the result here.
     """
@@ -57,10 +41,10 @@ def follow(world, reader, budget, log, judged):
     if at < 0:
         at = size
     cost = shown = walked = 0
-    dart, law = world.start, NONE
+    dart, law = 0, NONE
     _note(reader, noted, world, dart)
     while law == NONE:
-        code = byte_of(logs, at) if at < size else int64(STRANGE)
+        code = byte_of(logs, at) if at < size else int64(codes.STRANGE)
         at += 1
         if code < world.degree[dart] and cost < budget:
             dart = arrival(world, dart, code)
@@ -69,21 +53,23 @@ def follow(world, reader, budget, log, judged):
             log.arrived[cost] = dart
             cost += 1
             walked |= 1 << dart | 1 << world.alpha[dart]
-        elif code == SHOWN and shown <= budget and _find_map(reader, at, published):
+        elif code == codes.SHOWN and shown <= budget and _find_map(reader, at, published):
             at += 2 + span(published.darts)
             shown += 1
             if log.watched:
                 look_at(judged, published, world, dart, walked)
-        elif code == ANSWERED and _find_map(reader, at, published):
+        elif code == codes.ANSWERED and _find_map(reader, at, published):
             at += 2 + span(published.darts)
             law = 0
-        elif (code == OVER_BUDGET and cost == budget) or (
-            code == SHOWN_TOO_OFTEN and shown > budget
+        elif code == codes.CHOICE:
+            at += 2
+        elif (code == codes.OVER_BUDGET and cost == budget) or (
+            code == codes.SHOWN_TOO_OFTEN and shown > budget
         ):
             law = BUDGET
         else:
             law = ILLEGAL_ACTION
-            reader.strange += code != ILLEGAL
+            reader.strange += code != codes.ILLEGAL
     put_entry(reader.ends, run, at)
     log.cost, log.checkpoints, log.dart, log.walked = cost, shown, dart, walked
     reader.noted = noted + 3
@@ -114,14 +100,15 @@ def _find_map(reader, at, published):
         published.darts, published.here = darts, byte_of(reader.logs, at + 1)
     published.bytes = reader.logs + at + 2
     published.sigma, published.alpha = address_of(reader.sigma), address_of(reader.alpha)
-    return 1 <= darts <= MOST_PUBLISHED and at + 2 + span(darts) <= reader.size
+    return 1 <= darts <= codes.MOST_PUBLISHED and at + 2 + span(darts) <= reader.size
 
 
 @entry
-def differing(first, begins, ends, second, again, runs, different):
+def differing(first, begins, ends, second, again, different):
     """The number of runs whose second logs differ from the first; noted in ``different``.
 
-    Maps that are published on the way are judged once, and need not be equal in the second log.
+    Maps that are published on the way are judged once, and need not be equal in the second log;
+    nor need the choices be.
 
     ``first`` and ``second`` are the bytes of the logs, and ``begins`` and ``again`` say where that
     of each run begins; ``ends`` where the first ends.  A log tells where it ends, so that one which
@@ -129,7 +116,7 @@ def differing(first, begins, ends, second, again, runs, different):
     """
     found = 0
     one, other = address_of(first), address_of(second)
-    for run in range(runs):
+    for run in range(len(different)):
         a, b = int64(begins[run]), int64(again[run])
         length, room = int64(ends[run]) - a, len(second) - b
         inside = a >= 0 and b >= 0 and a + length <= len(first)
@@ -142,24 +129,30 @@ def differing(first, begins, ends, second, again, runs, different):
 
 @inner
 def _mean_the_same(one, length, other, room):
-    """Whether the logs have equal motions and endings, whatever maps they publish."""
-    a, b = _behind_the_shown(one, 0, length), _behind_the_shown(other, 0, room)
+    """Whether the logs have equal motions and endings, whatever they publish and choose."""
+    a, b = _next_motion(one, 0, length), _next_motion(other, 0, room)
     while a < length and b < room:
         code = byte_of(one, a)
         if code != byte_of(other, b):
             return False
-        if code > LARGEST_MOTION:
+        if code > codes.LARGEST_MOTION:
             rest = length - a
             return rest <= room - b and _same(one + a, other + b, rest)
-        a, b = _behind_the_shown(one, a + 1, length), _behind_the_shown(other, b + 1, room)
+        a, b = _next_motion(one, a + 1, length), _next_motion(other, b + 1, room)
     return False
 
 
 @inlined
-def _behind_the_shown(log, at, end):
-    """The place where the log goes on behind the map that is published there."""
-    while at + 1 < end and byte_of(log, at) == SHOWN:
-        at += 3 + span(byte_of(log, at + 1))
+def _next_motion(log, at, end):
+    """The place of the next motion or ending, behind published maps and choices."""
+    while at + 1 < end:
+        code = byte_of(log, at)
+        if code == codes.SHOWN:
+            at += 3 + span(byte_of(log, at + 1))
+        elif code == codes.CHOICE:
+            at += 3
+        else:
+            break
     return at
 
 

@@ -8,70 +8,74 @@ The twins are :mod:`allworlds.judging` and :mod:`allworlds.explorers.shared_libr
 
 from __future__ import annotations
 
-from numba import int32
+from functools import cache
+from typing import Any, NamedTuple
+
+from numba import int32, types
 from numpy import int64
 
+from allworlds.engines.kernel import log_codes as codes, names, stretch
 from allworlds.engines.kernel.calls import (
     address_of,
     ask_answer,
+    byte_of,
     call_choose,
     call_start,
     call_step,
     call_with,
+    entry_of,
     narrow,
+    put_word,
 )
-from allworlds.engines.kernel.compiling import entry, inlined, inner
+from allworlds.engines.kernel.compiling import RECORD, callback, entry, inlined, inner
 from allworlds.engines.kernel.gluing import advance
-from allworlds.engines.kernel.known_runs import (
-    RecordedRuns,
-    WorldRuns,
-    degree_of,
-    enter,
-    go,
-    sense,
-)
-from allworlds.engines.kernel.log_codes import (
-    ANSWERED,
-    ILLEGAL,
-    MOST_PUBLISHED,
-    OVER_BUDGET,
-    SHOWN,
-    SHOWN_TOO_OFTEN,
-    STRANGE,
-)
 from allworlds.engines.kernel.logs import LONGEST_ENTRY, span
-from allworlds.engines.kernel.names import AMBIGUOUS, ANSWER_READY, CHECKPOINT, LANES, MOVE
-from allworlds.engines.kernel.records import NONE
-from allworlds.engines.kernel.stretch import (
-    BEARING,
-    DEGREE,
-    FIRST,
-    MARKS,
-    MOST_PLACES,
-    PARTNER,
-    RUN_BUDGET,
-    RUN_NUMBER,
-    RUN_TOLD,
-    WIDE,
-)
+from allworlds.engines.kernel.records import ASKED, NONE
 from allworlds.engines.kernel.worlds import settle
 
 # The addresses of an explorer, in their order.  There are two rooms for sigma and alpha, which take
 # turns: who reads what has just been written, in other portions, waits for it to get to memory.
-START, STEP, ANSWER_OF, CHOOSE, STATE, SENSED, ACTED, HERE, PICK, ASKED, SIGMA, ALPHA = range(12)
+START, STEP, ANSWER_OF, CHOOSE, STATE, SENSED, ACTED, HERE, PICK, CONTEXT, SIGMA, ALPHA = range(12)
+
+
+class Handed(NamedTuple):
+    """A native explorer.
+
+    Attributes:
+        addresses: its own, and those of what is handed to it.
+        percept, action, here: the exchanged values, in memory of their own.
+        beat: the number of the current run, and the explorer's turns in it.
+    """
+
+    addresses: Any
+    percept: Any
+    action: Any
+    here: Any
+    beat: Any
+
+
+class Shared(NamedTuple):
+    """The parts of a :class:`~allworlds.engines.kernel.stretch.Stretch` as arrays."""
+
+    heads: Any
+    worlds: Any
+    percepts: Any
+    starts: Any
+    logs: Any
+    begins: Any
 
 
 @entry
-def lay_out(job, prefix, viable, budgets, heads, worlds):
+def lay_out(job, unit, heads, worlds):
     """Lay out runs up to ``job.until``, or till there is no more room; return their number.
 
-    The first four are as for :func:`allworlds.engines.kernel.runs.examine`; ``job.number`` becomes
+    The first two are as for :func:`allworlds.engines.kernel.runs.examine`; ``job.number`` becomes
     the number of the next run, and ``job.until`` 0 behind the last.  ``heads`` and ``worlds`` are
     written, a row for each run.
     """
     g, world, placed = job.gluing, job.world, 0
-    while job.number < job.until and placed <= len(heads) - 2 * MOST_PLACES:
-        if not advance(g, prefix, viable):
+    while job.number < job.until and placed <= len(heads) - 2 * stretch.MOST_PLACES:
+        if not advance(g, unit.prefix, unit.viable):
             job.until = 0
             break
         settle(world, g)
@@ -80,13 +84,15 @@ def lay_out(job, prefix, viable, budgets, heads, worlds):
             job.number += 1
         while world.place != NONE:
             head, row = heads[placed], worlds[placed]
-            head[RUN_BUDGET], head[RUN_TOLD] = budgets[world.vertices], world.told
-            head[RUN_NUMBER] = job.number
+            head[stretch.RUN_BUDGET] = unit.budgets[world.vertices]
+            head[stretch.RUN_TOLD], head[stretch.RUN_NUMBER] = world.told, job.number
             for dart in range(world.darts):
-                at = WIDE * dart
-                row[at + FIRST], row[at + PARTNER] = world.first[dart], world.alpha[dart]
-                row[at + DEGREE], row[at + MARKS] = world.degree[dart], world.marks[dart]
-                row[at + BEARING] = world.bearing[dart] + 1
+                at = stretch.WIDE * dart
+                row[at + stretch.FIRST] = world.first[dart]
+                row[at + stretch.PARTNER] = world.alpha[dart]
+                row[at + stretch.DEGREE] = world.degree[dart]
+                row[at + stretch.MARKS] = world.marks[dart]
+                row[at + stretch.BEARING] = world.bearing[dart] + 1
             placed += 1
             job.number += 1
             call_with(job.lighthouse, world)
@@ -109,99 +115,75 @@ def shuffle(order, seed):
 
 
 @entry
-def play_worlds(
-    explorer, percept, action, here, room, asked, heads, worlds, order, logs, begins, beat
-):
-    """Play runs in worlds; return the number of bytes of the logs, -1 if there is no room.
+def play(handed, asked, shared, order, again):
+    """Play runs; return the number of bytes of their logs, -1 if there is no room.
 
-    ``explorer`` holds addresses; the exchanged values (``percept`` to ``here``, and sigma and
-    alpha of ``room`` darts) stand in memory of their own; ``asked`` answers choices.  ``heads`` and
-    ``worlds`` have been laid out; the runs are played in the given ``order``.  ``logs`` are
-    written, and in ``begins`` where that of each run begins.  ``beat`` tells the number of the
-    current run, and the explorer's turns in it.
+    Args:
+        handed: the explorer.
+        asked: answers its choices; a record of :data:`~allworlds.engines.kernel.records.ASKED`.
+        shared: runs that have been laid out; the logs are written, and where each begins.
+        order: the runs, in the order in which they are played.
+        again: whether they are played without a world, against the percepts of the first play.
     """
-    handed = (percept, action, here, room)
-    return _play(explorer, handed, asked, heads, WorldRuns(worlds), order, logs, begins, beat)
-
-
-@entry
-def play_records(
-    explorer,
-    percept,
-    action,
-    here,
-    room,
-    asked,
-    heads,
-    percepts,
-    starts,
-    order,
-    logs,
-    begins,
-    beat,
-):
-    """Play runs against the percepts of the first play, without a world.
-
-    ``percepts`` are three bytes each, and ``starts`` says where those of a run begin.
-    """
-    handed = (percept, action, here, room)
-    known = RecordedRuns(percepts, starts)
-    return _play(explorer, handed, asked, heads, known, order, logs, begins, beat)
-
-
-@inlined
-def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
-    """Play all runs, by the data that are known of them."""
     at, due = int64(0), NOTHING_DUE
     for run in order:
-        begins[run] = at
-        at, due = _episode(explorer, handed, asked, heads[run], known, run, logs, at, due, beat)
+        shared.begins[run] = at
+        at, due = _episode(handed, asked, shared, run, again, at, due)
         if at < 0:
             return -1
-    beat[1] = 0
-    _write(explorer, logs, due)
+    handed.beat[1] = 0
+    _write(handed.addresses, shared.logs, due)
     return at
 
 
 @inlined
-def _episode(explorer, handed, asked, head, known, run, logs, at, due, beat):
+def _episode(handed, asked, shared, run, again, at, due):
     """Play an episode; return where its log ends, -1 if there is no room, and what is due."""
-    percept, action, _, _ = handed
+    explorer, action, head, logs = handed.addresses, handed.action, shared.heads[run], shared.logs
     cost, shown, turn = 0, 0, 1
-    place = enter(known, run)
-    sense(known, run, place, percept)
-    _begin(explorer, action, asked, head, beat)
+    # Where three bytes are for each percept, and which of them is the present one.
+    place, sensed = int64(0), int64(0)
+    if again:
+        sensed = address_of(shared.percepts) + int64(shared.starts[run])
+    else:
+        sensed = address_of(shared.worlds) + run * shared.worlds.shape[1] + stretch.DEGREE
+    _sense(sensed + place, handed.percept)
+    _begin(explorer, action, asked, head, handed.beat)
     while True:
         turn += 1
-        beat[1] = turn
+        handed.beat[1] = turn
         if at + LONGEST_ENTRY > len(logs):
             return int64(-1), due
         kind = action[0]
         if asked.wrong:
-            logs[at] = STRANGE
+            logs[at] = codes.STRANGE
             break
-        if kind == MOVE:
-            if cost == head[RUN_BUDGET]:
-                logs[at] = OVER_BUDGET
+        if kind == names.MOVE:
+            if cost == head[stretch.RUN_BUDGET]:
+                logs[at] = codes.OVER_BUDGET
                 break
-            degree, motion = int64(degree_of(known, run, place)), int64(action[1])
+            degree, motion = byte_of(sensed, place), int64(action[1])
             if motion < 0 or motion >= degree:
                 motion %= degree
             logs[at] = motion
             at += 1
-            place = go(known, head, run, place, motion, cost)
-            if place == NONE:
-                logs[at] = STRANGE
+            if not again:
+                place = _arrival(sensed, place, motion, degree)
+            elif cost < head[stretch.RUN_MOTIONS]:
+                place += 3
+            else:
+                # The first play ended here.
+                logs[at] = codes.STRANGE
                 break
-            sense(known, run, place, percept)
+            _sense(sensed + place, handed.percept)
             cost += 1
-        elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
+        elif kind == names.CHECKPOINT and shown <= head[stretch.RUN_BUDGET]:
             shown += 1
-            at, due = _publish(explorer, handed, logs, at, SHOWN, due)
+            at, due = _publish(handed, asked, logs, at, codes.SHOWN, due)
             if due[0] < 0:
                 break
         else:
-            at, due = _end(explorer, handed, kind, logs, at, due)
+            at, due = _end(handed, asked, logs, at, due)
             break
         action[0] = action[1] = 0
         call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
@@ -209,32 +191,49 @@ def _episode(explorer, handed, asked, head, known, run, logs, at, due, beat):
 
 
 @inlined
-def _begin(explorer, action, asked, head, beat):
-    """Let the explorer take the first step of an episode."""
-    beat[0], beat[1] = head[RUN_NUMBER], 1
-    asked.wrong = 0
-    if explorer[CHOOSE]:
-        call_choose(explorer[CHOOSE], explorer[STATE], explorer[PICK], explorer[ASKED])
-    action[0] = action[1] = 0
-    call_start(
-        explorer[START], explorer[STATE], explorer[SENSED], int32(head[RUN_TOLD]), explorer[ACTED]
-    )
+def _sense(address, percept):
+    """Write the percept whose three bytes are at the address."""
+    # Degree and marks are stored at once: who copies both waits for nothing.
+    put_word(address_of(percept), byte_of(address, 0) | byte_of(address, 1) << 32)
+    percept[2] = byte_of(address, 2) - 1
 
 
 @inlined
-def _end(explorer, handed, kind, logs, at, due):
+def _arrival(sensed, place, motion, degree):
+    """The place of the percept behind the motion, in a laid-out world."""
+    leaving = place + stretch.WIDE * motion
+    if leaving >= stretch.WIDE * (byte_of(sensed, place + stretch.FIRST - stretch.DEGREE) + degree):
+        leaving -= stretch.WIDE * degree
+    return stretch.WIDE * byte_of(sensed, leaving + stretch.PARTNER - stretch.DEGREE)
+
+
+@inlined
+def _begin(explorer, action, asked, head, beat):
+    """Let the explorer take the first step of an episode."""
+    beat[0], beat[1] = head[stretch.RUN_NUMBER], 1
+    asked.wrong = 0
+    if explorer[CHOOSE]:
+        call_choose(explorer[CHOOSE], explorer[STATE], explorer[PICK], explorer[CONTEXT])
+    action[0] = action[1] = 0
+    told = int32(head[stretch.RUN_TOLD])
+    call_start(explorer[START], explorer[STATE], explorer[SENSED], told, explorer[ACTED])
+
+
+@inlined
+def _end(handed, asked, logs, at, due):
     """Write the end of the log, with an answer or without; return its place, and what is due."""
-    if kind == ANSWER_READY:
-        at, due = _publish(explorer, handed, logs, at, ANSWERED, due)
+    kind = handed.action[0]
+    if kind == names.ANSWER_READY:
+        at, due = _publish(handed, asked, logs, at, codes.ANSWERED, due)
         if due[0] >= 0:
             at -= 1
-    elif kind == CHECKPOINT:
-        logs[at] = SHOWN_TOO_OFTEN
-    elif kind == AMBIGUOUS:
+    elif kind == names.CHECKPOINT:
+        logs[at] = codes.SHOWN_TOO_OFTEN
+    elif kind == names.AMBIGUOUS:
         # The other engine knows what a quotient is worth.
-        logs[at] = STRANGE
+        logs[at] = codes.STRANGE
     else:
-        logs[at] = ILLEGAL
+        logs[at] = codes.ILLEGAL
     return at, due
 
 
@@ -244,27 +243,26 @@ NOTHING_DUE = (int64(-1), int64(0), int64(0))
 
 
 @inlined
-def _publish(explorer, handed, logs, at, what, due):
+def _publish(handed, asked, logs, at, what, due):
     """Write a published map; return the place behind it, and the address of the map that is due.
 
     If the map does not fit, STRANGE is written, and no map is due.
     """
-    _, _, here, capacity = handed
-    room = 1 - due[1]
+    explorer, here, room = handed.addresses, handed.here, 1 - due[1]
     here[0] = NONE
     darts = int64(
         ask_answer(
             explorer[ANSWER_OF],
             explorer[STATE],
-            int32(capacity),
+            int32(asked.room),
             explorer[SIGMA + 2 * room],
             explorer[ALPHA + 2 * room],
             explorer[HERE],
         )
     )
     _write(explorer, logs, due)
-    if darts < 1 or darts > MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
-        logs[at] = STRANGE
+    if darts < 1 or darts > codes.MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
+        logs[at] = codes.STRANGE
         return at, NOTHING_DUE
     logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
     return at + 3 + span(darts), (at, room, darts)
@@ -278,9 +276,32 @@ def _write(explorer, logs, due):
         return
     odd, sigma = int64(0), address_of(logs) + at + 3
     # What is written too much of sigma is written over.
-    for dart in range(0, darts, LANES):
+    for dart in range(0, darts, names.LANES):
         odd |= narrow(sigma + dart, explorer[SIGMA + 2 * room] + 4 * dart, darts - dart)
-    for dart in range(0, darts, LANES):
+    for dart in range(0, darts, names.LANES):
         odd |= narrow(sigma + darts + dart, explorer[ALPHA + 2 * room] + 4 * dart, darts - dart)
     if odd:
-        logs[at] = STRANGE
+        logs[at] = codes.STRANGE
+
+
+def pick(asked, of, options, cost):  # pragma: no cover  # compiled
+    """Answer ``allworlds_pick`` by the policy."""
+    if options < 1 or of < 0 or of > 3:
+        asked.wrong = 1
+        return int32(0)
+    if of != 0:
+        return int32(0)
+    if asked.policy == names.LIFO:
+        return int32(options - 1)
+    taken = 0
+    if asked.policy == names.NEAREST and cost:
+        for i in range(1, options):
+            if entry_of(cost, i) < entry_of(cost, taken):
+                taken = i
+    return int32(taken)
+
+
+@cache
+def pick_address() -> int:
+    """The address of the compiled answers."""
+    return callback(pick, types.int32(RECORD(ASKED), types.int32, types.int32, types.int64))

@@ -7,7 +7,7 @@ glued, and its root is dart 0.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from numpy import dtype, int32, int64, recarray, uint8, zeros
 
@@ -25,88 +25,60 @@ FOLDED = LONG // 16
 NONE = -1
 """The entry for no dart, no bearing, no number told."""
 
+
+def _fields(kind: type, *names: str, of: int | tuple[int, int] = 1) -> list[Any]:
+    """Fields of one kind, each so many numbers."""
+    return [(name, kind) if of == 1 else (name, kind, of) for name in names]
+
+
 GLUING = dtype(
     [
         # What is asked for.
-        ("edges", int64),
-        ("limit", int64),
-        ("simple", int64),
-        ("planar", int64),
+        *_fields(int64, "edges", "limit", "simple", "planar"),
         # The address of the class's rule, or 0; what it says of the latest decision.
-        ("rule", int64),
-        ("possible", int64),
+        *_fields(int64, "rule", "possible"),
         # The partial map: partners (NONE: open), vertices of darts, first darts and degrees.
-        ("alpha", int64, DARTS),
-        ("owner", int64, DARTS),
-        ("first", int64, DARTS),
-        ("degree", int64, DARTS),
-        ("open", int64),
-        ("darts", int64),
-        ("vertices", int64),
+        *_fields(int64, "alpha", "owner", "first", "degree", of=DARTS),
+        *_fields(int64, "open", "darts", "vertices"),
         # By depth: the dart decided about, its partner, the degree of a vertex added, and what
         # is still to be tried: partners as a set, then degrees.
         ("depth", int64),
-        ("place", int64, DEPTHS),
-        ("partner", int64, DEPTHS),
-        ("added", int64, DEPTHS),
-        ("untried", int64, DEPTHS),
-        ("degree_next", int64, DEPTHS),
-        ("degree_last", int64, DEPTHS),
+        *_fields(
+            int64, "place", "partner", "added", "untried", "degree_next", "degree_last", of=DEPTHS
+        ),
         # Of the rule: by vertices, those joined to each, and its open darts.
-        ("neighbours", int64, DARTS),
-        ("unmatched", int64, DARTS),
+        *_fields(int64, "neighbours", "unmatched", of=DARTS),
     ]
 )
 """The enumeration: a partial map that grows by decisions and takes them back."""
 
 COUNTING = dtype(
     [
-        ("edges", int64),
-        ("limit", int64),
+        *_fields(int64, "edges", "limit"),
         # By depth: how many vertices, darts, and faces that have closed; the open darts; what
         # is to be tried: partners as a set, then degrees.
-        ("vertices", int64, DEPTHS),
-        ("darts", int64, DEPTHS),
-        ("faces", int64, DEPTHS),
-        ("opened", int64, DEPTHS),
-        ("untried", int64, DEPTHS),
-        ("degrees", int64, DEPTHS),
+        *_fields(int64, "vertices", "darts", "faces", "opened", "untried", "degrees", of=DEPTHS),
         # By depth: the open darts behind and before each one round its face.
-        ("after", uint8, (DEPTHS, DARTS)),
-        ("before", uint8, (DEPTHS, DARTS)),
+        *_fields(uint8, "after", "before", of=(DEPTHS, DARTS)),
     ]
 )
 """A count: the boundaries of a partial map."""
 
 WORLD = dtype(
     [
-        ("darts", int64),
-        ("vertices", int64),
-        ("start", int64),
+        *_fields(int64, "darts", "vertices"),
         # The lighthouse: the number of its place, its dart at v0, what it tells.
-        ("place", int64),
-        ("pointed", int64),
-        ("told", int64),
-        # A dart's place on the rings, which hold each vertex's darts clockwise, one vertex
-        # after the other; where the ring of its vertex begins; its vertex and the degree there.
-        ("spot", int64, DARTS),
-        ("ring", int64, DARTS),
-        ("first", int64, DARTS),
-        ("owner", int64, DARTS),
-        ("degree", int64, DARTS),
-        ("sigma", int64, DARTS),
-        ("alpha", int64, DARTS),
+        *_fields(int64, "place", "pointed", "told"),
+        # The first dart of a dart's vertex, the vertex, and the degree there.
+        *_fields(int64, "first", "owner", "degree", "sigma", "alpha", of=DARTS),
         # What is sensed on arriving by a dart.
-        ("marks", int64, DARTS),
-        ("bearing", int64, DARTS),
-        # By vertices: where its ring begins.
+        *_fields(int64, "marks", "bearing", of=DARTS),
+        # By vertices: the first dart.
         ("root", int64, DARTS),
         # The canonical order of the darts, and the place of each in it.
-        ("order", int64, DARTS),
-        ("number", int64, DARTS),
+        *_fields(int64, "order", "number", of=DARTS),
         # Of the compass: the vertices in that order, and the number of the dart of each.
-        ("met", int64, DARTS),
-        ("choice", int64, DARTS),
+        *_fields(int64, "met", "choice", of=DARTS),
     ]
 )
 """A map with a lighthouse in it."""
@@ -118,10 +90,8 @@ ACTION = dtype([("kind", int32), ("motion", int32)])
 ANSWER = dtype(
     [
         # Addresses of 32-bit integers.
-        ("sigma", int64),
-        ("alpha", int64),
-        ("darts", int32),
-        ("here", int32),
+        *_fields(int64, "sigma", "alpha"),
+        *_fields(int32, "darts", "here"),
         # The same as bytes: the address of sigma, and behind it alpha; 0 if there are none.  If
         # there are, the integers need not have been written yet.
         ("bytes", int64),
@@ -132,10 +102,7 @@ ANSWER = dtype(
 EXPLORER = dtype(
     [
         # Addresses: of its functions and of its state.
-        ("start", int64),
-        ("step", int64),
-        ("answer", int64),
-        ("state", int64),
+        *_fields(int64, "start", "step", "answer", "state"),
         # What is handed to and fro.
         ("percept", PERCEPT),
         ("action", ACTION),
@@ -147,48 +114,37 @@ EXPLORER = dtype(
 ROBOT = dtype(
     [
         # How choices are answered; whether v0 and v1 are told apart by their degrees.
-        ("policy", int64),
-        ("natural", int64),
+        *_fields(int64, "policy", "natural"),
         # Its S: sigma, alpha (itself: open), vertex and expected percept of each dart; first
         # dart of each vertex, and the first of its darts that leads nearer to v0.
-        ("sigma", int32, LONG),
-        ("alpha", int32, LONG),
-        ("owner", int64, LONG),
-        ("degree", int64, LONG),
-        ("marks", int64, LONG),
-        ("bearing", int64, LONG),
-        ("first", int64, LONG),
-        ("home", int64, LONG),
-        ("darts", int64),
-        ("vertices", int64),
+        *_fields(int32, "sigma", "alpha", of=LONG),
+        *_fields(int64, "owner", "degree", "marks", "bearing", "first", "home", of=LONG),
+        *_fields(int64, "darts", "vertices"),
         # Its U, in the order in which darts came into S, and its H.
         ("unexplored", int64, LONG),
         ("known", int64),
         ("hypotheses", int64, LONG),
         ("alike", int64),
         # Where it stands in S, and how far from the dart of entry it is turned.
-        ("here", int64),
-        ("turned", int64),
+        *_fields(int64, "here", "turned"),
         # What it is doing: the dart e explored, the hypothesis tested, a path and how much of
         # it is done, what was sensed behind e, and what stands for the pointed dart.
-        ("phase", int64),
-        ("goal", int64),
-        ("partner", int64),
-        ("tried", int64),
-        ("path", int64, LONG),
-        ("motions", int64, LONG),
-        ("steps", int64),
-        ("done", int64),
-        ("seen_degree", int64),
-        ("seen_marks", int64),
-        ("seen_bearing", int64),
-        ("pointed", int64),
-        ("matched", int64),
-        ("degree_of_v0", int64),
-        ("degree_of_v1", int64),
+        *_fields(int64, "phase", "goal", "partner", "tried"),
+        *_fields(int64, "path", "motions", of=LONG),
+        *_fields(
+            int64,
+            "steps",
+            "done",
+            "seen_degree",
+            "seen_marks",
+            "seen_bearing",
+            "pointed",
+            "matched",
+            "degree_of_v0",
+            "degree_of_v1",
+        ),
         # Room for walks through S.
-        ("length", int64, LONG),
-        ("queue", int64, LONG),
+        *_fields(int64, "length", "queue", of=LONG),
         # How often each event has occurred, in all episodes.
         ("events", int64, 8),
     ],
@@ -199,11 +155,9 @@ ROBOT = dtype(
 LOG = dtype(
     [
         # Whether the checkpoints of this episode are looked at.
-        ("watched", int64),
-        ("checkpoints", int64),
+        *_fields(int64, "watched", "checkpoints"),
         # The robot's true dart at the end, and the darts of the edges walked, as a set.
-        ("dart", int64),
-        ("walked", int64),
+        *_fields(int64, "dart", "walked"),
         # The dart arrived by after each motion.
         ("cost", int64),
         ("arrived", int64, LONG),
@@ -217,12 +171,9 @@ LOG = dtype(
 FOLD = dtype(
     [
         # How many darts lead nowhere; the robot's node, and how many nodes there are.
-        ("open", int64),
-        ("node", int64),
-        ("nodes", int64),
+        *_fields(int64, "open", "node", "nodes"),
         # By nodes: the set of darts that lead somewhere, and the node that it has been merged with.
-        ("linked", int64, FOLDED),
-        ("parent", int64, FOLDED),
+        *_fields(int64, "linked", "parent", of=FOLDED),
         # By darts, ``DARTS`` for each node: the node that one of that set leads to.
         ("link", int64, FOLDED * DARTS),
         ("todo", int64, 2 * LONG),
@@ -234,22 +185,17 @@ JUDGED = dtype(
     [
         # Of the checkpoints so far: the laws that they break, as a set; whether there was one,
         # and t at the last.
-        ("broken", int64),
-        ("shown", int64),
-        ("t", int64),
+        *_fields(int64, "broken", "shown", "t"),
         # The S that was shown last, if it is known how it is embedded: its darts (0: it is not),
         # how many of them lead somewhere, sigma and alpha, and the darts of the world, as a set.
         # The embedding stands in ``to``.
-        ("known", int64),
-        ("explored", int64),
-        ("sigma", uint8, DARTS),
-        ("alpha", uint8, DARTS),
+        *_fields(int64, "known", "explored"),
+        *_fields(uint8, "sigma", "alpha", of=DARTS),
         ("taken", int64),
         # Room for one that is shown as integers.
         ("bytes", uint8, 3 * DARTS),
         # Room for images, for what is still to be looked at, and for claims.
-        ("to", int64, LONG),
-        ("queue", int64, LONG),
+        *_fields(int64, "to", "queue", of=LONG),
         ("claim", int64, DARTS),
     ]
 )
@@ -258,13 +204,10 @@ JUDGED = dtype(
 JOB = dtype(
     [
         # What is asked for: the address of the lighthouse, and the laws that are checked, as a set.
-        ("lighthouse", int64),
-        ("laws", int64),
+        *_fields(int64, "lighthouse", "laws"),
         # The number of the next run, and that from which on no other world is begun; whether a run
         # has a bound without a value.
-        ("number", int64),
-        ("until", int64),
-        ("undefined", int64),
+        *_fields(int64, "number", "until", "undefined"),
         ("gluing", GLUING),
         ("world", WORLD),
         ("explorer", EXPLORER),
@@ -276,33 +219,118 @@ JOB = dtype(
 )
 """A unit of work on its way."""
 
-
-ASKED = dtype([("policy", int64), ("wrong", int64)], align=True)
-"""How the choices of a native explorer are answered, and whether one was illegal."""
+ASKED = dtype([("policy", int64), ("wrong", int64), ("room", int64)], align=True)
+"""How a native explorer's choices are answered, whether one was illegal; darts of its sigma."""
 
 READER = dtype(
     [
         # The logs: where they are, how long they are, and where that of each run begins.
-        ("logs", int64),
-        ("size", int64),
-        ("begins", int64),
+        *_fields(int64, "logs", "size", "begins"),
         # Where the percepts of each run are to be noted: in bytes, and where they begin; and
         # where it is to be noted how far the log of each run goes.
-        ("percepts", int64),
-        ("room", int64),
-        ("noted", int64),
-        ("starts", int64),
-        ("ends", int64),
+        *_fields(int64, "percepts", "room", "noted", "starts", "ends"),
         # The next run, and how many logs are not to be judged here.
-        ("run", int64),
-        ("strange", int64),
+        *_fields(int64, "run", "strange"),
         # Room for an answer, or the S that is shown.
-        ("sigma", int32, 256),
-        ("alpha", int32, 256),
+        *_fields(int32, "sigma", "alpha", of=256),
     ],
     align=True,
 )
 """An explorer that repeats the logs of another one."""
+
+WALKED = 80
+"""Room for more than the darts of a world, so that a robot that errs stays in its buffers."""
+
+NOW = dtype(
+    [
+        # Where the walk stands, and the dart that it is about to cross.
+        *_fields(uint8, "stage", "y"),
+        # The world W: its open darts, and how many darts and vertices there are.
+        ("open", int64),
+        *_fields(uint8, "darts", "vertices"),
+        # The robot's S: how many darts and vertices; its U; which vertices of W are in it; for
+        # each vertex its distance to v0 and the first dart that leads nearer, packed.
+        *_fields(uint8, "s_darts", "s_vertices"),
+        *_fields(int64, "unexplored", "in_s", "level", "parent"),
+        *_fields(uint8, "position", "passes"),
+        # The pass: the dart e, what it led to, the hypotheses left, the one tested, the steps
+        # of the test, and the dart in which the next one should end.
+        *_fields(uint8, "e", "x"),
+        ("hypotheses", int64),
+        *_fields(uint8, "candidate", "steps", "t"),
+        # The cost and the counters of the walk, packed.
+        ("total", int64),
+    ],
+    align=True,
+)
+"""The state to which a walk goes back to decide a dart in another way."""
+
+CHOICE = dtype([("untried", int64), ("degree", int64), ("now", NOW)], align=True)
+"""A dart that must be decided: partners and degrees to be tried, and the walk up to there."""
+
+WALK = dtype(
+    [
+        ("now", NOW),
+        *_fields(int64, "edges", "limit", "policy", "fuel", "back_weight"),
+        ("bound", int64, DARTS),
+        ("viable", uint8, (DARTS, 2 * DARTS)),
+        ("sensed", uint8, DARTS),
+        # What has been met: worlds, and by vertices what they have shown.
+        ("worlds", int64),
+        ("counts", int64, (DARTS, DEPTHS)),
+        # W, by darts: the partner, the vertex, the degree there as it is and as it is sensed,
+        # and the dart behind the last one of the vertex.  The degrees of the vertices.
+        *_fields(uint8, "partner", "owner", "degree", "felt", "end", "degrees", of=WALKED),
+        # S, by darts: the partner, the vertex, the degree that is expected there, the image in
+        # W.  By vertices: the darts, and the vertices joined to each.  By degrees: the darts.
+        *_fields(uint8, "s_partner", "s_owner", "s_degree", "image", of=WALKED),
+        *_fields(int64, "own", "of_degree", "adjacent", of=WALKED),
+        # The two ends of the edge that each pass has added to S.
+        *_fields(uint8, "one_end", "other_end", of=WALKED),
+        # The decisions that can still be taken otherwise.
+        ("depth", int64),
+        ("choices", CHOICE, WALKED),
+        # Room for a world that is to be blamed.
+        ("world", WORLD),
+    ],
+    align=True,
+)
+"""Algorithm 1 on its way through all worlds at once."""
+
+SCHEDULES = dtype(
+    [
+        ("gluing", GLUING),
+        ("world", WORLD),
+        ("transit", int64),
+        # By darts: the number of the edge; the most expensive and the cheapest way to go on.
+        *_fields(int64, "edge_of", "most", "least", of=DARTS),
+        # By vertices: those joined in S, and lengths of paths.
+        *_fields(int64, "adjacent", "near", "far", of=DARTS),
+        # A path on its way, and its ends: steps until a mismatch.
+        *_fields(int64, "at", "robot", "turned", "visited", of=DARTS),
+        *_fields(int64, "shortest", "longest"),
+        # Different tests, and those of a false hypothesis that matched.
+        *_fields(int64, "tests", "wrong"),
+    ],
+    align=True,
+)
+"""All schedules in one world after the other."""
+
+
+class Kept(NamedTuple):
+    """Runs that are kept, as rows: n, the code, the place, the law's number, the unrooted code.
+
+    Attributes:
+        most_expensive: by n, the least of the runs that cost most; without an unrooted code.
+        least: the least runs that break a law, ascending.
+        row: room for one of these.
+        listed: room for something about each run, as far as it goes.
+    """
+
+    most_expensive: Any
+    least: Any
+    row: Any
+    listed: Any
 
 
 def new(kind: Any) -> Any:

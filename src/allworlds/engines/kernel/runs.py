@@ -2,47 +2,33 @@
 
 A run is a world with a place of the lighthouse.  Runs are numbered within their unit as those
 of the Python engine are: a world without a place counts as one.
+
+A player is an explorer behind its C interface, or a log that is read; which of them is known
+when the judge is compiled.
 """
 
 from __future__ import annotations
 
-from allworlds.engines.kernel.answers import answer_law
-from allworlds.engines.kernel.calls import call_with
-from allworlds.engines.kernel.code import (
-    encode,
-    encode_unrooted,
-    is_greater,
-    is_less,
-    keep_least_of_kind,
-)
-from allworlds.engines.kernel.compiling import entry, inlined, inner
-from allworlds.engines.kernel.explorers import play
+from typing import Any, NamedTuple
+
+from numba import int32
+from numba.extending import overload
+
+from allworlds.engines.kernel import law_numbers as laws
+from allworlds.engines.kernel.calls import call_answer, call_start, call_step, call_with
+from allworlds.engines.kernel.code import blame, is_less, note
+from allworlds.engines.kernel.compiling import RECORD, entry, inlined, inner
 from allworlds.engines.kernel.folding import folds
 from allworlds.engines.kernel.gluing import advance
-from allworlds.engines.kernel.invariants import variant_at_the_end
-from allworlds.engines.kernel.law_numbers import (
-    BOUND,
-    FOLDING,
-    INVARIANT_1,
-    INVARIANT_2,
-    NO_ESTIMATE,
-    VARIANT,
-)
-from allworlds.engines.kernel.records import NONE
-from allworlds.engines.kernel.worlds import doubled, settle
+from allworlds.engines.kernel.logs import follow
+from allworlds.engines.kernel.names import ANSWER_READY, CHECKPOINT, MOVE
+from allworlds.engines.kernel.published import answer_law, look_at, variant_at_the_end
+from allworlds.engines.kernel.records import NONE, READER, Kept
+from allworlds.engines.kernel.worlds import arrival, doubled, settle
 
 # The columns of the tally, by vertices.
-(
-    WORLDS,
-    RUNS,
-    TRAVERSALS,
-    TRAVERSALS_ROOTED,
-    LARGEST,
-    CHECKPOINTS,
-    LEFT_OUT,
-    LOOP_EDGE,
-    PARALLEL_EDGE,
-) = range(9)
+WORLDS, RUNS, TRAVERSALS, TRAVERSALS_ROOTED, LARGEST = range(5)
+CHECKPOINTS, LEFT_OUT, LOOP_EDGE, PARALLEL_EDGE = range(5, 9)
 COLUMNS = 9
 
 # The columns of a listed run.
@@ -53,28 +39,10 @@ LISTED = 4
 UNDEFINED = -(1 << 62)
 
 
-@entry
-def examine(
-    job,
-    explorer,
-    prefix,
-    viable,
-    bounds,
-    met,
-    budgets,
-    counts,
-    most_expensive,
-    least,
-    row,
-    listed,
-    beat,
-    halt,
-):
-    """Examine a unit; return whether it is done, else it was given up or reached ``job.until``.
+class UnitArrays(NamedTuple):
+    """The arrays of a unit: what is asked for, and its results.
 
-    Args:
-        job: a new record with the request filled in.
-        explorer: behind its C interface, or a log that is read again.
+    Attributes:
         prefix: the decisions that the gluing of each map of the unit begins with.
         viable: by darts owed and darts open after a decision: a map can still be finished.
         bounds: the largest legal cost by vertices, degree of v0 and largest degree; the latter
@@ -82,16 +50,33 @@ def examine(
         met: of the same shape; 1 where there was a run.
         budgets: the largest number of traversals, by vertices.
         counts: the tally, added to.
-        most_expensive: by vertices, the least of the runs that cost most, as the rows of ``least``.
-        least: the least runs that break a law, as rows: vertices, canonical code, place, law.
-        row: room for one of these.
-        listed: each run while there is room for its number.
+        kept: the runs that are kept, and those that are listed.
         beat: the number of the current run, and the explorer's turns in it.
+    """
+
+    prefix: Any
+    viable: Any
+    bounds: Any
+    met: Any
+    budgets: Any
+    counts: Any
+    kept: Kept
+    beat: Any
+
+
+@entry
+def examine(job, player, unit, halt):
+    """Examine a unit; return whether it is done, else it was given up or reached ``job.until``.
+
+    Args:
+        job: a new record with the request filled in.
+        player: of one of the two kinds.
+        unit: the arrays, a :class:`UnitArrays`.
         halt: ``halt[0]`` is not 0 once the work is to be given up.
     """
-    g, world = job.gluing, job.world
+    g, world, counts = job.gluing, job.world, unit.counts
     while halt[0] == 0 and job.number < job.until:
-        if not advance(g, prefix, viable):
+        if not advance(g, unit.prefix, unit.viable):
             return True
         settle(world, g)
         n = world.vertices
@@ -102,17 +87,17 @@ def examine(
             job.number += 1
         while world.place != NONE:
             counts[n, RUNS] += 1
-            beat[0] = job.number
-            bound = _bound_of(world, bounds, met)
+            unit.beat[0] = job.number
+            bound = _bound_of(world, unit.bounds, unit.met)
             if bound == UNDEFINED:
                 job.undefined = 1
                 return True
-            law = _judged_run(job, explorer, budgets[n], bound, beat)
-            _count_run(world, job.log.cost, job.log.checkpoints, law, counts, most_expensive)
+            law = _judged_run(job, player, unit.budgets[n], bound, unit.beat)
+            _count_run(world, job.log, law, counts, unit.kept.most_expensive)
             if law:
-                _blame(world, law, least, row)
-            if job.number < len(listed):
-                _list(world, job.log, law, job.number, listed)
+                blame(world, law, unit.kept.least, unit.kept.row)
+            if job.number < len(unit.kept.listed):
+                _list(world, job.log, law, unit.kept.listed[job.number])
             job.number += 1
             call_with(job.lighthouse, world)
     return False
@@ -140,75 +125,137 @@ def _bound_of(world, bounds, met):
     return bounds[n, d0, largest]
 
 
-@inner
-def _judged_run(job, explorer, budget, bound, beat):
-    """Play and judge a run; return the first law that it breaks, or 0."""
-    world, log, judged = job.world, job.log, job.judged
-    judged.broken = judged.shown = judged.known = 0
-    law = play(world, explorer, budget, beat, log, judged)
-    beat[1] = 0
-    if law:
-        return law
-    laws = job.laws
-    law = answer_law(log.published, world, log.dart, judged)
-    if law == NO_ESTIMATE or (law and laws >> law & 1):
-        return law
-    variant_at_the_end(judged)
-    broken = judged.broken & laws
-    if broken:
-        for law in (INVARIANT_1, INVARIANT_2, VARIANT):
-            if broken >> law & 1:
-                return law
-    if laws >> FOLDING & 1 and not folds(world, log, job.fold):
-        return FOLDING
-    if laws >> BOUND & 1 and log.cost > bound:
-        return BOUND
-    return 0
-
-
 @inlined
-def _count_run(world, cost, checkpoints, law, counts, most_expensive):
+def _count_run(world, log, law, counts, most_expensive):
     """Add a run to the tally; note it if it is the most expensive so far."""
-    n = world.vertices
+    n, cost = world.vertices, log.cost
     more_expensive = cost > counts[n, LARGEST]
     if more_expensive or (cost == counts[n, LARGEST] and is_less(world, most_expensive, n)):
-        _note(world, law, most_expensive[n])
+        note(world, law, most_expensive[n])
     counts[n, TRAVERSALS] += cost
     if world.place == 0:
         counts[n, TRAVERSALS_ROOTED] += cost
     counts[n, LARGEST] = max(counts[n, LARGEST], cost)
-    counts[n, CHECKPOINTS] += checkpoints
+    counts[n, CHECKPOINTS] += log.checkpoints
 
 
 @inner
-def _note(world, law, row):
-    """Write a run as a row, but for its map's code without a root."""
-    row[0] = world.vertices
-    encode(world, 0, row, 1)
-    row[1 + 2 * world.darts] = world.place
-    row[2 + 2 * world.darts] = law
-
-
-@inner
-def _blame(world, law, least, row):
-    """Keep a run that breaks a law, if it is among the least."""
-    _note(world, law, row)
-    if not is_greater(least, row):
-        encode_unrooted(world, row, 3 + 2 * world.darts)
-        keep_least_of_kind(least, row, 2 + 2 * world.darts)
-
-
-@inner
-def _list(world, log, law, number, listed):
+def _list(world, log, law, row):
     """List the run: law, cost, checkpoints, and a hash of its whole walk."""
-    walk, before = 0, world.start
+    walk, before = 0, 0
     for step in range(log.cost):
         dart = log.arrived[step]
-        motion = world.spot[world.alpha[dart]] - world.spot[before]
+        motion = world.alpha[dart] - before
         if motion < 0:
             motion += world.degree[before]
         before = dart
         for part in (motion, world.degree[dart], world.marks[dart], world.bearing[dart]):
             walk = (walk * 31 + part + 1) % 2147483647
-    listed[number, LAW], listed[number, COST] = law, log.cost
-    listed[number, SHOWN], listed[number, WALK] = log.checkpoints, walk
+    row[LAW], row[COST], row[SHOWN], row[WALK] = law, log.cost, log.checkpoints, walk
+
+
+@inner
+def _judged_run(job, player, budget, bound, beat):
+    """Play and judge a run; return the first law that it breaks, or 0."""
+    world, log, judged = job.world, job.log, job.judged
+    judged.broken = judged.shown = judged.known = 0
+    law = play(world, player, budget, beat, log, judged)
+    beat[1] = 0
+    if law:
+        return law
+    checked = job.laws
+    law = answer_law(log.published, world, log.dart, judged)
+    if law == laws.NO_ESTIMATE or (law and checked >> law & 1):
+        return law
+    variant_at_the_end(judged)
+    broken = judged.broken & checked
+    if broken:
+        for law in (laws.INVARIANT_1, laws.INVARIANT_2, laws.VARIANT):
+            if broken >> law & 1:
+                return law
+    if checked >> laws.FOLDING & 1 and not folds(world, log, job.fold):
+        return laws.FOLDING
+    if checked >> laws.BOUND & 1 and log.cost > bound:
+        return laws.BOUND
+    return 0
+
+
+def play(world: Any, player: Any, budget: int, beat: Any, log: Any, judged: Any) -> int:
+    """The law that ended the episode, or 0 where there is an answer; ``log`` holds the walk.
+
+    Args:
+        world: of the robot.
+        player: of one of the two kinds.
+        budget: the largest legal number of traversals; one checkpoint more is legal.
+        beat: ``beat[1]`` grows at each turn of an explorer, as a heartbeat.
+        log: is begun anew; the answer is written to it.
+        judged: the verdict on the checkpoints, if ``log.watched``.
+    """
+    raise NotImplementedError
+
+
+@overload(play, inline="always")
+def _play(world, player, budget, beat, log, judged):
+    def met(world, player, budget, beat, log, judged):
+        return _meet(world, player, budget, beat, log, judged)
+
+    def read(world, player, budget, beat, log, judged):
+        return follow(world, player, budget, log, judged)
+
+    return read if player == RECORD(READER) else met
+
+
+@inner
+def _meet(world, explorer, budget, beat, log, judged):
+    """Play an episode of an explorer behind its C interface."""
+    percept, action = explorer.percept, explorer.action
+    log.cost = log.checkpoints = log.walked = 0
+    log.published.bytes = 0
+    dart = 0
+    _sense(world, dart, percept)
+    action.kind = 0
+    turn = 1
+    beat[1] = turn
+    call_start(explorer.start, explorer.state, percept, int32(world.told), action)
+    while True:
+        turn += 1
+        beat[1] = turn
+        if action.kind == MOVE:
+            if log.cost == budget:
+                return laws.BUDGET
+            dart = arrival(world, dart, _reduced(action.motion, world.degree[dart]))
+            _sense(world, dart, percept)
+            log.arrived[log.cost] = dart
+            log.cost += 1
+            log.walked |= 1 << dart | 1 << world.alpha[dart]
+        elif action.kind == CHECKPOINT:
+            if log.checkpoints > budget:
+                return laws.BUDGET
+            log.checkpoints += 1
+            if log.watched:
+                call_answer(explorer.answer, explorer.state, log.published)
+                look_at(judged, log.published, world, dart, log.walked)
+        elif action.kind == ANSWER_READY:
+            log.dart = dart
+            call_answer(explorer.answer, explorer.state, log.published)
+            return 0
+        else:
+            return laws.ILLEGAL_ACTION
+        action.kind = 0
+        call_step(explorer.step, explorer.state, percept, action)
+
+
+@inlined
+def _sense(world, dart, percept):
+    """Write the percept on arriving by the dart."""
+    percept.degree = world.degree[dart]
+    percept.marks = world.marks[dart]
+    percept.bearing = world.bearing[dart]
+
+
+@inlined
+def _reduced(motion, degree):
+    """The motion modulo the degree."""
+    if 0 <= motion < degree:
+        return motion
+    return motion % degree

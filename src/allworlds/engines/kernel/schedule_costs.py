@@ -7,11 +7,10 @@ from typing import Any, NamedTuple
 
 from numpy import array, int64, zeros
 
-from allworlds.engines.kernel.classes import rule_address
-from allworlds.engines.kernel.records import new
-from allworlds.engines.kernel.schedules import COLUMNS, SHORTEST, SIMPLE, search
+from allworlds.engines.kernel.gluing import rule_address
+from allworlds.engines.kernel.records import SCHEDULES, new
+from allworlds.engines.kernel.schedules import COLUMNS, SHORTEST, SIMPLE, Rooms, search
 from allworlds.engines.kernel.tables import gluing_rule
-from allworlds.engines.kernel.walk_records import SCHEDULES
 
 _TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}
 
@@ -60,30 +59,19 @@ def schedule_costs_of_unit(
         simple: whether the class has no loops and no parallel edges.
         planar: whether it has genus 0.
     """
-    counts, rows = zeros((edges + 2, COLUMNS), int64), zeros((edges + 2, 1 + 4 * edges), int64)
     job = new(SCHEDULES)
     job.transit = _TRANSITS[transit]
     gluing = job.gluing
     gluing.edges, gluing.limit, gluing.simple, gluing.planar = edges, limit, simple, planar
     gluing.rule = rule_address() if simple or planar else 0
-    sets = 1 << edges
-    worst, best = zeros((sets, edges + 1), int64), zeros((sets, edges + 1), int64)
-    search(
-        job,
-        array(prefix, int64),
-        gluing_rule(edges),
-        worst,
-        best,
-        zeros(sets, int64),
-        halt,
-        counts,
-        rows,
-        zeros(rows.shape[1], int64),
-        zeros(rows.shape[1], int64),
-    )
+    sets, width = 1 << edges, 1 + 4 * edges
+    costs, counts, rows = (sets, edges + 1), (edges + 2, COLUMNS), (edges + 2, width)
+    shapes: tuple[Any, ...] = (costs, costs, sets, counts, rows, width, width)
+    rooms = Rooms(*(zeros(shape, int64) for shape in shapes))
+    search(job, array(prefix, int64), gluing_rule(edges), rooms, halt)
     found = []
-    for n, (rooted, most, least, tests, wrong) in enumerate(counts.tolist()):
-        known, *code = rows[n].tolist()
+    for n, (rooted, most, least, tests, wrong) in enumerate(rooms.counts.tolist()):
+        known, *code = rooms.rows[n].tolist()
         sigma, alpha = (code[: 2 * edges], code[2 * edges :]) if known else ([], [])
         if rooted:
             found.append(

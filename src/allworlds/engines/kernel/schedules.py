@@ -17,6 +17,8 @@ Source: Algorithm 1, Section IV.
 
 from __future__ import annotations
 
+from typing import Any, NamedTuple
+
 from allworlds.engines.kernel.bits import lowest
 from allworlds.engines.kernel.code import encode, keep_least
 from allworlds.engines.kernel.compiling import entry, inner
@@ -33,31 +35,45 @@ out in the maps worked on, and false hypotheses that were confirmed."""
 _FAR = 1 << 30
 
 
-@entry
-def search(job, prefix, viable, worst, best, reached, halt, counts, rows, row, other):
-    """Search all schedules in every map whose gluing begins with ``prefix``.
+class Rooms(NamedTuple):
+    """The arrays of a search.
 
-    Args:
-        job: a record of :data:`~allworlds.engines.kernel.walk_records.SCHEDULES`; its gluing is new
-            but for what is asked for.
-        prefix: the first decisions.
-        viable: the gluing rule.
-        worst: room for a cost by sets of edges and vertices.
-        best: room for a cost by sets of edges and vertices.
+    Attributes:
+        worst, best: room for a cost by sets of edges and vertices.
         reached: room for a set of vertices by sets of edges.
-        halt: ``halt[0]`` is not 0 once the work is to be given up.
         counts: by vertices; sums are added to, maxima raised.
         rows: ``rows[vertices]``: vertices, then the least code of a world that attains the
             worst cost; 0 for none yet.
-        row: room for such a row.
-        other: room for another such row.
+        row, other: room for two such rows.
+    """
+
+    worst: Any
+    best: Any
+    reached: Any
+    counts: Any
+    rows: Any
+    row: Any
+    other: Any
+
+
+@entry
+def search(job, prefix, viable, rooms, halt):
+    """Search all schedules in every map whose gluing begins with ``prefix``.
+
+    Args:
+        job: a record of :data:`~allworlds.engines.kernel.records.SCHEDULES`; its gluing is new
+            but for what is asked for.
+        prefix: the first decisions.
+        viable: the gluing rule.
+        rooms: the results, and room.
+        halt: ``halt[0]`` is not 0 once the work is to be given up.
     """
     while not halt[0] and advance(job.gluing, prefix, viable):
         settle(job.world, job.gluing)
-        counts[job.world.vertices, ROOTED] += 1
-        if _is_least(job.world, row, other):
-            _solve(job, worst, best, reached)
-            _keep(job, worst[0, 0], best[0, 0], counts, rows, row)
+        rooms.counts[job.world.vertices, ROOTED] += 1
+        if _is_least(job.world, rooms.row, rooms.other):
+            _solve(job, rooms.worst, rooms.best, rooms.reached)
+            _keep(job, rooms)
 
 
 @inner
@@ -76,18 +92,18 @@ def _is_least(world, row, other):
 
 
 @inner
-def _keep(job, worst, best, counts, rows, row):
+def _keep(job, rooms):
     """Add the outcome of a world to the counts."""
-    n = job.world.vertices
+    n, counts, rows, worst = job.world.vertices, rooms.counts, rooms.rows, rooms.worst[0, 0]
     counts[n, TESTS] += job.tests
     counts[n, WRONG] += job.wrong
-    counts[n, BEST] = max(counts[n, BEST], best)
+    counts[n, BEST] = max(counts[n, BEST], rooms.best[0, 0])
     if worst > counts[n, WORST] or rows[n, 0] == 0:
         counts[n, WORST] = worst
         rows[n, 0] = 0
     elif worst < counts[n, WORST]:
         return
-    keep_least(rows[n : n + 1], row)
+    keep_least(rows[n : n + 1], rooms.row)
 
 
 @inner

@@ -8,13 +8,13 @@ import sys
 
 from allworlds.engines.kernel.batches import load_native
 from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.native import play_worlds
+from allworlds.engines.kernel.native import play
 from allworlds.engines.kernel.runs import examine
 
 
 def is_kept() -> bool:
     """Whether it has been compiled before."""
-    return all(map(is_compiled, (play_worlds, examine)))
+    return all(map(is_compiled, (play, examine)))
 
 
 def compile_apart() -> None:

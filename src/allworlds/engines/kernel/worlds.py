@@ -1,8 +1,4 @@
-"""A glued map as a world: the effect of a motion, and the world under other names.
-
-A dart has its spot on the rings, which hold the darts of one vertex after the other, each
-clockwise; so a turn is an addition on a ring whatever the darts are called.
-"""
+"""A glued map as a world: the darts of a vertex are consecutive and clockwise, the start is 0."""
 
 from __future__ import annotations
 
@@ -12,14 +8,13 @@ from allworlds.engines.kernel.records import NONE
 
 @inner
 def settle(world, g):
-    """Write the finished map as a world without a lighthouse; the start is dart 0."""
+    """Write the finished map as a world without a lighthouse."""
     world.darts, world.vertices = g.darts, g.vertices
-    world.start, world.place, world.pointed = 0, NONE, NONE
+    world.place = world.pointed = NONE
     for v in range(g.vertices):
         first, degree = g.first[v], g.degree[v]
         world.root[v] = first
         for dart in range(first, first + degree):
-            world.spot[dart] = world.ring[dart] = dart
             world.owner[dart], world.first[dart], world.degree[dart] = v, first, degree
             world.sigma[dart] = dart + 1
             world.alpha[dart] = g.alpha[dart]
@@ -39,11 +34,10 @@ def darken(world):
 @inlined
 def arrival(world, dart, motion):
     """The dart of arrival after leaving ``motion`` places clockwise of the dart."""
-    degree = world.degree[dart]
-    spot = world.spot[dart] + motion
-    if spot >= world.first[dart] + degree:
-        spot -= degree
-    return world.alpha[world.ring[spot]]
+    degree, leaving = world.degree[dart], dart + motion
+    if leaving >= world.first[dart] + degree:
+        leaving -= degree
+    return world.alpha[leaving]
 
 
 @inner

@@ -85,6 +85,8 @@ def read_log(log: bytes) -> Written:
             if code == log_codes.ANSWERED and at <= len(log):
                 return Written(tuple(motions), tuple(shown), published)
             shown.append((len(motions), published))
+        elif code == log_codes.CHOICE:
+            at += 2
         else:
             return Written(tuple(motions), tuple(shown), LogEnd(code))
     raise ValueError("the log has no end")

@@ -23,7 +23,6 @@ from time import monotonic, perf_counter
 from typing import Any, NoReturn, Self
 from uuid import uuid4
 
-from allworlds.engines.isolation.process_tree import kill_tree
 from allworlds.engines.transports.inline import ThisThread
 from allworlds.engines.units.effort import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
 from allworlds.engines.units.unit import PartialResult, Sum, Transport
@@ -284,7 +283,11 @@ def local_cluster(workers: int) -> Iterator[str]:
                 raise ClusterLost("the local Dask cluster has not started")
             yield address
         finally:
-            kill_tree(process.pid)
+            import psutil  # comes with distributed
+
+            cluster = psutil.Process(process.pid)
+            for one in (*cluster.children(recursive=True), cluster):
+                one.kill()
             process.communicate()
 
 

@@ -1,0 +1,75 @@
+"""The bytes of a log that is judged: choices are passed over, unknown codes are strange."""
+
+import mmap
+
+import pytest
+
+from allworlds.document import replace
+from allworlds.engines.kernel.batches import UnitJudge, any_level
+from allworlds.engines.kernel.log_codes import ANSWERED, CHOICE, SHOWN, STRANGE, span
+from allworlds.engines.kernel.memory_arrays import StretchArrays
+from allworlds.engines.kernel.stretch import Stretch
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+
+def entry(code, sigma, alpha, here):
+    darts = len(sigma)
+    return bytes((code, darts, here, *sigma, *alpha)) + bytes(span(darts) - 2 * darts)
+
+
+# In the world with one edge and two vertices.
+EDGE = entry(SHOWN, (0, 1), (1, 0), 1)
+ANSWER = entry(ANSWERED, (0, 1), (1, 0), 1)
+CHOSEN = bytes((CHOICE, 1, 2))
+PLAIN = bytes((0,)) + EDGE + ANSWER
+
+
+def judged(log):
+    """The judge of the one run, its rows, and whether the log could be judged."""
+    level = replace(any_level(), budgets=(9, 9, 9), laws=("map", "pose"))
+    first, second = (
+        StretchArrays(mmap.mmap(-1, Stretch.size(level.edges)), level.edges) for _ in range(2)
+    )
+    judge = UnitJudge(level, (-1,), 1, first, second)
+    batch = judge.lay_out(10)
+    assert batch.runs == 1
+    rows, good = judge.judge(batch, first.put(log, [0]))
+    return judge, second, rows, good
+
+
+def test_choices_are_passed_over_wherever_they_stand():
+    plain = judged(PLAIN)[2]
+    assert plain.broken == ()
+    for log in (CHOSEN + PLAIN, bytes((0,)) + CHOSEN + EDGE + CHOSEN + CHOSEN + ANSWER):
+        _, _, rows, good = judged(log)
+        assert good
+        assert rows == plain
+
+
+@pytest.mark.parametrize(
+    ("again", "differ"),
+    [
+        (PLAIN, []),
+        (CHOSEN + PLAIN, []),
+        (bytes((0,)) + ANSWER, []),
+        (bytes((CHOICE, 0, 2)) + PLAIN, []),
+        (bytes((0,)) + ANSWER[:-17] + CHOSEN, [0]),
+        (CHOSEN + bytes((0, 0)) + ANSWER, [0]),
+    ],
+)
+def test_the_second_log_is_compared_without_its_choices(again, differ):
+    judge, second, _, good = judged(bytes((0,)) + CHOSEN + EDGE + ANSWER)
+    assert good
+    assert judge.differing(second.put(again, [0])) == differ
+
+
+@pytest.mark.parametrize("code", [STRANGE, *(code for code in range(206, 256) if code != CHOICE)])
+def test_a_code_that_means_nothing_is_strange(code):
+    _, _, rows, good = judged(bytes((code, 0, 2)) + PLAIN)
+    assert not good
+    assert [each.law for each in rows.broken] == ["illegal-action"]
+
+
+def test_a_choice_that_is_cut_off_is_strange():
+    assert not judged(CHOSEN[:2])[3]
