@@ -10,7 +10,7 @@ import pytest
 
 from allworlds import check
 from allworlds.document import replace
-from allworlds.engines import Examiner, LevelRuns, Limits, Scope
+from allworlds.engines import Examiner, LevelRuns, Scope
 from allworlds.engines.compiled import agreement
 from allworlds.engines.compiled.agreement import (
     AGREED,
@@ -119,7 +119,7 @@ def test_totals_are_those_of_independent_programs():
 def test_the_premise_holds_on_every_bearing(monkeypatch):
     # Raises where anything differs; up to m = 4 each check with the kernel does this itself.
     monkeypatch.setattr(agreement, "AGREEMENT_EDGES", 5)
-    compare_engines(Scope(Extent(MapClass.MAPS, 6), Rules()), ALGORITHM1, Limits(workers=2))
+    compare_engines(Scope(Extent(MapClass.MAPS, 6), Rules()), ALGORITHM1)
 
 
 SETTINGS = {
@@ -158,7 +158,7 @@ def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(
     scope = Scope(Extent(MapClass.SIMPLE, 7), rules)
     assert compared_to(scope) == 6
     assert compared_to(replace(scope, extent=Extent(MapClass.MAPS, 7))) == 4
-    compare_engines(scope, load(explore), Limits())
+    compare_engines(scope, load(explore))
 
 
 @pytest.mark.slow

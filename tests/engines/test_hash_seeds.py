@@ -11,7 +11,6 @@ from allworlds.studies.check import check
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 
-
 WALKS_BY_HASHES = """
 from allworlds import Move
 from allworlds.explorers import algorithm1

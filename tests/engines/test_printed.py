@@ -1,7 +1,6 @@
 """Output of an explorer in the run that is told: ``run`` shows it, and findings keep it."""
 
 import json
-import os
 import sys
 
 import pytest

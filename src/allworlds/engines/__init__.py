@@ -55,10 +55,13 @@ if TYPE_CHECKING:
         schedule_costs_of_unit as schedule_costs_of_unit,
     )
     from allworlds.engines.kernel.schedules import search as search
+    from allworlds.engines.lane import GOES_BY_HASHES as GOES_BY_HASHES
+    from allworlds.engines.lanes import workers_for as workers_for
     from allworlds.engines.other_worlds import (
         confirmed as confirmed,
         played_elsewhere as played_elsewhere,
     )
+    from allworlds.engines.players import Unsettled as Unsettled
     from allworlds.engines.progress import Listener as Listener, Once as Once, Silent as Silent
     from allworlds.engines.python.comparison import nondeterministic as nondeterministic
     from allworlds.engines.python.costs import (
@@ -102,6 +105,10 @@ if TYPE_CHECKING:
         Identity as Identity,
         canonical as canonical,
     )
+    from allworlds.engines.run_report import SingleRun as SingleRun, unused_choice as unused_choice
+    from allworlds.engines.single import single_run as single_run
+    from allworlds.engines.stderr_stream import patient_stderr as patient_stderr
+    from allworlds.engines.subject_probe import subject_of as subject_of
     from allworlds.engines.sweep import Sweep as Sweep
     from allworlds.engines.swept_report import (
         GATE as GATE,
@@ -149,12 +156,5 @@ if TYPE_CHECKING:
         shards_of as shards_of,
     )
     from allworlds.engines.units.unit import PartialResult as PartialResult, Transport as Transport
-    from allworlds.engines.lane import GOES_BY_HASHES as GOES_BY_HASHES
-    from allworlds.engines.lanes import workers_for as workers_for
-    from allworlds.engines.players import Unsettled as Unsettled
-    from allworlds.engines.single import single_run as single_run
-    from allworlds.engines.run_report import SingleRun as SingleRun, unused_choice as unused_choice
-    from allworlds.engines.stderr_stream import patient_stderr as patient_stderr
-    from allworlds.engines.subject_probe import subject_of as subject_of
 else:
     open_door(__name__)

@@ -113,6 +113,16 @@ class CompiledBatch(Batch):
         ]
         return Recorded(percepts, self.runs[row].world)
 
+    @property
+    def without_words(self) -> list[int]:
+        """The broken runs of which compiled code has written the log: without words or choices."""
+        return self.broken if self.by.native and not self.plain else []
+
+    def written_anew(self, row: int, log: bytes) -> None:
+        """Take the log of a run that Python has played."""
+        self.logs[0][row] = log
+        self._known.pop(row, None)
+
     def outcome(self, row: int) -> Judged:
         """A run, judged by the Python judge."""
         if row not in self._known:
@@ -173,14 +183,21 @@ class CompiledJudge:
         memories = self._memories[edges]
         return UnitJudge(level, unit.prefix, self.engine.keep, *memories), memories
 
-    def judge(self, batch: CompiledBatch) -> None:
-        """Judge the first logs of a batch, and count them."""
+    def judge(self, batch: CompiledBatch) -> bool:
+        """Judge the first logs of a batch, and count them; those of one unit in their order.
+
+        Return False if compiled code has written logs that only Python knows how to write.
+        """
         unit, work = batch.work.unit, batch.work
         assert isinstance(unit, LevelRuns)
+        if batch.plain:
+            self._by_python(batch)
+            return True
         rows, good = self._rows(batch)
         if not good:
-            self._by_python(batch)
-            return
+            if not self.native:
+                self._by_python(batch)
+            return not self.native
         tally = tally_of(rows, unit, self.engine.scope, self.engine.tally())
         if not self._compared and batch.logs[0]:
             self._compared = True
@@ -196,6 +213,12 @@ class CompiledJudge:
                     f"{law.law if law else 'none'} is, in the world sigma={list(broken.sigma)} "
                     f"alpha={list(broken.alpha)} place={broken.place}"
                 )
+        return True
+
+    def skip(self, batch: CompiledBatch) -> None:
+        """Go on behind a batch that Python plays and judges."""
+        batch.plain = True
+        batch.unit_judge.skip(batch.laid)
 
     def _rows(self, batch: CompiledBatch) -> tuple[Rows, bool]:
         """The rows of a batch, and whether all logs could be judged."""

@@ -9,8 +9,8 @@ from msgspec import Struct
 
 from allworlds.document import one_of, replace
 from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER, WORTH_LOADING
-from allworlds.engines.lanes import in_any_order, workers_for
 from allworlds.engines.job import Job
+from allworlds.engines.lanes import in_any_order, workers_for
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.transports.split import Split

@@ -138,6 +138,11 @@ class Batch:
             row for row, one in enumerate(self.judged) if one.outcome.violation or not one.fits
         ]
 
+    @property
+    def without_words(self) -> list[int]:
+        """None: Python has written each log."""
+        return []
+
     def follow_ups(self) -> list[Due]:
         """The runs with the next schedules, where every schedule is due."""
         if not self.judge.every:
@@ -189,8 +194,8 @@ class PythonJudge:
             if run.lighthouse is not None
         ]
 
-    def judge(self, batch: Batch) -> None:
-        """Judge the first logs of a batch, and count them."""
+    def judge(self, batch: Batch) -> bool:
+        """Judge the first logs of a batch, and count them; return True: it can read them all."""
         logs, work = batch.logs[0], batch.work
         for row, due in enumerate(batch.runs):
             one = self.judged(due, logs[row])
@@ -199,6 +204,7 @@ class PythonJudge:
             if self.every:
                 _, least = work.best.get(due.number, (due, one.outcome.cost))
                 work.best[due.number] = due, min(least, one.outcome.cost)
+        return True
 
     def judged(self, due: Due, log: bytes) -> Judged:
         """One run with its log."""
@@ -327,7 +333,8 @@ def _tables(runs: Sequence[Due]) -> list[Any]:
 
 def _layout(map_: CombinatorialMap, start: int) -> tuple[array[int], list[int]]:
     """First dart of the vertex and partner of each dart, and the darts: those of each vertex one
-    behind the other, from the start on."""
+    behind the other, from the start on.
+    """
     darts: list[int] = []
     first: dict[int, int] = {}
     for dart in (start, *map_.darts):

@@ -310,7 +310,9 @@ class Lane:
             return
         for answer in answers:
             job: Job = answer.job
-            if answer.logs is None:  # those of a library do not fit: Python plays it
+            if answer.logs is None:  # those of a library do not fit
+                if which == FIRST:
+                    job.batch.by.skip(job.batch)
                 job.batch.plain = True
                 player.give(job, self._message(which, job.batch, job.rows))
                 continue
@@ -325,7 +327,12 @@ class Lane:
         if len(batch.logs[which]) < len(batch):
             return
         if which == FIRST:
-            batch.by.judge(batch)
+            if not batch.by.judge(batch):  # Python plays them
+                batch.plain = True
+                batch.logs[FIRST].clear()
+                rows = range(len(batch))
+                self._player(FIRST).give(Job(batch, rows), batch.worlds(rows))
+                return
             self._judged += len(batch)
             if self._compiled is None and isinstance(batch.work.unit, LevelRuns):
                 edges = batch.work.unit.edges
@@ -357,7 +364,8 @@ class Lane:
 
     def _settle(self, batch: Batch, differing: Sequence[tuple[int, Log]]) -> None:
         """Find what is wrong with a batch."""
-        outcomes = {row: self._own(batch, row) for row in batch.broken}
+        outcomes = {row: self._in_words(batch, row) for row in batch.without_words}
+        outcomes = {row: self._own(batch, row) for row in batch.broken} | outcomes
         if differing:
             outcomes |= self._explained(batch, batch.work, differing)
         for row, outcome in sorted(outcomes.items()):
@@ -374,6 +382,23 @@ class Lane:
         if not one.fits:
             return replace(one.outcome, violation=nondeterministic(OTHER_CHOICES))
         return one.outcome
+
+    def _in_words(self, batch: Any, row: int) -> Outcome:
+        """The outcome of a run whose log compiled code has written, by a play in Python."""
+        before = batch.outcome(row)
+        player = started(self._setup, self._seeds[FIRST])
+        try:
+            (log,) = answered(player, batch.worlds([row], hear=True))
+        except Lost as lost:
+            log = lost_log(bytes(player.part), lost)
+        finally:
+            player.close()
+        batch.written_anew(row, log)
+        one = batch.outcome(row)
+        if not self._differ(before.log, one.log):
+            return one.outcome
+        differs = nondeterministic("when it was played once more, the walk or the answer was another")
+        return replace(one.outcome, violation=differs)
 
     def _explained(
         self, batch: Batch, work: Work, differing: Sequence[tuple[int, Log]]

@@ -70,9 +70,8 @@ def _control(option: int, value: int) -> None:
 
 def address_space() -> int:
     """MB of address space of this process; 0 if unknown."""
-    with suppress(OSError, ValueError):
-        with open("/proc/self/statm") as file:  # noqa: PTH123
-            return int(file.read().split()[0]) * mmap.PAGESIZE >> 20
+    with suppress(OSError, ValueError), open("/proc/self/statm") as file:  # noqa: PTH123
+        return int(file.read().split()[0]) * mmap.PAGESIZE >> 20
     return 0
 
 

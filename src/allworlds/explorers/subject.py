@@ -28,7 +28,6 @@ from allworlds.explorers.names import (
 from allworlds.explorers.program import Program
 from allworlds.explorers.shared_library.native import NativeExplorer
 from allworlds.explorers.translated import CONVENTIONS, Translated
-from allworlds.inputs import InputError
 from allworlds.protocol import Player, SourceText
 
 HASH_SEED = "PYTHONHASHSEED"

@@ -29,8 +29,8 @@ from allworlds.protocol import (
     Transcript,
     Write,
     action_numbered,
+    log as entries,
 )
-from allworlds.protocol import log as entries
 from allworlds.protocol.playing import FREE, play_run
 
 RECORD_ENDS = "nothing: the record ends here"

@@ -77,6 +77,7 @@ if TYPE_CHECKING:
         tried as tried,
     )
     from allworlds.protocol.percept import Percept as Percept
+    from allworlds.protocol.player import Player as Player, Told as Told
     from allworlds.protocol.playing import (
         BUILT as BUILT,
         NO_MAP as NO_MAP,
@@ -86,7 +87,6 @@ if TYPE_CHECKING:
         numbers_of as numbers_of,
         play_run as play_run,
     )
-    from allworlds.protocol.player import Player as Player, Told as Told
     from allworlds.protocol.transcript import (
         AtStart as AtStart,
         Dropped as Dropped,

@@ -224,6 +224,9 @@ class Read:
             at, text = _text_at(log, at)
             self._ends(log, at, code, text)
             return -1
+        elif code == FAULT and at == len(log):  # of compiled code, which has no words
+            self._ends(log, at, code, "illegal-action", "", "", "", False)
+            return -1
         elif code == FAULT:
             law, machine = log[at], log[at + 1]
             at += 2

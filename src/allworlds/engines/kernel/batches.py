@@ -10,7 +10,6 @@ from __future__ import annotations
 import ctypes
 import mmap
 from collections.abc import Sequence
-from functools import cache
 from typing import Any
 
 from msgspec import Struct
@@ -95,7 +94,6 @@ class UnitJudge:
         size = max(0, min(size, LOG_BYTES))
         _FIRST_LOGS[:size] = self._stretch.logs[:size]
         _BEGINS[:count] = self._stretch.begins[:count]
-        self._logs = _FIRST_LOGS[:size]
         reader.size = size
         reader.noted = reader.run = reader.strange = 0
         job.until = batch.until
@@ -119,44 +117,15 @@ class UnitJudge:
         # Who plays again is not to know which runs these are.
         records.heads[:count, stretches.RUN_NUMBER] = 0
 
-    def differing(self, size: int) -> list[int]:
-        """The numbers of the logs whose second ones differ from them, as they were judged."""
-        records, count = self._records, len(self.heads)
-        size = max(0, min(size, LOG_BYTES))
-        second, found = _SECOND_LOGS[:size], zeros(count, int64)
-        second[:] = records.logs[:size]
-        again = records.begins[:count].copy()
-        differ = logs.differing(self._logs, _BEGINS, _ENDS, second, again, found)
-        different: list[int] = found[:differ].tolist()
-        return different
-
-    def number(self, row: int) -> int:
-        """The number of the run of a log in its unit."""
-        return int(self.heads[row, stretches.RUN_NUMBER])
-
-    def log(self, row: int) -> bytes:
-        """A log."""
-        log: bytes = self._logs[_BEGINS[row] : _ENDS[row]].tobytes()
-        return log
-
 
 _FIRST_LOGS = zeros(LOG_BYTES + logs.SLACK, uint8)
 """This process's copy of the logs of a stretch."""
-
-_SECOND_LOGS = zeros(LOG_BYTES, uint8)
-"""This process's copy of the logs of the second play."""
 
 _PERCEPTS = zeros(LOG_BYTES, uint8)
 """The percepts on the walks of the first logs."""
 
 _BEGINS, _ENDS, _STARTS = zeros((3, ROWS + 1), int32)
 """Where each of the first logs begins and ends, and where the percepts of its run begin."""
-
-
-@cache
-def _room() -> tuple[Any, Any, Any]:
-    """This process's memory for two jobs, and for the arrays that are not read."""
-    return new(JOB), new(JOB), new(ROBOT)
 
 
 class NativePlayer:
@@ -217,7 +186,6 @@ def load_native() -> None:
         unit = UnitJudge(level, (-1,), 1, stretch, stretch)
         batch = unit.lay_out(0)
         unit.judge(batch, 0)
-        unit.differing(0)
         no_player().play(stretch, 0, 0, "fifo", again=False)
 
 

@@ -111,4 +111,5 @@ def _stamp() -> str:
 
 def _sources() -> list[Path]:
     here = Path(__file__).parent
-    return [*sorted(here.glob("*.py")), here.parents[1] / "judging" / "laws" / "law_table.py"]
+    others = ("judging/laws/law_table.py", "protocol/log.py")
+    return [*sorted(here.glob("*.py")), *(here.parents[1] / each for each in others)]

@@ -1,26 +1,18 @@
-"""The bytes of a log with their meaning, for compiled code and for Python.
-
-No compiled code is loaded with it, so that a process that only writes logs starts fast.
-"""
+"""The bytes of a log that compiled code knows; :mod:`allworlds.protocol.log` has all of them."""
 
 from __future__ import annotations
 
-from allworlds.engines.kernel.names import LANES
+from allworlds.protocol.log import (
+    ANSWERED as ANSWERED,
+    BEYOND as STRANGE,
+    CHOICE as CHOICE,
+    FAULT as ILLEGAL,
+    LARGEST_MOTION as LARGEST_MOTION,
+    MOST_DARTS as MOST_PUBLISHED,
+    OVER_BUDGET as OVER_BUDGET,
+    SHOWN as SHOWN,
+    SHOWN_TOO_OFTEN as SHOWN_TOO_OFTEN,
+    span as span,
+)
 
-# Motions below the first of these, and then how it goes on.
-LARGEST_MOTION = 199
-SHOWN, ANSWERED, OVER_BUDGET, SHOWN_TOO_OFTEN, ILLEGAL, STRANGE = range(200, 206)
-
-CHOICE = 210
-"""A choice was answered: two bytes follow, its index and the number of options."""
-
-MOST_PUBLISHED = 64
-"""The largest number of darts that can be read again; more are left to the general engine."""
-
-
-def span(darts: int) -> int:
-    """The number of bytes that sigma and alpha take: a byte for each entry, and zeros.
-
-    The zeros behind alpha allow that it is written in whole steps.
-    """
-    return darts + (darts + LANES - 1 & -LANES)
+__all__ = ["ILLEGAL", "MOST_PUBLISHED", "STRANGE"]

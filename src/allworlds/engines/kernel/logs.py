@@ -9,8 +9,8 @@ from __future__ import annotations
 from numpy import int64
 
 from allworlds.engines.kernel import log_codes as codes
-from allworlds.engines.kernel.calls import address_of, byte_of, entry_of, put_entry, word_of
-from allworlds.engines.kernel.compiling import entry, inlined, inner
+from allworlds.engines.kernel.calls import address_of, byte_of, entry_of, put_entry
+from allworlds.engines.kernel.compiling import inlined, inner
 from allworlds.engines.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
 from allworlds.engines.kernel.names import LANES
 from allworlds.engines.kernel.published import look_at
@@ -101,69 +101,3 @@ def _find_map(reader, at, published):
     published.bytes = reader.logs + at + 2
     published.sigma, published.alpha = address_of(reader.sigma), address_of(reader.alpha)
     return 1 <= darts <= codes.MOST_PUBLISHED and at + 2 + span(darts) <= reader.size
-
-
-@entry
-def differing(first, begins, ends, second, again, different):
-    """The number of runs whose second logs differ from the first; noted in ``different``.
-
-    Maps that are published on the way are judged once, and need not be equal in the second log;
-    nor need the choices be.
-
-    ``first`` and ``second`` are the bytes of the logs, and ``begins`` and ``again`` say where that
-    of each run begins; ``ends`` where the first ends.  A log tells where it ends, so that one which
-    is longer differs in what the other one has.
-    """
-    found = 0
-    one, other = address_of(first), address_of(second)
-    for run in range(len(different)):
-        a, b = int64(begins[run]), int64(again[run])
-        length, room = int64(ends[run]) - a, len(second) - b
-        inside = a >= 0 and b >= 0 and a + length <= len(first)
-        same = length > 0 and inside and length <= room and _same(one + a, other + b, length)
-        if not (same or (inside and _mean_the_same(one + a, length, other + b, room))):
-            different[found] = run
-            found += 1
-    return found
-
-
-@inner
-def _mean_the_same(one, length, other, room):
-    """Whether the logs have equal motions and endings, whatever they publish and choose."""
-    a, b = _next_motion(one, 0, length), _next_motion(other, 0, room)
-    while a < length and b < room:
-        code = byte_of(one, a)
-        if code != byte_of(other, b):
-            return False
-        if code > codes.LARGEST_MOTION:
-            rest = length - a
-            return rest <= room - b and _same(one + a, other + b, rest)
-        a, b = _next_motion(one, a + 1, length), _next_motion(other, b + 1, room)
-    return False
-
-
-@inlined
-def _next_motion(log, at, end):
-    """The place of the next motion or ending, behind published maps and choices."""
-    while at + 1 < end:
-        code = byte_of(log, at)
-        if code == codes.SHOWN:
-            at += 3 + span(byte_of(log, at + 1))
-        elif code == codes.CHOICE:
-            at += 3
-        else:
-            break
-    return at
-
-
-@inlined
-def _same(one, other, length):
-    """Whether the bytes at the two places are equal."""
-    differ, at = int64(0), 0
-    while at + 8 <= length:
-        differ |= word_of(one, at) ^ word_of(other, at)
-        at += 8
-    while at < length:
-        differ |= byte_of(one, at) ^ byte_of(other, at)
-        at += 1
-    return differ == 0

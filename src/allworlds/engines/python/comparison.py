@@ -16,8 +16,7 @@ from allworlds.judging import (
     Violation,
     unchecked,
 )
-from allworlds.protocol import action_numbered
-from allworlds.protocol import log as entries
+from allworlds.protocol import action_numbered, log as entries
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
 """The number of actions that are shown before the first that differs, and from it on."""

@@ -26,7 +26,7 @@ from allworlds.judging import (
     play,
 )
 from allworlds.maps import rooted_code
-from allworlds.protocol import Answer, Choices, Transcript
+from allworlds.protocol import Answer, Choices
 from allworlds.world import World
 
 

@@ -10,7 +10,6 @@ import re
 
 from allworlds.explorers import is_program
 from allworlds.inputs import an_integer
-from allworlds.protocol import BUILT, NO_MAP
 from allworlds.judging.explanations.another_world import another_world
 from allworlds.judging.explanations.parting import tell_open_darts, tell_parting
 from allworlds.judging.explanations.rounds import tell_rounds
@@ -21,6 +20,7 @@ from allworlds.judging.explanations.traceback_line import telling_line
 from allworlds.judging.explanations.whose_bound import tell_whose_bound, tell_whose_budget
 from allworlds.judging.explanations.wrong_pose import tell_pose
 from allworlds.maps import CombinatorialMap
+from allworlds.protocol import BUILT, NO_MAP
 from allworlds.words import plural, size
 
 GUESSED = "guessed"
