@@ -16,8 +16,8 @@ from hypothesis import settings
 
 import allworlds
 from allworlds.cli.app import call
-from allworlds.engines.lanes import Here as OneLane
-from allworlds.engines.players import Here
+from allworlds.engines.lanes import OneLane
+from allworlds.engines.players import PlayerHere
 from allworlds.explorers import load
 
 COMPILE = """
@@ -145,13 +145,13 @@ def without_workers(monkeypatch):
         def player(setup, _seed, notice=None):
             subject = loaded(setup.subject, setup.limits)
             explorer = subject.player(notice) if notice and subject.own else subject.player()
-            return Here(explorer, of_user=subject.from_user, prints=setup.prints)
+            return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
 
         for module in ("lane", "single"):
             monkeypatch.setattr(f"allworlds.engines.{module}.started", player)
         monkeypatch.setattr(
             "allworlds.engines.lanes.Lanes",
-            lambda subject, limits, deadline: OneLane(subject, limits, deadline),
+            OneLane,
         )
         monkeypatch.setattr("allworlds.explorers.program.Program._pass_stderr_on", lambda _: None)
         yield

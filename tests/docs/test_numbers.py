@@ -15,9 +15,10 @@ from allworlds.engines.kernel import capabilities
 from allworlds.explorers import load, program
 from allworlds.explorers.program_lines import SAYINGS
 from allworlds.explorers.shared_library.library import INTERFACE_VERSION
-from allworlds.judging import PRECEDENCE, Rules, endings
+from allworlds.judging import PRECEDENCE, Rules
 from allworlds.maps import Extent, MapClass
 from allworlds.maps.counting.any_genus import rooted_maps
+from allworlds.protocol import playing
 from allworlds.reports.web import frame
 from allworlds.studies.check import time_estimate
 from enumerators import BROKEN_ENUMERATORS
@@ -59,7 +60,7 @@ def test_the_page_of_trust_says_how_many_mutants_there_are():
         ("verdicts.md", r"step budgets \| up to ([\d,]+)", capabilities.MOST_BUDGET),
         ("verdicts.md", r"one line of at most (\d+) characters", output.LONGEST),
         ("verdicts.md", r"is smaller than (\d+) MB", frame.LARGEST // 1_000_000),
-        ("trust.md", r"at most ([\d,]+) darts of an answer", endings.MOST_DARTS),
+        ("trust.md", r"at most ([\d,]+) darts of an answer", playing.MOST_DARTS),
         ("trust.md", r"`PYTHONHASHSEED` 0, the second (\d)", lane.SECOND),
         (
             "how-to/languages.md",

@@ -15,7 +15,7 @@ from typing import Any
 
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
-from allworlds.engines.judge import Batch, Due, Judged, PythonJudge, Recorded, Work
+from allworlds.engines.judge import RunBatch, Due, Judged, PythonJudge, Recorded, Work
 from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge
 from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.rows import Rows
@@ -24,11 +24,10 @@ from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns
 from allworlds.engines.python.tally import Tally
 from allworlds.maps import Code, rooted_code
-from allworlds.protocol import Percept, numbers_of
-from allworlds.protocol.playing import percept_of
+from allworlds.protocol import Percept, numbers_of, percept_of
 
 
-class CompiledBatch(Batch):
+class CompiledBatch(RunBatch):
     """Some runs that compiled code has laid out; what Python needs of them is made when asked for.
 
     Attributes:
@@ -273,7 +272,7 @@ class CompiledJudge:
                 return row
         raise EnginesDisagree(f"the kernel has met a world that is none: {code}")
 
-    def compare_with(self, batches: Iterable[Batch]) -> None:
+    def compare_with(self, batches: Iterable[RunBatch]) -> None:
         """Compare both judges on whole units of logs.
 
         Raises:

@@ -90,7 +90,7 @@ class Work:
     best: dict[int, tuple[Due, int]] = field(default_factory=dict)
 
 
-class Batch:
+class RunBatch:
     """Some runs of a unit, with their logs once they are judged.
 
     Attributes:
@@ -173,7 +173,7 @@ class PythonJudge:
         self.every = engine.scope.schedules == "all" and given is None
         self._given = given or ()
 
-    def batches(self, work: Work, size: Callable[[], int]) -> Iterator[Batch]:
+    def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
         """The runs of a unit, so many at a time; they are counted as they are laid out."""
         runs = list[Due]()
         for run in self.engine.runs(work.unit):
@@ -181,10 +181,10 @@ class PythonJudge:
             if world is not None:
                 runs.append(Due(run.number, run.place, world, self._given))
             if len(runs) >= size():
-                yield Batch(self, work, runs)
+                yield RunBatch(self, work, runs)
                 runs = []
         if runs:
-            yield Batch(self, work, runs)
+            yield RunBatch(self, work, runs)
 
     def due(self, runs: Iterable[NumberedRun]) -> list[Due]:
         """The runs that have a place."""
@@ -194,7 +194,7 @@ class PythonJudge:
             if run.lighthouse is not None
         ]
 
-    def judge(self, batch: Batch) -> bool:
+    def judge(self, batch: RunBatch) -> bool:
         """Judge the first logs of a batch, and count them; return True: it can read them all."""
         logs, work = batch.logs[0], batch.work
         for row, due in enumerate(batch.runs):
@@ -348,7 +348,7 @@ def _layout(map_: CombinatorialMap, start: int) -> tuple[array[int], list[int]]:
 
 
 def _table(world: World, layout: array[int], darts: Sequence[int]) -> bytes | tuple[int, ...]:
-    """The world as a table; see :class:`allworlds.protocol.playing.Table`."""
+    """The world as a table; see :class:`allworlds.protocol.playing.TableWorld`."""
     percepts, numbers = world.percepts, list[int]()
     for i, dart in enumerate(darts):
         p = percepts[dart]

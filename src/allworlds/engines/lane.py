@@ -24,14 +24,14 @@ from typing import Any, NamedTuple
 
 from allworlds.document import replace
 from allworlds.engines.judge import (
-    Batch,
+    RunBatch,
     Due,
     PythonJudge,
     Work,
     drawn_order,
     with_one_again,
 )
-from allworlds.engines.players import Here, Lost, Player, Setup, Unsettled, wait
+from allworlds.engines.players import PlayerHere, Lost, PlayerProcess, Setup, Unsettled, wait
 from allworlds.engines.python.comparison import (
     difference_of,
     ending_in_words,
@@ -47,8 +47,7 @@ from allworlds.engines.units.levels import level_size
 from allworlds.engines.units.unit import PartialResult
 from allworlds.explorers import Subject
 from allworlds.judging import Log
-from allworlds.protocol import log as entries
-from allworlds.protocol.playing import AN_ACTION
+from allworlds.protocol import AN_ACTION, log as entries
 
 FIRST, SECOND = 0, 1
 """The numbers of the players, and their hash seeds."""
@@ -85,10 +84,10 @@ OTHER_CHOICES = (
 )
 
 
-class Job(NamedTuple):
+class RunsToPlay(NamedTuple):
     """What a player is to play: runs of a batch, by their numbers there."""
 
-    batch: Batch
+    batch: RunBatch
     rows: Sequence[int]
 
 
@@ -126,10 +125,10 @@ class Lane:
         self._apart = subject.from_user and subject.importable
         library = subject.compiled
         self._seeds = [seeds[0], seeds[0] if library or not self._apart else seeds[1]]
-        self._players: dict[int, Player | Here] = {}
-        self._others: dict[int, Player | Here] = {}
+        self._players: dict[int, PlayerProcess | PlayerHere] = {}
+        self._others: dict[int, PlayerProcess | PlayerHere] = {}
         self._works: list[Work] = []
-        self._waiting: deque[Batch] = deque()
+        self._waiting: deque[RunBatch] = deque()
         self._done: list[PartialResult[UnitOfRuns, Any]] = []
         self._reported = time.monotonic()
         self._random = Random()  # noqa: S311  # from the system; no verdict depends on it
@@ -137,9 +136,9 @@ class Lane:
         self._repeated, self._unrepeated = set[str](), Counter[str]()
         # A program that is another one has a seed of its own, and a library has none.
         self._seeds_more = more_seeds and self._twice and self._seeds == [FIRST, SECOND] and not subject.is_program
-        self._kept: list[tuple[Batch, int]] = []
+        self._kept: list[tuple[RunBatch, int]] = []
         self._compiled: Any = None
-        self._small: list[Batch] = []
+        self._small: list[RunBatch] = []
         self._more_seeds, self._compiling = more_seeds, False
         self._due = self._judged = self._settled_runs = 0
         self.given_up, self._told_why = "", False
@@ -258,21 +257,21 @@ class Lane:
         while self._room(FIRST) and (batch := self._next()):
             self._due += len(batch)
             rows = range(len(batch))
-            self._player(FIRST).give(Job(batch, rows), batch.worlds(rows))
+            self._player(FIRST).give(RunsToPlay(batch, rows), batch.worlds(rows))
         while self._waiting and self._room(SECOND):
             batch = self._waiting.popleft()
             # Of a run in which a player was lost there is nothing to compare.
             rows = [row for row in range(len(batch)) if row not in batch.lost]
             batch.logs[SECOND].update({row: batch.logs[FIRST][row] for row in batch.lost})
             if rows:
-                self._player(SECOND).give(Job(batch, rows), self._message(SECOND, batch, rows))
+                self._player(SECOND).give(RunsToPlay(batch, rows), self._message(SECOND, batch, rows))
             else:
                 self._played(SECOND, batch)
 
     def _room(self, which: int) -> bool:
         return which not in self._players or len(self._players[which].jobs) < DEPTH
 
-    def _next(self) -> Batch | None:
+    def _next(self) -> RunBatch | None:
         """The next batch; None if there is none yet."""
         for work in self._works:
             batch = None
@@ -282,13 +281,13 @@ class Lane:
                     work.batches = None
             if batch is None and work.more and (len(work.more) >= MOST or not work.open):
                 some, work.more = work.more[:MOST], work.more[MOST:]
-                batch = Batch(self.judge, work, some)
+                batch = RunBatch(self.judge, work, some)
             if batch is not None:
                 work.open += 1
                 return batch
         return None
 
-    def _player(self, which: int) -> Player | Here:
+    def _player(self, which: int) -> PlayerProcess | PlayerHere:
         if which not in self._players:
             self._players[which] = started(self._setup, self._seeds[which], self._notice)
         return self._players[which]
@@ -298,18 +297,18 @@ class Lane:
         job = self._playing
         job.batch.work.tally.witnesses[event] += 1
 
-    def _hear(self, which: int, player: Player | Here) -> None:
+    def _hear(self, which: int, player: PlayerProcess | PlayerHere) -> None:
         began = time.monotonic()
-        if isinstance(player, Here) and player.jobs:
-            self._playing: Job = player.jobs[0][0]
+        if isinstance(player, PlayerHere) and player.jobs:
+            self._playing: RunsToPlay = player.jobs[0][0]
         try:
             answers = player.heard()
         except Lost as lost:
-            assert isinstance(player, Player)
+            assert isinstance(player, PlayerProcess)
             self._lose(which, player, lost)
             return
         for answer in answers:
-            job: Job = answer.job
+            job: RunsToPlay = answer.job
             if answer.logs is None:  # those of a library do not fit
                 if which == FIRST:
                     job.batch.by.skip(job.batch)
@@ -319,10 +318,10 @@ class Lane:
             job.batch.logs[which].update(zip(job.rows, answer.logs, strict=True))
             self._played(which, job.batch)
         if answers and which == FIRST:
-            slow = isinstance(player, Here) and time.monotonic() > began + REPORT_EVERY
+            slow = isinstance(player, PlayerHere) and time.monotonic() > began + REPORT_EVERY
             self._size = max(1, self._size // 2) if slow else min(MOST, 2 * self._size)
 
-    def _played(self, which: int, batch: Batch) -> None:
+    def _played(self, which: int, batch: RunBatch) -> None:
         """Go on with a batch of which one more play is whole, if it is."""
         if len(batch.logs[which]) < len(batch):
             return
@@ -331,7 +330,7 @@ class Lane:
                 batch.plain = True
                 batch.logs[FIRST].clear()
                 rows = range(len(batch))
-                self._player(FIRST).give(Job(batch, rows), batch.worlds(rows))
+                self._player(FIRST).give(RunsToPlay(batch, rows), batch.worlds(rows))
                 return
             self._judged += len(batch)
             if self._compiled is None and isinstance(batch.work.unit, LevelRuns):
@@ -347,7 +346,7 @@ class Lane:
         if self._twice and self._seeds_more:
             self._keep(batch)
 
-    def _differing(self, batch: Batch) -> list[tuple[int, Log]]:
+    def _differing(self, batch: RunBatch) -> list[tuple[int, Log]]:
         """The runs whose logs differ, with the second ones."""
         found = []
         for row in range(len(batch)):
@@ -362,7 +361,7 @@ class Lane:
 
     # ---------------------------------------------------------------- what is wrong
 
-    def _settle(self, batch: Batch, differing: Sequence[tuple[int, Log]]) -> None:
+    def _settle(self, batch: RunBatch, differing: Sequence[tuple[int, Log]]) -> None:
         """Find what is wrong with a batch."""
         outcomes = {row: self._in_words(batch, row) for row in batch.without_words}
         outcomes = {row: self._own(batch, row) for row in batch.broken} | outcomes
@@ -372,11 +371,11 @@ class Lane:
             self._find(batch, batch.work, row, outcome)
         self._give_up_if_silent()
 
-    def _find(self, batch: Batch, work: Work, row: int, outcome: Outcome) -> None:
+    def _find(self, batch: RunBatch, work: Work, row: int, outcome: Outcome) -> None:
         due = batch.runs[row]
         self.engine.settle(self.judge.referee, due.world, due.place, outcome, work.tally)
 
-    def _own(self, batch: Batch, row: int) -> Outcome:
+    def _own(self, batch: RunBatch, row: int) -> Outcome:
         """The outcome of a run by its first play."""
         one = batch.outcome(row)
         if not one.fits:
@@ -401,7 +400,7 @@ class Lane:
         return replace(one.outcome, violation=differs)
 
     def _explained(
-        self, batch: Batch, work: Work, differing: Sequence[tuple[int, Log]]
+        self, batch: RunBatch, work: Work, differing: Sequence[tuple[int, Log]]
     ) -> dict[int, Outcome]:
         """The outcomes of runs whose plays differ."""
         few, (first, second) = differing[:MOST_SETTLED], self._seeds
@@ -438,7 +437,7 @@ class Lane:
         episode = self.judge.episode(due.world, log)
         return self.judge.referee.outcome(due.world, episode, log.choices)
 
-    def _by_seed(self, batch: Batch, work: Work, rows: list[int]) -> dict[int, Outcome]:
+    def _by_seed(self, batch: RunBatch, work: Work, rows: list[int]) -> dict[int, Outcome]:
         """The outcomes of runs of an explorer that goes by hashes, in their worlds by each seed."""
         work.tally.remark(GOES_BY_HASHES)
         first, second = self._seeds
@@ -450,11 +449,11 @@ class Lane:
                 found[row] = replace(other, hash_seed=second)
         return found
 
-    def _in_worlds(self, batch: Batch, rows: Sequence[int], seed: int) -> dict[int, Log]:
+    def _in_worlds(self, batch: RunBatch, rows: Sequence[int], seed: int) -> dict[int, Log]:
         """The logs of these runs, played in their worlds by a fresh player."""
         return self._fresh(seed, batch.worlds(rows), rows)
 
-    def _against_records(self, batch: Batch, rows: Sequence[int], seed: int) -> dict[int, Log]:
+    def _against_records(self, batch: RunBatch, rows: Sequence[int], seed: int) -> dict[int, Log]:
         """The logs of these runs, played against their records by a fresh player."""
         return self._fresh(seed, batch.records(rows, range(len(rows))), rows)
 
@@ -472,7 +471,7 @@ class Lane:
 
     # ---------------------------------------------------------------- other seeds
 
-    def _keep(self, batch: Batch) -> None:
+    def _keep(self, batch: RunBatch) -> None:
         """Play the records of small worlds under one seed more; keep some of larger ones."""
         rows = [(batch, row) for row in range(len(batch))]
         edges, last = batch.runs[0].world.map.edge_count, self.engine.scope.extent.levels[-1]
@@ -482,7 +481,7 @@ class Lane:
             for seed in ONE_MORE:
                 self._under(seed, rows, batch.work)
 
-    def _under(self, seed: int, rows: Sequence[tuple[Batch, int]], work: Work) -> None:
+    def _under(self, seed: int, rows: Sequence[tuple[RunBatch, int]], work: Work) -> None:
         """Play these records once more under another seed; find what differs, and then no more."""
         if not self._seeds_more:
             return
@@ -510,7 +509,7 @@ class Lane:
 
     # ---------------------------------------------------------------- losses
 
-    def _lose(self, which: int, player: Player, lost: Lost) -> None:
+    def _lose(self, which: int, player: PlayerProcess, lost: Lost) -> None:
         """Go on after the loss of a player: its run is tried once more alone."""
         if player.jobs and player.description is not None:
             job, _ = player.jobs[0]
@@ -521,7 +520,7 @@ class Lane:
                 batch.logs[which][row] = log
                 rest = [each for each in job.rows if each not in batch.logs[which]]
                 if rest:
-                    player.jobs[0] = (Job(batch, rest), self._message(which, batch, rest))
+                    player.jobs[0] = (RunsToPlay(batch, rest), self._message(which, batch, rest))
                 else:
                     player.jobs.popleft()
                 player.again()
@@ -530,13 +529,13 @@ class Lane:
             self._note(job.batch.work, lost)
         player.again()
 
-    def _message(self, which: int, batch: Batch, rows: Sequence[int]) -> dict[str, Any]:
+    def _message(self, which: int, batch: RunBatch, rows: Sequence[int]) -> dict[str, Any]:
         if which == FIRST:
             return batch.worlds(rows)
         order = drawn_order(self._random, len(rows))
         return batch.records(rows, with_one_again(self._random, order))
 
-    def _alone(self, which: int, batch: Batch, row: int, lost: Lost) -> bytes:
+    def _alone(self, which: int, batch: RunBatch, row: int, lost: Lost) -> bytes:
         """The log of a run in which a player was lost, by a fresh player that plays it alone."""
         if lost.law == "timeout":
             self._silences += 1
@@ -545,7 +544,7 @@ class Lane:
             return lost_log(b"", lost)
         message = batch.worlds([row]) if which == FIRST else batch.records([row], [0])
         player = started(self._setup, self._seeds[which])
-        assert isinstance(player, Player)
+        assert isinstance(player, PlayerProcess)
         try:
             (log,) = answered(player, message | {"hear": True})
         except Lost as again:
@@ -588,16 +587,16 @@ class Lane:
             )
 
 
-def started(setup: Setup, seed: int, notice: Any = None) -> Player | Here:
+def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | PlayerHere:
     """A player of the explorer: a process of its own, if it can be played there."""
     subject = setup.subject
     if subject.from_user and subject.importable:
-        return Player(setup, seed)
+        return PlayerProcess(setup, seed)
     explorer = subject.player(notice) if notice and not subject.from_user else subject.player()
-    return Here(explorer, of_user=subject.from_user, prints=setup.prints)
+    return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
 
 
-def answered(player: Player | Here, message: dict[str, Any]) -> list[bytes]:
+def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> list[bytes]:
     """The logs that answer a message to a player that has no other job.
 
     Raises:
@@ -611,7 +610,7 @@ def answered(player: Player | Here, message: dict[str, Any]) -> list[bytes]:
                 assert answer.logs is not None
                 return answer.logs
         except Lost:
-            if not (isinstance(player, Player) and player.description is None):
+            if not (isinstance(player, PlayerProcess) and player.description is None):
                 raise
             player.again()  # it was lost while it loaded the explorer
 

@@ -49,7 +49,7 @@ AHEAD = 2
 _TOLD = (InputError, Unsettled, EnginesDisagree, HarnessError)
 
 
-class Here(Struct):
+class OneLane(Struct):
     """The transport into one lane, in this process.
 
     Attributes:
@@ -162,7 +162,7 @@ class Lanes(Struct):
     def map(
         self, engine: RunCounter, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
-        """Yield the parts of all units, as they come; raises as :class:`Here` does."""
+        """Yield the parts of all units, as they come; raises as :class:`OneLane` does."""
         waiting = in_any_order(units) if self.subject.from_user else iter(units)
         again: list[UnitOfRuns] = []
         while True:
@@ -289,5 +289,5 @@ def workers_for(
     """
     here = subject.from_user and not subject.importable
     if here or (limits.workers == 1 and not models and not (limits.memory and not subject.from_user)):
-        return Here(subject, limits, deadline)
+        return OneLane(subject, limits, deadline)
     return Lanes(subject, limits, deadline)

@@ -21,8 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from allworlds.engines.library_player import LibraryPlayer
-    from allworlds.explorers import Subject
-    from allworlds.explorers.functions import Function
+    from allworlds.explorers import Function, Subject
     from allworlds.protocol import Choices, Player
 
 LINK, BEAT = 3, 4
@@ -95,10 +94,10 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
     name = setup["name"]
     source = None if setup["source"] is None else SourceText(*setup["source"])
     if ":" in name and not name.startswith(ADAPTED):
-        from allworlds.explorers.functions import Function
+        from allworlds.explorers import Function
 
         return Function(name, source)
-    from allworlds.explorers.loading import load
+    from allworlds.explorers import load
 
     subject = load(name, setup["answer_timeout"], source)
     native = subject.innermost.native
@@ -190,7 +189,7 @@ class _Server:
 
 
 def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:
-    from allworlds.protocol.choices import Choices, ScheduledChoices, policy_named
+    from allworlds.protocol import Choices, ScheduledChoices, policy_named
 
     if batch["every"]:
         return ScheduledChoices(script)
@@ -199,15 +198,15 @@ def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choic
 
 def _makers() -> dict[str, Callable[..., Any]]:
     """What makes the surroundings of a run of each kind of batch."""
-    from allworlds.protocol import Record, Table
+    from allworlds.protocol import Record, TableWorld
 
     def model(world: Any, _told: object, _over: object) -> Any:
-        from allworlds.judging import InWorld
+        from allworlds.judging import AroundExplorer
 
-        return InWorld(world)
+        return AroundExplorer(world)
 
     return {
-        "table": lambda world, told, _: Table(world, told),
+        "table": lambda world, told, _: TableWorld(world, told),
         "record": Record,
         "model": model,
     }

@@ -1,7 +1,7 @@
 """The owner's side of a player: it is started, gets batches, is heard, and perhaps lost.
 
 A player is a process with an explorer (:mod:`allworlds.engines.player`); an explorer that no other
-process can find plays :class:`Here`.  Sixteen shared bytes tell the run in progress and the
+process can find plays :class:`PlayerHere`.  Sixteen shared bytes tell the run in progress and the
 explorer's turn in it, so that a batch of logs can be one message, and silence is seen all the same.
 """
 
@@ -29,8 +29,7 @@ from allworlds.engines import linux
 from allworlds.engines.player import FAILURE, LOGS, NO_ROOM, NO_RUN, PART, READY, REFUSAL
 from allworlds.engines.prints import Prints, Silence, printing_to
 from allworlds.engines.units.effort import Limits
-from allworlds.explorers.names import is_library, is_program
-from allworlds.explorers.subject import HASH_SEED, Subject
+from allworlds.explorers import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs import InputError, show
 from allworlds.protocol import Player as Explorer, play_run
 from allworlds.words import ended_by, harmless
@@ -113,7 +112,7 @@ class Setup(Struct, frozen=True):
         return self.limits.answer_timeout + (GRACE if is_program(self.subject.name) else 0.0)
 
 
-class Player:
+class PlayerProcess:
     """One process with the explorer.
 
     Args:
@@ -351,7 +350,7 @@ class Player:
         linux.end_adopted(self._token)
 
 
-class Here:
+class PlayerHere:
     """An explorer that plays in this process, where a silent one cannot be stopped.
 
     Args:
@@ -411,15 +410,15 @@ class Here:
         """Leave it."""
 
 
-def wait(players: Sequence[Player | Here], seconds: float, others: Sequence[int] = ()) -> bool:
+def wait(players: Sequence[PlayerProcess | PlayerHere], seconds: float, others: Sequence[int] = ()) -> bool:
     """Wait until something may have come; return whether one of the others is ready."""
     poll = select.poll()
     for player in players:
-        if isinstance(player, Here):
+        if isinstance(player, PlayerHere):
             seconds = 0 if player.jobs else seconds
         for file in player.files:
             poll.register(file, select.POLLIN)
-        if isinstance(player, Player) and player._out:  # noqa: SLF001  # this module's
+        if isinstance(player, PlayerProcess) and player._out:  # noqa: SLF001  # this module's
             poll.register(player.files[0], select.POLLIN | select.POLLOUT)
     for file in others:
         poll.register(file, select.POLLIN)

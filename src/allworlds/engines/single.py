@@ -28,11 +28,13 @@ from allworlds.judging import (
     Finding,
     Log,
     Rules,
+    UncheckedAmbiguous,
+    UncheckedAnswer,
+    answered as ending_of,
     canonical_world,
     place_of,
     unchecked,
 )
-from allworlds.judging.endings import UncheckedAmbiguous, UncheckedAnswer, answered as checked
 from allworlds.maps import Extent, MapClass
 from allworlds.protocol import Estimate, action_numbered, log as entries, number_of
 from allworlds.world import World
@@ -271,7 +273,7 @@ def _ends_alike(finding: Finding, log: Log) -> bool:
     if isinstance(ending, UncheckedAmbiguous):
         return finding.law not in ("crash", "timeout", "illegal-action", "map", "pose")
     if isinstance(ending, UncheckedAnswer):
-        end = checked(ending)
+        end = ending_of(ending)
         if finding.law == "no-estimate":
             return isinstance(end, Fault)
         if not isinstance(finding.seen, Estimate):

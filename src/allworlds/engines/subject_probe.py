@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from allworlds.document import replace
-from allworlds.engines.players import Player, Setup
+from allworlds.engines.players import PlayerProcess, Setup
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import (
     BUILT_IN,
@@ -43,7 +43,7 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
         program.ensure_readable()
         return Subject(explore, frozenset({"told"}))
     subject = Subject(explore, frozenset(), source=source_of(explore))
-    player = Player(Setup(subject, limits), 0)
+    player = PlayerProcess(Setup(subject, limits), 0)
     try:
         description = player.loaded()
     finally:

@@ -65,6 +65,7 @@ if TYPE_CHECKING:
         not_alike as not_alike,
         with_content as with_content,
     )
+    from allworlds.explorers.functions import Function as Function
     from allworlds.explorers.loading import load as load, source_of as source_of
     from allworlds.explorers.names import (
         SHIELD as SHIELD,

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from allworlds.judging.episode import (
         Environment as Environment,
         Episode as Episode,
-        InWorld as InWorld,
+        AroundExplorer as AroundExplorer,
         Log as Log,
         default_step_budget as default_step_budget,
         followed as followed,

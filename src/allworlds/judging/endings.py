@@ -9,8 +9,14 @@ from msgspec import Struct
 
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, InvalidMap, numbering
-from allworlds.protocol import Ambiguous, Estimate
-from allworlds.protocol.playing import A_QUOTIENT, A_VALUE, AN_ESTIMATE, NO_MAP
+from allworlds.protocol import (
+    A_QUOTIENT,
+    A_VALUE,
+    AN_ESTIMATE,
+    NO_MAP,
+    Ambiguous,
+    Estimate,
+)
 
 
 class Answered(Struct, frozen=True):

@@ -19,6 +19,7 @@ from allworlds.judging.endings import (
     answered,
 )
 from allworlds.protocol import (
+    FREE,
     Action,
     Checkpoint,
     Choices,
@@ -30,8 +31,8 @@ from allworlds.protocol import (
     Write,
     action_numbered,
     log as entries,
+    play_run,
 )
-from allworlds.protocol.playing import FREE, play_run
 
 RECORD_ENDS = "nothing: the record ends here"
 """The expectation at the end of the recorded percepts of an explorer."""
@@ -102,7 +103,7 @@ class Episode(Struct, frozen=True):
     ending: Ending
 
 
-class InWorld:
+class AroundExplorer:
     """A world in which an explorer walks: it gets copies of the percepts.
 
     Args:
@@ -154,7 +155,7 @@ def play(
     Cost: linear in the steps, besides the explorer's own.
     """
     beat = [0, 0] if beat is None else beat
-    log = play_run(InWorld(world), player, choices, budget, beat, any_answer=not maps)
+    log = play_run(AroundExplorer(world), player, choices, budget, beat, any_answer=not maps)
     return followed(Log.of(log), world, budget, maps=maps)
 
 

@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.protocol import log as log
     from allworlds.protocol.actions import (
         Action as Action,
         Drop as Drop,
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
         SEEDED as SEEDED,
         Choices as Choices,
         Kind as Kind,
+        ScheduledChoices as ScheduledChoices,
         Schedule as Schedule,
         Schedules as Schedules,
         a_schedule as a_schedule,
@@ -79,12 +81,18 @@ if TYPE_CHECKING:
     from allworlds.protocol.percept import Percept as Percept
     from allworlds.protocol.player import Player as Player, Told as Told
     from allworlds.protocol.playing import (
+        A_QUOTIENT as A_QUOTIENT,
+        A_VALUE as A_VALUE,
+        AN_ACTION as AN_ACTION,
+        AN_ESTIMATE as AN_ESTIMATE,
         BUILT as BUILT,
+        FREE as FREE,
         NO_MAP as NO_MAP,
         Record as Record,
-        Table as Table,
+        TableWorld as TableWorld,
         integers as integers,
         numbers_of as numbers_of,
+        percept_of as percept_of,
         play_run as play_run,
     )
     from allworlds.protocol.transcript import (

@@ -390,7 +390,7 @@ def closed(generator: Generator[Any, Any, Any] | None) -> None:
 # ---------------------------------------------------------------- what an explorer walks in
 
 
-class Table:
+class TableWorld:
     """A world as a table: five numbers for each dart; for lighthouses that no action changes.
 
     They are the first dart of its vertex, whose darts stand one behind the other clockwise, the

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.protocol.faults import IllegalAction as IllegalAction
+    from allworlds.protocol import IllegalAction as IllegalAction
     from allworlds.world.enumeration import worlds as worlds
     from allworlds.world.lighthouses.base import Lighthouse as Lighthouse
     from allworlds.world.lighthouses.cluster import Cluster as Cluster

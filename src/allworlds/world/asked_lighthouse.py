@@ -9,8 +9,7 @@ from typing import Annotated
 from allworlds.document import Text, about
 from allworlds.inputs import SCOPE, Option, Request, Taken, one_of
 from allworlds.maps import CombinatorialMap, rooted_maps
-from allworlds.protocol import Action, Drop, Move, Pick, Write
-from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol import Action, Drop, IllegalAction, Move, Pick, Write
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,

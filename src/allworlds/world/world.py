@@ -18,8 +18,7 @@ from allworlds.maps import (
     from_networkx,
     to_networkx,
 )
-from allworlds.protocol import Action, Move, Percept, Told
-from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol import Action, IllegalAction, Move, Percept, Told
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json

@@ -15,9 +15,9 @@ from msgspec import Struct
 
 from allworlds.engines import SingleRun
 from allworlds.explorers import BUILT_IN, built_in
-from allworlds.judging import Environment, play, true_trail
+from allworlds.judging import AroundExplorer, Environment, Log, followed, true_trail
 from allworlds.maps import Dart
-from allworlds.protocol import Action, Checkpoint, Choices, Kind, Percept, Told
+from allworlds.protocol import Action, Checkpoint, Choices, Kind, Percept, Told, play_run
 from allworlds.world import World
 
 T = TypeVar("T")
@@ -70,7 +70,9 @@ def hypotheses_in(run: SingleRun) -> tuple[Hypothesis, ...]:
         listened = explore(first, choices=choices, notice=heard.notice, **tells)
         return listened
 
-    again = play(stage, player, heard, episode.transcript.cost)
+    budget = episode.transcript.cost
+    log = play_run(AroundExplorer(stage), player, heard, budget, [0, 0])
+    again = followed(Log.of(log), world, budget)
     if (again.transcript, again.checkpoints) != (episode.transcript, episode.checkpoints):
         return ()
     trail = true_trail(world, episode.transcript)
