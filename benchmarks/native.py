@@ -23,12 +23,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import allworlds.explorers.shared_library
-from allworlds.engines import PythonEngine, Scope
-from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.isolation.jobs import PlayStretch
 from allworlds.engines.isolation.library_player import LibraryPlayer
 from allworlds.engines.isolation.shared_logs import StretchMemory
+
+import allworlds.explorers.shared_library
+from allworlds.engines import PythonEngine, Scope
+from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.kernel.batches import UnitJudge, load_native
 from allworlds.engines.kernel.stretch import LONGEST_STRETCH, RUN_TOLD, Stretch
 from allworlds.explorers import NativeExplorer, load

@@ -11,10 +11,11 @@ from contextlib import closing
 from itertools import islice
 from random import Random
 
-from allworlds.engines import GivenWorlds, Limits, Scope
 from allworlds.engines.isolation.jobs import PlayerSetup
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.process import guardian
+
+from allworlds.engines import GivenWorlds, Limits, Scope
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.explorers import Subject
 from allworlds.judging import Episode, Fault, LostRun, Rules, place_of, play, retold

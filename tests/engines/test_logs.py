@@ -6,11 +6,11 @@ import pytest
 
 from allworlds.document import replace
 from allworlds.engines.kernel.batches import UnitJudge, any_level
-from allworlds.engines.kernel.log_codes import ANSWERED, CHOICE, SHOWN, STRANGE, span
 from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.stretch import Stretch
 from allworlds.engines.python.comparison import difference_of
 from allworlds.judging import Log
+from allworlds.protocol.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, span
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

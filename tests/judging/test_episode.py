@@ -6,7 +6,6 @@ import pytest
 
 from allworlds.explorers import algorithm1
 from allworlds.judging import Answered, Fault, default_step_budget, play
-from allworlds.protocol.playing import MOST_DARTS
 from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
 from allworlds.protocol import (
     Ambiguous,
@@ -19,6 +18,7 @@ from allworlds.protocol import (
     Percept,
     Pick,
 )
+from allworlds.protocol.playing import MOST_DARTS
 from allworlds.world import Directional, World
 from small import EDGE, PATH
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
-from allworlds.engines.judge import RunBatch, Due, Judged, PythonJudge, Recorded, Work
+from allworlds.engines.judge import Due, Judged, PythonJudge, Recorded, RunBatch, Work
 from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge
 from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.rows import Rows
@@ -105,7 +105,7 @@ class CompiledBatch(RunBatch):
         return self.percepts[self.starts[row] : self.starts[row + 1]]
 
     def record(self, row: int) -> Recorded:
-        """What the second player gets of a run."""
+        """Return the record of a run: all that the second player gets of it."""
         sensed = self._percepts(row)
         percepts: list[Percept] = [
             percept_of(*sensed[at : at + 3]) for at in range(0, len(sensed), 3)
@@ -134,7 +134,7 @@ class CompiledBatch(RunBatch):
         return self._found
 
     def follow_ups(self) -> list[Due]:
-        """None: this judge knows one schedule alone."""
+        """Return no run: this judge knows one schedule alone."""
         return []
 
 
@@ -254,7 +254,7 @@ class CompiledJudge:
         batch.percepts = b"".join(map(bytes, parts))
 
     def _python_tally(self, batch: CompiledBatch) -> Tally:
-        """What the Python judge counts in the same logs."""
+        """Return the tally that the Python judge makes of the same logs."""
         tally, laid, row = self.engine.tally(), batch.laid, 0
         runs = islice(self.engine.runs(batch.work.unit, laid.first), laid.until - laid.first)
         for run in runs:

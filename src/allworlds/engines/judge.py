@@ -40,7 +40,7 @@ class Due(NamedTuple):
 
 
 class Recorded(NamedTuple):
-    """What is known of a run without its world, which only says what was told and its size.
+    """A run without its world, of which only the size counts, and what was told.
 
     Attributes:
         percepts: at the start and after each action.
@@ -122,7 +122,7 @@ class RunBatch:
         return self.judge.records_message([self.record(row) for row in rows], order)
 
     def record(self, row: int) -> Recorded:
-        """What the second player gets of a run."""
+        """Return the record of a run: all that the second player gets of it."""
         due, episode = self.runs[row], self.outcome(row).outcome.episode
         percepts, over = episode.transcript.percepts, isinstance(episode.ending, Over)
         return Recorded(percepts, due.world, due.script, over)
@@ -134,13 +134,11 @@ class RunBatch:
     @property
     def broken(self) -> list[int]:
         """The runs that break a law, or did not make the choices that were due."""
-        return [
-            row for row, one in enumerate(self.judged) if one.outcome.violation or not one.fits
-        ]
+        return [row for row, one in enumerate(self.judged) if one.outcome.violation or not one.fits]
 
     @property
     def without_words(self) -> list[int]:
-        """None: Python has written each log."""
+        """Return no run: Python has written each log."""
         return []
 
     def follow_ups(self) -> list[Due]:
@@ -306,7 +304,7 @@ def with_one_again(random: Random, order: list[int]) -> list[int]:
 
 
 def _plain(told: Any) -> Any:
-    """What is told, as marshal can write it."""
+    """The value that is told, as marshal can write it."""
     return told if told is None or type(told) is int else dict(told)
 
 
@@ -332,8 +330,9 @@ def _tables(runs: Sequence[Due]) -> list[Any]:
 
 
 def _layout(map_: CombinatorialMap, start: int) -> tuple[array[int], list[int]]:
-    """First dart of the vertex and partner of each dart, and the darts: those of each vertex one
-    behind the other, from the start on.
+    """First dart of the vertex and partner of each dart, and the darts.
+
+    Those of each vertex stand one behind the other, from the start on.
     """
     darts: list[int] = []
     first: dict[int, int] = {}

@@ -4,10 +4,10 @@
                                           second player (percepts only) --> the same logs?
 
 The second player is another process with another hash seed; it plays what the judge has recorded,
-in an order that is drawn, and holds no world.  Equal logs, or ``nondeterministic``.  If logs differ,
-both plays are repeated by fresh players, twice, in two orders, each under its own seed: only if all
-are as before, the seeds explain it.  Python allows an explorer to go by the order of a set of texts;
-it is right if it is right with each seed, and that it goes so is a remark.
+in an order that is drawn, and holds no world.  Equal logs, or ``nondeterministic``.  If they
+differ, both plays are repeated by fresh players, twice, in two orders, each under its own seed: only if all
+are as before, the seeds explain it.  Python allows an explorer to go by the order of a set of
+texts; it is right if it is right with each seed, and that it goes so is a remark.
 
 A player that is lost is replaced, and its run tried once more alone; lost again, that is the
 finding, and further losses count at once.  What a fresh player does not repeat refutes nothing.
@@ -24,14 +24,14 @@ from typing import Any, NamedTuple
 
 from allworlds.document import replace
 from allworlds.engines.judge import (
-    RunBatch,
     Due,
     PythonJudge,
+    RunBatch,
     Work,
     drawn_order,
     with_one_again,
 )
-from allworlds.engines.players import PlayerHere, Lost, PlayerProcess, Setup, Unsettled, wait
+from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup, Unsettled, wait
 from allworlds.engines.python.comparison import (
     difference_of,
     ending_in_words,
@@ -53,7 +53,7 @@ FIRST, SECOND = 0, 1
 """The numbers of the players, and their hash seeds."""
 
 ONE_MORE, SIX_MORE = (2,), (2, 3, 4, 5, 6, 7)
-"""Other seeds under which records are played, too: each of small worlds, and some of larger ones."""
+"""Other seeds under which records are played: each of small worlds, and some of larger ones."""
 
 SMALL = 3
 """The largest m whose every record is played under one seed more."""
@@ -84,8 +84,11 @@ OTHER_CHOICES = (
 )
 
 
+PLAYED_ONCE_MORE = "when it was played once more, the walk or the answer was another"
+
+
 class RunsToPlay(NamedTuple):
-    """What a player is to play: runs of a batch, by their numbers there."""
+    """Runs of a batch that a player is to play, by their numbers there."""
 
     batch: RunBatch
     rows: Sequence[int]
@@ -135,7 +138,8 @@ class Lane:
         self._size, self._losses, self._silences = LEAST, 0, 0
         self._repeated, self._unrepeated = set[str](), Counter[str]()
         # A program that is another one has a seed of its own, and a library has none.
-        self._seeds_more = more_seeds and self._twice and self._seeds == [FIRST, SECOND] and not subject.is_program
+        different = self._seeds == [FIRST, SECOND] and not subject.is_program
+        self._seeds_more = more_seeds and self._twice and different
         self._kept: list[tuple[RunBatch, int]] = []
         self._compiled: Any = None
         self._small: list[RunBatch] = []
@@ -264,7 +268,9 @@ class Lane:
             rows = [row for row in range(len(batch)) if row not in batch.lost]
             batch.logs[SECOND].update({row: batch.logs[FIRST][row] for row in batch.lost})
             if rows:
-                self._player(SECOND).give(RunsToPlay(batch, rows), self._message(SECOND, batch, rows))
+                self._player(SECOND).give(
+                    RunsToPlay(batch, rows), self._message(SECOND, batch, rows)
+                )
             else:
                 self._played(SECOND, batch)
 
@@ -396,8 +402,7 @@ class Lane:
         one = batch.outcome(row)
         if not self._differ(before.log, one.log):
             return one.outcome
-        differs = nondeterministic("when it was played once more, the walk or the answer was another")
-        return replace(one.outcome, violation=differs)
+        return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
 
     def _explained(
         self, batch: RunBatch, work: Work, differing: Sequence[tuple[int, Log]]
@@ -463,7 +468,8 @@ class Lane:
             logs = answered(player, message | {"hear": len(rows) == 1})
         except Lost as lost:
             if len(rows) > 1:
-                return {row: self._fresh(seed, each, [row])[row] for row, each in singles(message, rows)}
+                alone = singles(message, rows)
+                return {row: self._fresh(seed, each, [row])[row] for row, each in alone}
             logs = [lost_log(bytes(player.part), lost)]
         finally:
             player.close()

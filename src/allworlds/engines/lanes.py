@@ -1,8 +1,8 @@
 """The transport into lanes: here, or each in a process of its own.
 
 One lane is here, if no model of the user's, which could end the process, judges its runs.  Others
-are forked when everything is loaded; a lane that is lost takes no verdict with it, for its units are
-done again.  Units are dealt one at a time, as lanes can begin them.
+are forked when everything is loaded; a lane that is lost takes no verdict with it, for its units
+are done again.  Units are dealt one at a time, as lanes can begin them.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from msgspec import Struct, field
 
 from allworlds.engines.lane import Lane
 from allworlds.engines.linux import end_with_parent, limit_memory
-from allworlds.engines.players import HarnessError, Unsettled
+from allworlds.engines.players import HarnessError, Unsettled, child_path
 from allworlds.engines.python.run_counter import EnginesDisagree, RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.units.effort import POLL, Limits, check_deadline
@@ -108,7 +108,7 @@ class _Process:
 
     def __init__(self, subject: Subject, limits: Limits, *, first: bool) -> None:
         self.link, theirs = Pipe()
-        self.units: dict[str, UnitOfRuns] = {}
+        self.units: list[UnitOfRuns] = []  # the same one may be there twice
         for stream in (sys.stdout, sys.stderr):
             with suppress(Exception):
                 stream.flush()
@@ -169,7 +169,7 @@ class Lanes(Struct):
             while (process := self._idle()) and (
                 unit := again.pop() if again else next(waiting, None)
             ):
-                process.units[unit.key] = unit
+                process.units.append(unit)
                 with suppress(OSError):  # it is lost, and that is seen below
                     process.link.send((engine, unit))
             at_work = [process for process in self._processes if process.units]
@@ -185,7 +185,7 @@ class Lanes(Struct):
                 if isinstance(part, _TOLD):
                     raise part
                 if part.last:
-                    del process.units[part.unit.key]
+                    process.units.remove(next(u for u in process.units if u.key == part.unit.key))
                 yield part
             check_deadline(self.deadline)
 
@@ -206,7 +206,7 @@ class Lanes(Struct):
             Unsettled: if none does.
         """
         self._processes.remove(process)
-        how, left = process.end(), [*process.units.values()]
+        how, left = process.end(), process.units
         for unit in left:
             self._lost[unit.key] += 1
             if self._lost[unit.key] >= MOST_ATTEMPTS:
@@ -287,7 +287,9 @@ def workers_for(
         deadline: on the monotonic clock, or None.
         models: whether models of the user's judge the runs.
     """
+    child_path()  # who has lost the current directory hears of it before a process starts
     here = subject.from_user and not subject.importable
-    if here or (limits.workers == 1 and not models and not (limits.memory and not subject.from_user)):
+    limited = limits.memory is not None and not subject.from_user
+    if here or (limits.workers == 1 and not models and not limited):
         return OneLane(subject, limits, deadline)
     return Lanes(subject, limits, deadline)

@@ -1,4 +1,4 @@
-"""What the package needs of Linux alone: all of it is an extra, and elsewhere does nothing.
+"""The calls of Linux alone: all of them are extras, and elsewhere do nothing.
 
 Source: prctl(2), PR_SET_PDEATHSIG and PR_SET_CHILD_SUBREAPER; proc(5); getrlimit(2), RLIMIT_AS.
 """

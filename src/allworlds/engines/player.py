@@ -20,7 +20,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from allworlds.engines.library_player import LibraryPlayer
+    from allworlds.engines.kernel.library_player import LibraryPlayer
     from allworlds.explorers import Function, Subject
     from allworlds.protocol import Choices, Player
 
@@ -61,7 +61,8 @@ def main() -> None:
         reason = str(error)
         if setup["memory"] is not None and "memory" not in reason:
             reason = f"memory {setup['memory']} MB is probably too small: {reason}"
-        return _answer(REFUSAL, reason.encode(errors="surrogatepass"))
+        _answer(REFUSAL, reason.encode(errors="surrogatepass"))
+        return
     signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
     _flush()
     if not setup["prints"]:
@@ -154,9 +155,7 @@ class _Server:
             signal.setitimer(timer, 0)
         _answer(LOGS, logs_message(logs))
 
-    def _run(
-        self, batch: dict[str, Any], row: Any, number: int, make: Callable[..., Any]
-    ) -> bytes:
+    def _run(self, batch: dict[str, Any], row: Any, number: int, make: Callable[..., Any]) -> bytes:
         from allworlds.protocol import play_run
 
         world, told, over, budget, name, script = row
@@ -172,7 +171,7 @@ class _Server:
         )
 
     def _native(self, batch: dict[str, Any]) -> None:
-        from allworlds.engines.library_player import LibraryPlayer
+        from allworlds.engines.kernel.library_player import LibraryPlayer
 
         native = self._subject.native
         assert native is not None
@@ -197,7 +196,7 @@ def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choic
 
 
 def _makers() -> dict[str, Callable[..., Any]]:
-    """What makes the surroundings of a run of each kind of batch."""
+    """The makers of the surroundings of a run, for each kind of batch."""
     from allworlds.protocol import Record, TableWorld
 
     def model(world: Any, _told: object, _over: object) -> Any:
@@ -213,7 +212,7 @@ def _makers() -> dict[str, Callable[..., Any]]:
 
 
 def _sender() -> Callable[[bytearray], None]:
-    """What sends the new part of a log before each turn."""
+    """The function that sends the new part of a log before each turn."""
     sent = 0
 
     def send(log: bytearray) -> None:

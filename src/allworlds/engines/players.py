@@ -73,7 +73,7 @@ class Lost(Exception):
 
 
 class Description(NamedTuple):
-    """What a player says of its explorer: its keywords, the digest of its code, a shield."""
+    """The description of an explorer: its keywords, the digest of its code, a shield."""
 
     keywords: frozenset[str]
     digest: str
@@ -140,7 +140,7 @@ class PlayerProcess:
         self._link, theirs = socket.socketpair()
         for end in (self._link, theirs):
             end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 20)
-        self._link.setblocking(False)
+        self._link.setblocking(False)  # noqa: FBT003  # of the library
         self._printed, printing = os.pipe()
         os.set_blocking(self._printed, False)
         memory, beat = _shared(16)
@@ -187,7 +187,7 @@ class PlayerProcess:
             self._out.clear()  # it is lost, and that shows when it is read from
 
     def heard(self) -> list[Answer]:
-        """What has come by now.
+        """The answers that have come by now.
 
         Raises:
             Lost: if it is silent for too long, or has died.
@@ -242,19 +242,17 @@ class PlayerProcess:
             raise HarnessError(content.decode(errors="replace"))
         try:
             if letter == READY and self.description is None:
-                keywords, digest, has_shield = marshal.loads(content)  # noqa: S302  # an honest program
+                keywords, digest, has_shield = marshal.loads(content)  # noqa: S302  # honest
                 self.description = Description(frozenset(keywords), digest, has_shield)
-            elif letter in (LOGS, NO_ROOM) and self.jobs:
+                return None
+            if letter in (LOGS, NO_ROOM) and self.jobs:
                 job, asked = self.jobs.popleft()
                 self._seen, self._since = None, time.monotonic()
-                logs = None if letter == NO_ROOM else _logs(content, _runs(asked))
-                return Answer(job, logs)
-            else:
-                raise ValueError(letter)
+                return Answer(job, None if letter == NO_ROOM else _logs(content, _runs(asked)))
         except (ValueError, TypeError, EOFError):
-            seen = "what a player has said is none of its messages"
-            raise Lost("crash", seen, machine=False) from None
-        return None
+            pass
+        seen = "what a player has said is none of its messages"
+        raise Lost("crash", seen, machine=False)
 
     def _hear_prints(self) -> None:
         with suppress(OSError):
@@ -274,10 +272,9 @@ class PlayerProcess:
         if self.description is None:
             limit = self.setup.limits.start_timeout
             if now - self._began > limit:
-                loads = "load" if is_library(self.setup.subject.name) else "import"
-                raise InputError(
-                    f"{show(self.setup.subject.name)} does not {loads}: it was at it for {limit:g} s"
-                )
+                name = self.setup.subject.name
+                loads = "load" if is_library(name) else "import"
+                raise InputError(f"{show(name)} does not {loads}: it was at it for {limit:g} s")
             return 0.0
         seen = self.beat[0], self.beat[1]
         if not self.jobs or seen[0] == NO_RUN or seen != self._seen:
@@ -285,7 +282,7 @@ class PlayerProcess:
         return now - self._since
 
     def _died(self) -> Lost:
-        """What the end of the process means."""
+        """The loss that the end of the process means."""
         deadline = time.monotonic() + GRACE
         while (code := self._code()) is None and time.monotonic() < deadline:
             time.sleep(0.005)
@@ -320,7 +317,7 @@ class PlayerProcess:
             self.give(job, message)
 
     def loaded(self) -> Description:
-        """What is said of the explorer, once it is loaded.
+        """The description of the explorer, once it is loaded.
 
         Raises:
             InputError: if it cannot be loaded.
@@ -410,7 +407,9 @@ class PlayerHere:
         """Leave it."""
 
 
-def wait(players: Sequence[PlayerProcess | PlayerHere], seconds: float, others: Sequence[int] = ()) -> bool:
+def wait(
+    players: Sequence[PlayerProcess | PlayerHere], seconds: float, others: Sequence[int] = ()
+) -> bool:
     """Wait until something may have come; return whether one of the others is ready."""
     poll = select.poll()
     for player in players:
@@ -484,7 +483,7 @@ class _Spawner(threading.Thread):
                 answer.put(error)
 
     def done(self, act: Callable[[], int]) -> int:
-        """What a function returns that is called in that thread."""
+        """The result of a function that is called in that thread."""
         answer: SimpleQueue[Any] = SimpleQueue()
         self._asked.put((act, answer))
         came = answer.get()
@@ -505,7 +504,9 @@ def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
     # Whatever these descriptors are here, they are copied out of the way first.
     free = max(link, beat, printing, 4) + 1
     high = [free, free + 1, free + 2]
-    copies = [(os.POSIX_SPAWN_DUP2, *each) for each in zip((link, beat, printing), high)]
+    copies = [
+        (os.POSIX_SPAWN_DUP2, *each) for each in zip((link, beat, printing), high, strict=True)
+    ]
     places = [(free, 3), (free + 1, 4), (free + 2, 1), (free + 2, 2)]
     moved = [(os.POSIX_SPAWN_DUP2, *each) for each in places]
     closed = [(os.POSIX_SPAWN_CLOSE, each) for each in high]
@@ -529,5 +530,3 @@ def child_path() -> list[str]:
         users.add(str(Path(main).resolve().parent))
     ours = [entry for entry in sys.path if entry not in users]
     return [*ours, *(entry for entry in sys.path if entry in users and entry)]
-
-

@@ -200,7 +200,9 @@ def played_again(finding: Finding, subject: Subject, limits: Limits) -> Finding:
         if finding.law in LOST and not finding.detail:
             log, printed = plays.in_world(choices, seed)
             return replace(_found_again(finding, plays, log), output=printed)
-        (first,), printed = plays.again(finding.transcript, choices, FIRST if _differ(finding) else seed)
+        (first,), printed = plays.again(
+            finding.transcript, choices, FIRST if _differ(finding) else seed
+        )
         return replace(_repeated(finding, plays, first, seed), output=printed)
     except InputError:  # an explorer may not be importable any more
         return replace(finding, confirmed=False)

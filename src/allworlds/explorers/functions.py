@@ -57,7 +57,7 @@ class Function:
 
 
 def function_named(name: str, source: SourceText | None) -> Any:
-    """What a name ``module:attribute`` or ``FILE.py:attribute`` stands for, perhaps called.
+    """The object that a name ``module:attribute`` or ``FILE.py:attribute`` stands for.
 
     Args:
         name: of the explorer.

@@ -33,6 +33,7 @@ from allworlds.protocol import Player, SourceText
 HASH_SEED = "PYTHONHASHSEED"
 """The variable of the environment from which an interpreter takes its hash seed."""
 
+
 class Subject(Struct, frozen=True):
     """An explorer under test.
 

@@ -30,9 +30,9 @@ if TYPE_CHECKING:
         answered as answered,
     )
     from allworlds.judging.episode import (
+        AroundExplorer as AroundExplorer,
         Environment as Environment,
         Episode as Episode,
-        AroundExplorer as AroundExplorer,
         Log as Log,
         default_step_budget as default_step_budget,
         followed as followed,

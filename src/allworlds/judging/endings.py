@@ -107,6 +107,7 @@ class UncheckedAmbiguous(UncheckedAnswer, frozen=True):
 UncheckedEnding: TypeAlias = UncheckedAnswer | UncheckedAmbiguous | UncheckedValue | Over | Fault
 """How a run has ended, as a player tells it."""
 
+
 def answered(ending: UncheckedEnding) -> Ending:
     """The ending for an answer: a fault unless it is a map or a quotient with one of its darts."""
     if isinstance(ending, Fault | Over):

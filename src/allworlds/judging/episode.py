@@ -62,7 +62,7 @@ class Environment(Protocol):
 
 
 class Log(NamedTuple):
-    """What a log says, before it is followed.
+    """The content of a log, before it is followed.
 
     Attributes:
         actions: as numbers (see :func:`allworlds.protocol.actions.number_of`).
@@ -195,7 +195,9 @@ def followed(log: Log, world: Environment, budget: int, *, maps: bool = True) ->
         if log.ending[:1] == (entries.FREE_TOO_OFTEN,) and refused is None:
             steps.pop()  # it was one too many
         ending = answered(_unchecked(log, budget, maps=maps))
-    shown = tuple([(at, Checkpoint(sigma, alpha, here)) for at, sigma, alpha, here in log.checkpoints])
+    shown = tuple(
+        [(at, Checkpoint(sigma, alpha, here)) for at, sigma, alpha, here in log.checkpoints]
+    )
     return Episode(Transcript(world.first, tuple(steps)), shown, ending)
 
 

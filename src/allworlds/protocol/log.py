@@ -6,15 +6,15 @@ begins with a byte:
     0..199              a motion by so many darts
     200 SHOWN           a checkpoint: the number of darts, here, sigma, alpha, padding
     201 ANSWERED        the answer, in the same form
-    202 OVER_BUDGET     one traversal more than the budget; 203 SHOWN_TOO_OFTEN: one checkpoint more
+    202 OVER_BUDGET     a traversal more than the budget; 203 SHOWN_TOO_OFTEN: a checkpoint more
     204 FAULT           the law's number, whether the machine may be the cause, and three texts
     205 BEYOND          a motion behind the end of a record
     206 FAR             a motion by 200 darts or more; 207 DROP, 208 PICK, 209 WRITE with a number
     210 CHOICE          the index and the number of options (0: it is not known)
     211 LONG_CHOICE     the same, as numbers of any length; so 212 LONG_SHOWN and 213 LONG_ANSWER
     214 QUOTIENT        the answer is a rooted quotient; 215 VALUE: it is a text of JSON
-    216 OVER            the run was ended, since all was done; 217 FREE_TOO_OFTEN: an action too many
-    218 REFUSED         the last action is illegal here; who walks the log in the world meets it, too
+    216 OVER            all was done, and the run ended; 217 FREE_TOO_OFTEN: an action too many
+    218 REFUSED         the last action is illegal here, as who walks the log in the world sees
 
 The padding allows compiled code to read whole words; it knows the bytes up to 205, and
 210.  Behind the byte 204 it need not read.
@@ -96,9 +96,7 @@ def value(text: str) -> bytes:
     return bytes((VALUE,)) + _text(text)
 
 
-def fault(
-    law: str, expected: str, seen: str, detail: str = "", *, machine: bool = False
-) -> bytes:
+def fault(law: str, expected: str, seen: str, detail: str = "", *, machine: bool = False) -> bytes:
     """The entry of a fault: sentences, and a traceback or the like."""
     words = b"".join(map(_text, (expected, seen, detail)))
     return bytes((FAULT, LAWS.index(law), machine)) + words
@@ -225,7 +223,7 @@ class Read:
             self._ends(log, at, code, text)
             return -1
         elif code == FAULT and at == len(log):  # of compiled code, which has no words
-            self._ends(log, at, code, "illegal-action", "", "", "", False)
+            self._ends(log, at, code, *_WITHOUT_WORDS)
             return -1
         elif code == FAULT:
             law, machine = log[at], log[at + 1]
@@ -248,6 +246,7 @@ class Read:
         self.end = end
 
 
+_WITHOUT_WORDS = "illegal-action", "", "", "", False
 _ACTIONS = {DROP: DROPPED, PICK: PICKED}
 _LISTS = {LONG_SHOWN: 2, LONG_ANSWER: 2, QUOTIENT: 4}
 

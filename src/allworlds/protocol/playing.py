@@ -59,7 +59,7 @@ _OF_MAPS = str(Path(__file__).parents[1] / "maps")
 
 
 class Surroundings(Protocol):
-    """What an explorer walks in: a world, or recorded percepts in place of one.
+    """The surroundings of an explorer: a world, or recorded percepts in place of one.
 
     Attributes:
         first: the percept before any action.
@@ -68,11 +68,16 @@ class Surroundings(Protocol):
     """
 
     @property
-    def first(self) -> Percept: ...
+    def first(self) -> Percept:
+        """Return the percept before any action."""
+
     @property
-    def told(self) -> Told: ...
+    def told(self) -> Told:
+        """Return the value that the lighthouse tells before the start."""
+
     @property
-    def over(self) -> bool: ...
+    def over(self) -> bool:
+        """Return whether the run ends here."""
 
     def move(self, k: int) -> Percept:
         """Return the percept behind a motion below the degree, a copy for the explorer alone."""
@@ -115,7 +120,9 @@ def play_run(
     beat[1] = 1
     try:
         generator = player(
-            around.first, choices, told if told is None or type(told) is int else dict(told)  # type: ignore[call-overload]
+            around.first,
+            choices,
+            told if told is None or type(told) is int else dict(told),  # type: ignore[call-overload]
         )
         turns.play(generator)
     except StopIteration as stop:
@@ -268,7 +275,9 @@ class _Turns:
             return False
         except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
             let_users_interrupt(error)
-            self.log += _illegal("a checkpoint of two sequences of integers and an integer", message)
+            self.log += _illegal(
+                "a checkpoint of two sequences of integers and an integer", message
+            )
             return False
         return True
 

@@ -8,8 +8,9 @@ options: --edges 3 --engine kernel
 
 import sys
 
-from allworlds import CombinatorialMap, Estimate
 from allworlds.engines.isolation.generator_player import ByteWorld
+
+from allworlds import CombinatorialMap, Estimate
 from allworlds.explorers import algorithm1
 
 

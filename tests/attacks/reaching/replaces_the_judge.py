@@ -7,6 +7,7 @@ quick: 2
 import sys
 
 import allworlds.engines.isolation.referee
+
 import allworlds.engines.python.examiner
 from allworlds import CombinatorialMap, Estimate
 

@@ -9,8 +9,9 @@ options: --edges 2 --lighthouse none --laws map,pose
 
 import sys
 
-from allworlds import Estimate, Move
 from allworlds.engines.python.play import Recorded
+
+from allworlds import Estimate, Move
 from allworlds.maps import rooted_maps
 from allworlds.world import World
 

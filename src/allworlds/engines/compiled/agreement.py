@@ -42,8 +42,7 @@ def listed_runs(scope: Scope, subject: Subject, unit: UnitOfRuns) -> list[Listed
     """The list of all runs of a unit; a world without a place is a run without a step."""
     examiner = Examiner(subject, scope.rules)
     return [
-        _listed(scope, examiner, run)
-        for run in numbered_runs(unit, scope.extent, scope.rules.kind)
+        _listed(scope, examiner, run) for run in numbered_runs(unit, scope.extent, scope.rules.kind)
     ]
 
 

@@ -11,7 +11,7 @@ lock only to start and to end, so that threads share the work.
     the worlds: maps, finished one after the other, with every lighthouse;
 ``algorithm1``
     explorers, each behind the C interface of all explorers;
-``native``, ``logs``, ``log_codes``, ``stretch``, ``batches``
+``native``, ``logs``, ``stretch``, ``batches``
     users' explorers, played in processes of their own, many runs at a time;
 ``memory_arrays``
     the memory of stretches, as compiled code sees it;

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from numpy import int64
 
-from allworlds.engines.kernel import log_codes as codes
 from allworlds.engines.kernel.calls import address_of, byte_of, entry_of, put_entry
 from allworlds.engines.kernel.compiling import inlined, inner
 from allworlds.engines.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
@@ -16,8 +15,9 @@ from allworlds.engines.kernel.names import LANES
 from allworlds.engines.kernel.published import look_at
 from allworlds.engines.kernel.records import DARTS, NONE
 from allworlds.engines.kernel.worlds import arrival
+from allworlds.protocol import log as codes
 
-LONGEST_ENTRY = 4 + 2 * codes.MOST_PUBLISHED + LANES
+LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS + LANES
 """The largest number of bytes that are written in one step."""
 
 SLACK = DARTS
@@ -44,7 +44,7 @@ def follow(world, reader, budget, log, judged):
     dart, law = 0, NONE
     _note(reader, noted, world, dart)
     while law == NONE:
-        code = byte_of(logs, at) if at < size else int64(codes.STRANGE)
+        code = byte_of(logs, at) if at < size else int64(codes.BEYOND)
         at += 1
         if code < world.degree[dart] and cost < budget:
             dart = arrival(world, dart, code)
@@ -69,7 +69,7 @@ def follow(world, reader, budget, log, judged):
             law = BUDGET
         else:
             law = ILLEGAL_ACTION
-            reader.strange += code != codes.ILLEGAL
+            reader.strange += code != codes.FAULT
     put_entry(reader.ends, run, at)
     log.cost, log.checkpoints, log.dart, log.walked = cost, shown, dart, walked
     reader.noted = noted + 3
@@ -100,4 +100,4 @@ def _find_map(reader, at, published):
         published.darts, published.here = darts, byte_of(reader.logs, at + 1)
     published.bytes = reader.logs + at + 2
     published.sigma, published.alpha = address_of(reader.sigma), address_of(reader.alpha)
-    return 1 <= darts <= codes.MOST_PUBLISHED and at + 2 + span(darts) <= reader.size
+    return 1 <= darts <= codes.MOST_DARTS and at + 2 + span(darts) <= reader.size

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from numba import int32, types
 from numpy import int64
 
-from allworlds.engines.kernel import log_codes as codes, names, stretch
+from allworlds.engines.kernel import names, stretch
 from allworlds.engines.kernel.calls import (
     address_of,
     ask_answer,
@@ -32,6 +32,7 @@ from allworlds.engines.kernel.gluing import advance
 from allworlds.engines.kernel.logs import LONGEST_ENTRY, span
 from allworlds.engines.kernel.records import ASKED, NONE
 from allworlds.engines.kernel.worlds import settle
+from allworlds.protocol import log as codes
 
 # The addresses of an explorer, in their order.  There are two rooms for sigma and alpha, which take
 # turns: who reads what has just been written, in other portions, waits for it to get to memory.
@@ -156,7 +157,7 @@ def _episode(handed, asked, shared, run, again, at, due):
             return int64(-1), due
         kind = action[0]
         if asked.wrong:
-            logs[at] = codes.STRANGE
+            logs[at] = codes.BEYOND
             break
         if kind == names.MOVE:
             if cost == head[stretch.RUN_BUDGET]:
@@ -173,7 +174,7 @@ def _episode(handed, asked, shared, run, again, at, due):
                 place += 3
             else:
                 # The first play ended here.
-                logs[at] = codes.STRANGE
+                logs[at] = codes.BEYOND
                 break
             _sense(sensed + place, handed.percept)
             cost += 1
@@ -231,9 +232,9 @@ def _end(handed, asked, logs, at, due):
         logs[at] = codes.SHOWN_TOO_OFTEN
     elif kind == names.AMBIGUOUS:
         # The other engine knows what a quotient is worth.
-        logs[at] = codes.STRANGE
+        logs[at] = codes.BEYOND
     else:
-        logs[at] = codes.ILLEGAL
+        logs[at] = codes.FAULT
     return at, due
 
 
@@ -261,8 +262,8 @@ def _publish(handed, asked, logs, at, what, due):
         )
     )
     _write(explorer, logs, due)
-    if darts < 1 or darts > codes.MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
-        logs[at] = codes.STRANGE
+    if darts < 1 or darts > codes.MOST_DARTS or here[0] < 0 or here[0] > 255:
+        logs[at] = codes.BEYOND
         return at, NOTHING_DUE
     logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
     return at + 3 + span(darts), (at, room, darts)
@@ -281,7 +282,7 @@ def _write(explorer, logs, due):
     for dart in range(0, darts, names.LANES):
         odd |= narrow(sigma + darts + dart, explorer[ALPHA + 2 * room] + 4 * dart, darts - dart)
     if odd:
-        logs[at] = codes.STRANGE
+        logs[at] = codes.BEYOND
 
 
 def pick(asked, of, options, cost):  # pragma: no cover  # compiled

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import mmap
 from collections.abc import MutableSequence
+from itertools import pairwise
 from typing import Any
 
 from numpy import frombuffer, int32, uint8
@@ -54,6 +55,6 @@ class LibraryPlayer:
 def _in_order(begins: list[int], size: int, logs: Any) -> bytes:
     """The lengths of logs that were written in another order, and the logs in theirs."""
     following = sorted([*begins, size])
-    behind = dict(zip(following, following[1:], strict=False))
+    behind = dict(pairwise(following))
     parts = [logs[begin : behind[begin]].tobytes() for begin in begins]
     return b"".join([*(len(part).to_bytes(4, "little") for part in parts), *parts])
