@@ -33,15 +33,14 @@ class CompiledBatch(RunBatch):
     Attributes:
         laid: their bounds in the unit.
         heads, tables: of each run, as the kernel has laid them out.
-        plain: whether Python plays them: the logs of a library do not fit.
     """
 
     def __init__(
         self, judge: CompiledJudge, work: Work, laid: LaidOutRuns, heads: Any, tables: Any
     ) -> None:
         super().__init__(judge.python, work, ())
-        self.laid, self.heads, self.tables, self.plain = laid, heads, tables, False
-        self.by = judge
+        self.laid, self.heads, self.tables, self.plain = laid, heads, tables, not judge.native
+        self.by: Any = judge
         self.percepts, self.starts = b"", array("i")
         self.unit_judge: UnitJudge
         self.motioned: Any = None
@@ -52,17 +51,13 @@ class CompiledBatch(RunBatch):
         return self.laid.runs
 
     @property
-    def runs(self) -> Sequence[Due]:  # type: ignore[override]
+    def runs(self) -> list[Due]:
         """The runs, as Python has them."""
         if not self._runs and len(self):
             unit, laid = self.work.unit, self.laid
             every = islice(self.by.engine.runs(unit, laid.first), laid.until - laid.first)
             self._runs = self.judge.due(every)
         return self._runs
-
-    @runs.setter
-    def runs(self, runs: Sequence[Due]) -> None:
-        self._runs = runs
 
     def worlds(self, rows: Sequence[int], *, hear: bool = False) -> dict[str, Any]:
         """The message to a player that plays these runs in their worlds."""
@@ -119,7 +114,7 @@ class CompiledBatch(RunBatch):
 
     def written_anew(self, row: int, log: bytes) -> None:
         """Take the log of a run that Python has played."""
-        self.logs[0][row] = log
+        super().written_anew(row, log)
         self._known.pop(row, None)
 
     def outcome(self, row: int) -> Judged:
@@ -189,7 +184,7 @@ class CompiledJudge:
         """
         unit, work = batch.work.unit, batch.work
         assert isinstance(unit, LevelRuns)
-        if batch.plain:
+        if self.native and batch.plain:
             self._by_python(batch)
             return True
         rows, good = self._rows(batch)

@@ -96,19 +96,25 @@ class RunBatch:
     Attributes:
         judge: the judge in Python.
         work: the unit.
-        runs: that are due.
         judged: each of them, once its log is.
         logs: of the first and of the second play, by the numbers of the runs in the batch.
         by: what judges it.
+        plain: whether Python plays the runs.
         lost: the runs in which a player was lost, and so is their walk, or its end.
     """
 
     def __init__(self, judge: PythonJudge, work: Work, runs: Sequence[Due]) -> None:
-        self.judge, self.work, self.runs = judge, work, runs
+        self.judge, self.work, self._runs = judge, work, [*runs]
         self.by: Any = judge
         self.judged: list[Judged] = []
         self.logs: tuple[dict[int, bytes], dict[int, bytes]] = {}, {}
         self.lost: set[int] = set()
+        self.plain = True
+
+    @property
+    def runs(self) -> list[Due]:
+        """The runs that are due."""
+        return self._runs
 
     def __len__(self) -> int:
         return len(self.runs)
@@ -140,6 +146,10 @@ class RunBatch:
     def without_words(self) -> list[int]:
         """Return no run: Python has written each log."""
         return []
+
+    def written_anew(self, row: int, log: bytes) -> None:
+        """Take the log of a run that Python has played."""
+        self.logs[0][row] = log
 
     def follow_ups(self) -> list[Due]:
         """The runs with the next schedules, where every schedule is due."""

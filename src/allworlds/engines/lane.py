@@ -5,9 +5,9 @@
 
 The second player is another process with another hash seed; it plays what the judge has recorded,
 in an order that is drawn, and holds no world.  Equal logs, or ``nondeterministic``.  If they
-differ, both plays are repeated by fresh players, twice, in two orders, each under its own seed: only if all
-are as before, the seeds explain it.  Python allows an explorer to go by the order of a set of
-texts; it is right if it is right with each seed, and that it goes so is a remark.
+differ, both plays are repeated by fresh players, twice, in two orders, each under its own seed:
+only if all are as before, the seeds explain it.  Python allows an explorer to go by the order of a
+set of texts; it is right if it is right with each seed, and that it goes so is a remark.
 
 A player that is lost is replaced, and its run tried once more alone; lost again, that is the
 finding, and further losses count at once.  What a fresh player does not repeat refutes nothing.
@@ -260,8 +260,7 @@ class Lane:
         """Give the players what they have room for."""
         while self._room(FIRST) and (batch := self._next()):
             self._due += len(batch)
-            rows = range(len(batch))
-            self._player(FIRST).give(RunsToPlay(batch, rows), batch.worlds(rows))
+            self._play_first(batch)
         while self._waiting and self._room(SECOND):
             batch = self._waiting.popleft()
             # Of a run in which a player was lost there is nothing to compare.
@@ -274,13 +273,17 @@ class Lane:
             else:
                 self._played(SECOND, batch)
 
+    def _play_first(self, batch: RunBatch) -> None:
+        rows = range(len(batch))
+        self._player(FIRST).give(RunsToPlay(batch, rows), batch.worlds(rows))
+
     def _room(self, which: int) -> bool:
         return which not in self._players or len(self._players[which].jobs) < DEPTH
 
     def _next(self) -> RunBatch | None:
         """The next batch; None if there is none yet."""
         for work in self._works:
-            batch = None
+            batch: RunBatch | None = None
             if work.batches is not None:
                 batch = next(work.batches, None)
                 if batch is None:
@@ -335,8 +338,7 @@ class Lane:
             if not batch.by.judge(batch):  # Python plays them
                 batch.plain = True
                 batch.logs[FIRST].clear()
-                rows = range(len(batch))
-                self._player(FIRST).give(RunsToPlay(batch, rows), batch.worlds(rows))
+                self._play_first(batch)
                 return
             self._judged += len(batch)
             if self._compiled is None and isinstance(batch.work.unit, LevelRuns):
@@ -388,7 +390,7 @@ class Lane:
             return replace(one.outcome, violation=nondeterministic(OTHER_CHOICES))
         return one.outcome
 
-    def _in_words(self, batch: Any, row: int) -> Outcome:
+    def _in_words(self, batch: RunBatch, row: int) -> Outcome:
         """The outcome of a run whose log compiled code has written, by a play in Python."""
         before = batch.outcome(row)
         player = started(self._setup, self._seeds[FIRST])

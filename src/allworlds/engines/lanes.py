@@ -67,9 +67,8 @@ class OneLane(Struct):
         return self
 
     def __exit__(self, *_: object) -> None:
-        for _, lane in self._lanes:
-            lane.close()
-        self._lanes.clear()
+        while self._lanes:
+            self._lanes.pop()[1].close()
 
     def map(
         self, engine: RunCounter, units: Iterable[UnitOfRuns]
@@ -246,26 +245,23 @@ def _send(link: Connection, error: Exception) -> None:
 
 
 def _lane_of(link: Connection, subject: Subject, limits: Limits, *, more_seeds: bool) -> None:
-    engine, lane = None, None
+    engine, unit = link.recv()
+    lane = Lane(subject, engine, limits, more_seeds=more_seeds)
     try:
+        lane.offer(unit)
         while True:
-            while link.poll() or lane is None or not lane.busy:
-                if lane is not None and not link.poll() and not lane.busy:
-                    link.poll(None)
+            while link.poll(0 if lane.busy else None):
                 asked, unit = link.recv()
-                if lane is None or asked != engine:
-                    if lane is not None:
-                        lane.close()
-                    engine = asked
-                    lane = Lane(subject, asked, limits, more_seeds=more_seeds)
+                if asked != engine:
+                    lane.close()
+                    engine, lane = asked, Lane(subject, asked, limits, more_seeds=more_seeds)
                 lane.offer(unit)
             for part in lane.turn([link.fileno()]):
                 if part.last and not lane.busy and lane.keeps:
                     part.result.add(lane.end())
                 link.send(part)
     finally:
-        if lane is not None:
-            lane.close()
+        lane.close()
 
 
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:

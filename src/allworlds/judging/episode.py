@@ -178,8 +178,8 @@ def followed(log: Log, world: Environment, budget: int, *, maps: bool = True) ->
 
     Cost: linear in the steps.
     """
-    state, steps = world.initial, []
-    step, refused = world.step, None
+    state, steps, step = world.initial, list[tuple[Action, Percept]](), world.step
+    refused: Fault | None = None
     for number in log.actions:
         if refused:
             raise IllegalAction(refused.expected)
@@ -190,11 +190,11 @@ def followed(log: Log, world: Environment, budget: int, *, maps: bool = True) ->
             refused = Fault("illegal-action", str(error), show(action))
             continue
         steps.append((action, percept))
-    ending = refused
-    if ending is None or log.ending[:1] == (entries.FREE_TOO_OFTEN,):
-        if log.ending[:1] == (entries.FREE_TOO_OFTEN,) and refused is None:
-            steps.pop()  # it was one too many
-        ending = answered(_unchecked(log, budget, maps=maps))
+    too_often = log.ending[:1] == (entries.FREE_TOO_OFTEN,)
+    if too_often and refused is None:
+        steps.pop()  # it was one too many
+    known = None if too_often else refused
+    ending = known or answered(_unchecked(log, budget, maps=maps))
     shown = tuple(
         [(at, Checkpoint(sigma, alpha, here)) for at, sigma, alpha, here in log.checkpoints]
     )

@@ -119,11 +119,8 @@ def play_run(
     generator = None
     beat[1] = 1
     try:
-        generator = player(
-            around.first,
-            choices,
-            told if told is None or type(told) is int else dict(told),  # type: ignore[call-overload]
-        )
+        own = told if told is None or isinstance(told, int) else dict(told)
+        generator = player(around.first, choices, own)
         turns.play(generator)
     except StopIteration as stop:
         turns.note_choices()

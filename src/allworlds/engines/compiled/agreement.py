@@ -93,7 +93,7 @@ def compare_engines(scope: Scope, subject: Subject) -> None:
         compiling = None
         if not is_compiled(examine):
             compiling = beside.submit(kernel.compile_apart, subject.name)
-        played = {unit: listed_runs(small, subject, unit) for unit in every}
+        played: Outcomes = {unit: listed_runs(small, subject, unit) for unit in every}
         if compiling:
             compiling.result()
     kernel.load_judge(level_of(subject.name, small.rules, small.extent, levels[0]))
