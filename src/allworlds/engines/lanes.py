@@ -17,7 +17,7 @@ import time
 import traceback
 import warnings
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
 from multiprocessing.connection import Connection, Pipe, wait
@@ -105,7 +105,7 @@ class OneLane(Struct):
 class _Process:
     """A lane in a process of its own, forked from this one."""
 
-    def __init__(self, subject: Subject, limits: Limits, *, first: bool) -> None:
+    def __init__(self, subject: Subject, limits: Limits, others: Sequence[_Process]) -> None:
         self.link, theirs = Pipe()
         self.units: list[UnitOfRuns] = []  # the same one may be there twice
         for stream in (sys.stdout, sys.stderr):
@@ -116,7 +116,9 @@ class _Process:
             warnings.simplefilter("ignore", DeprecationWarning)  # other threads take no part
             self.pid = os.fork()
         if self.pid == 0:
-            _serve(theirs, self.link, subject, limits, more_seeds=first)
+            for other in (self, *others):  # whose owner hangs up when this process ends, too
+                other.link.close()
+            _serve(theirs, subject, limits, more_seeds=not others)
         gc.unfreeze()
         theirs.close()
 
@@ -192,8 +194,8 @@ class Lanes(Struct):
         """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
         least = min(self._processes, key=lambda one: len(one.units), default=None)
         if least is None or (least.units and len(self._processes) < self.limits.workers):
-            first = not self._processes  # one lane tries other hash seeds
-            self._processes.append(_Process(self.subject, self.limits, first=first))
+            # The first one tries other hash seeds.
+            self._processes.append(_Process(self.subject, self.limits, self._processes))
             return self._processes[-1]
         return least if len(least.units) < AHEAD else None
 
@@ -215,14 +217,11 @@ class Lanes(Struct):
         return left
 
 
-def _serve(
-    link: Connection, theirs: Connection, subject: Subject, limits: Limits, *, more_seeds: bool
-) -> NoReturn:
+def _serve(link: Connection, subject: Subject, limits: Limits, *, more_seeds: bool) -> NoReturn:
     """Be a lane: take units, and send parts, until the owner hangs up."""
     status = 1
     try:
         end_with_parent()
-        theirs.close()
         os.setsid()
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
         if limits.memory is not None and not subject.from_user:
