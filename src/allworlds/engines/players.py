@@ -143,6 +143,7 @@ class PlayerProcess:
         self._link.setblocking(False)  # noqa: FBT003  # of the library
         self._printed, printing = os.pipe()
         os.set_blocking(self._printed, False)
+        self._prints_come = True
         memory, beat = _shared(16)
         self.beat = memoryview(memory).cast("q")
         self.beat[0] = NO_RUN
@@ -159,7 +160,8 @@ class PlayerProcess:
     @property
     def files(self) -> tuple[int, ...]:
         """The descriptors on which something may come."""
-        return self._link.fileno(), self._printed
+        link = self._link.fileno()
+        return (link, self._printed) if self._prints_come else (link,)
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
         """Give it a batch; ``job`` is what its answer is about."""
@@ -265,6 +267,7 @@ class PlayerProcess:
                     with suppress(OSError, ValueError):
                         sys.stderr.write(harmless(text))
                         sys.stderr.flush()
+            self._prints_come = False  # nobody can write there any more
 
     def _silent_for(self) -> float:
         """Seconds without a turn of the explorer, while an answer is due."""
