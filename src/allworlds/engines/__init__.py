@@ -10,9 +10,9 @@ The way of a run of a user's explorer::
 A *unit* is some maps of a level, with places of the lighthouse; a *run* is one of them.  A *log* is
 bytes, and all that a *player* makes: a process with the explorer and without a judge.  A *judge*
 walks each log anew in the true map.  A *lane* is a judge with its two players, one for each worker.
-Compiled explorers need none of this: the kernel plays and judges them run by run, in threads.
+Built-in explorers in compiled code need none of this: the kernel plays and judges them, in threads.
 
-The pieces, in the order of the way (``protocol.log`` and ``protocol.playing`` are what players share):
+The pieces, in the order of the way; ``protocol.playing`` and ``protocol.log`` make and read logs:
 
 ``units``
     the units of a level, shards of them, limits of the effort, and the one loop over them;
