@@ -10,7 +10,7 @@ from allworlds.engines.kernel.memory_arrays import StretchArrays
 from allworlds.engines.kernel.stretch import Stretch
 from allworlds.engines.python.comparison import difference_of
 from allworlds.judging import Log
-from allworlds.protocol.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, span
+from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, span
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

@@ -36,8 +36,9 @@ def test_there_are_two_plays_a_run_and_more_under_other_seeds(tmp_path, edges, w
     assert report.exit_code == 0
     small = sum(row.runs for row in report.rows if row.edges <= lane.SMALL)
     more = lane.KEPT * len(lane.SIX_MORE) if edges > lane.SMALL else 0
-    ours = small if workers == 1 else 0  # of two lanes one tries other seeds
-    assert 2 * report.runs + ours + more <= len(plays.read_text()) <= 2 * report.runs + small + more
+    least = 2 * report.runs + small + more
+    # Of each batch of second plays one may be made once more.
+    assert least <= len(plays.read_text()) <= least + report.runs // 4 + 8
 
 
 def test_a_finding_carries_the_hash_seed_that_decides_and_replay_sets_it(tmp_path):
@@ -71,7 +72,7 @@ def explore(first):
 
 @pytest.mark.parametrize(
     ("later", "outcome", "plays"),
-    [("False", ("not-reproduced", 3), 16), ("len(RUNS.read_text()) == 6", ("reproduced", 0), 6)],
+    [("False", ("not-reproduced", 3), 16), ("len(RUNS.read_text()) >= 6", ("reproduced", 0), 6)],
 )
 def test_a_run_that_is_the_same_again_does_not_show_that_it_always_is(
     tmp_path, later, outcome, plays

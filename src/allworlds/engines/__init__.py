@@ -1,30 +1,47 @@
-"""Many runs: cut into units, transported, played and judged by an engine, and kept.
+"""Many runs: cut into units, played, judged, added up, and kept.
+
+The way of a run of a user's explorer::
+
+    unit ---> player A, in worlds ---> log ---> judge ---> tally, findings
+                                                  |
+                                                  v  percepts, in a drawn order
+              player B, another process and hash seed ---> the same log?
+
+A *unit* is some maps of a level, with places of the lighthouse; a *run* is one of them.  A *log* is
+bytes, and all that a *player* makes: a process with the explorer and without a judge.  A *judge*
+walks each log anew in the true map.  A *lane* is a judge with its two players, one for each worker.
+Built-in explorers in compiled code need none of this: the kernel plays and judges them, in threads.
+
+The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and read logs:
 
 ``units``
     the units of a level, shards of them, limits of the effort, and the one loop over them;
-``transports``
-    the places of work: this thread, several threads, processes, a Dask cluster;
+``lanes``, ``transports``
+    the places of work: lanes here or forked; threads, a Dask cluster;
+``lane``
+    a judge with its two players: batches, losses, plays that differ, other hash seeds;
+``players``, ``player``
+    a player from outside, started and heard, perhaps lost; and the program that it is;
+``library_player``
+    the batches of a shared library, played in compiled code;
+``judge``, ``compiled_judge``
+    the judge of every law, and its twin for the laws that the kernel knows: the same bytes;
 ``python``
-    the Python engine: every explorer, every option;
-``compiled``
-    the compiled engine: requests to the kernel, and tallies of its rows;
-``kernel``
-    compiled code, orders of magnitude faster; the only importer of numba;
-``isolation``
-    worker processes: users' code runs in processes that it may kill, and the check goes on;
+    scopes, one judged run, the comparison of two plays, counts, tallies;
+``compiled``, ``kernel``
+    requests to compiled code, and tallies of its rows; the code itself, the only importer of numba;
 ``run_directory``
     the finished units of a job, kept on disk;
 ``job``, ``engine_table``
     the task of an engine, and **the** table of the engines;
-``progress``
-    the listeners to the progress of a long job;
-``sweep``, ``ended_report``, ``swept_report``
-    **the** loop through the levels of a study, with its endings, and what the reports of jobs
-    that may end early, and of such studies, have;
-``single``
-    one run, in this process or in one of its own;
-``other_worlds``
-    the explorer of a finding in another world that shows what is wrong.
+``sweep``, ``progress``, ``ended_report``, ``swept_report``
+    **the** loop through the levels of a study, its listeners, and its reports;
+``single``, ``run_report``
+    single runs, findings that are played again, by the same players; the report of one;
+``other_worlds``, ``subject_probe``
+    the explorer of a finding in other worlds; what a player tells of an explorer;
+``prints``, ``stderr_stream``, ``linux``
+    prints of explorers, escaped and limited; a stderr that may be lost; what is Linux's alone.
 """
 
 from typing import TYPE_CHECKING

@@ -22,6 +22,7 @@ from functools import partial
 from random import Random
 from typing import Any, NamedTuple
 
+from allworlds import log as entries
 from allworlds.document import replace
 from allworlds.engines.judge import (
     Due,
@@ -47,7 +48,7 @@ from allworlds.engines.units.levels import level_size
 from allworlds.engines.units.unit import PartialResult
 from allworlds.explorers import Subject
 from allworlds.judging import Log
-from allworlds.protocol import AN_ACTION, log as entries
+from allworlds.protocol import AN_ACTION
 
 FIRST, SECOND = 0, 1
 """The numbers of the players, and their hash seeds."""
@@ -105,6 +106,7 @@ class Lane:
         given: the choices of each run; None for those that the scope asks for.
         seeds: the hash seeds of both players.
         more_seeds: whether records are played under other seeds, too.
+        first_lane: whether it is the one of all lanes that compiles, and that tries six seeds.
 
     Attributes:
         given_up: why too much is silent to go on; empty where it is not.
@@ -120,6 +122,7 @@ class Lane:
         given: tuple[int, ...] | None = None,
         seeds: tuple[int, int] = (FIRST, SECOND),
         more_seeds: bool = True,
+        first_lane: bool = True,
     ) -> None:
         self.subject, self.engine = subject, engine
         self.judge = PythonJudge(engine, subject.name, given)
@@ -143,7 +146,7 @@ class Lane:
         self._kept: list[tuple[RunBatch, int]] = []
         self._compiled: Any = None
         self._small: list[RunBatch] = []
-        self._more_seeds, self._compiling = more_seeds, False
+        self._first_lane, self._compiling = first_lane, False
         self._due = self._judged = self._settled_runs = 0
         self.given_up, self._told_why = "", False
 
@@ -178,7 +181,7 @@ class Lane:
 
         if is_kept():
             return True
-        if self._more_seeds and not self._compiling:
+        if self._first_lane and not self._compiling:
             self._compiling = True
             compile_apart()
         return False
@@ -484,7 +487,8 @@ class Lane:
         rows = [(batch, row) for row in range(len(batch))]
         edges, last = batch.runs[0].world.map.edge_count, self.engine.scope.extent.levels[-1]
         if edges > SMALL:
-            self._kept += rows[: KEPT - len(self._kept)] if edges == last else []
+            keeps = self._first_lane and edges == last
+            self._kept += rows[: KEPT - len(self._kept)] if keeps else []
         else:
             for seed in ONE_MORE:
                 self._under(seed, rows, batch.work)

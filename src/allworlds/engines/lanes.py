@@ -118,7 +118,7 @@ class _Process:
         if self.pid == 0:
             for other in (self, *others):  # whose owner hangs up when this process ends, too
                 other.link.close()
-            _serve(theirs, subject, limits, more_seeds=not others)
+            _serve(theirs, subject, limits, first_lane=not others)
         gc.unfreeze()
         theirs.close()
 
@@ -144,11 +144,13 @@ class Lanes(Struct):
         subject: the explorer.
         limits: the number of lanes, and the limits of each.
         deadline: on the monotonic clock, or None.
+        models: whether models of the user's judge the runs, or choose the worlds.
     """
 
     subject: Subject
     limits: Limits
     deadline: float | None = None
+    models: bool = False
     _processes: list[_Process] = field(default_factory=list)
     _lost: Counter[str] = field(default_factory=Counter)
 
@@ -194,7 +196,6 @@ class Lanes(Struct):
         """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
         least = min(self._processes, key=lambda one: len(one.units), default=None)
         if least is None or (least.units and len(self._processes) < self.limits.workers):
-            # The first one tries other hash seeds.
             self._processes.append(_Process(self.subject, self.limits, self._processes))
             return self._processes[-1]
         return least if len(least.units) < AHEAD else None
@@ -211,13 +212,14 @@ class Lanes(Struct):
         for unit in left:
             self._lost[unit.key] += 1
             if self._lost[unit.key] >= MOST_ATTEMPTS:
-                raise Unsettled(
-                    f"{MOST_ATTEMPTS} processes were lost over one unit, the last by {how}"
-                )
+                lost = f"{MOST_ATTEMPTS} processes were lost over one unit, the last by {how}"
+                if self.models:
+                    raise InputError(f"{lost}: a lighthouse, task or condition of yours ends them")
+                raise Unsettled(lost)
         return left
 
 
-def _serve(link: Connection, subject: Subject, limits: Limits, *, more_seeds: bool) -> NoReturn:
+def _serve(link: Connection, subject: Subject, limits: Limits, *, first_lane: bool) -> NoReturn:
     """Be a lane: take units, and send parts, until the owner hangs up."""
     status = 1
     try:
@@ -226,7 +228,7 @@ def _serve(link: Connection, subject: Subject, limits: Limits, *, more_seeds: bo
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
         if limits.memory is not None and not subject.from_user:
             limit_memory(limits.memory)
-        _lane_of(link, subject, limits, more_seeds=more_seeds)
+        _lane_of(link, subject, limits, first_lane=first_lane)
         status = 0
     except (EOFError, OSError):
         pass
@@ -243,9 +245,9 @@ def _send(link: Connection, error: Exception) -> None:
         link.send(error)
 
 
-def _lane_of(link: Connection, subject: Subject, limits: Limits, *, more_seeds: bool) -> None:
+def _lane_of(link: Connection, subject: Subject, limits: Limits, *, first_lane: bool) -> None:
     engine, unit = link.recv()
-    lane = Lane(subject, engine, limits, more_seeds=more_seeds)
+    lane = Lane(subject, engine, limits, first_lane=first_lane)
     try:
         lane.offer(unit)
         while True:
@@ -253,7 +255,7 @@ def _lane_of(link: Connection, subject: Subject, limits: Limits, *, more_seeds: 
                 asked, unit = link.recv()
                 if asked != engine:
                     lane.close()
-                    engine, lane = asked, Lane(subject, asked, limits, more_seeds=more_seeds)
+                    engine, lane = asked, Lane(subject, asked, limits, first_lane=first_lane)
                 lane.offer(unit)
             for part in lane.turn([link.fileno()]):
                 if part.last and not lane.busy and lane.keeps:
@@ -287,4 +289,4 @@ def workers_for(
     limited = limits.memory is not None and not subject.from_user
     if here or (limits.workers == 1 and not models and not limited):
         return OneLane(subject, limits, deadline)
-    return Lanes(subject, limits, deadline)
+    return Lanes(subject, limits, deadline, models)

@@ -8,6 +8,7 @@ from typing import Any
 
 from typing_extensions import override
 
+from allworlds import log as entries
 from allworlds.document import replace
 from allworlds.engines.judge import Due, PythonJudge, Recorded
 from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
@@ -36,7 +37,7 @@ from allworlds.judging import (
     unchecked,
 )
 from allworlds.maps import Extent, MapClass
-from allworlds.protocol import Estimate, action_numbered, log as entries, number_of
+from allworlds.protocol import Estimate, action_numbered, number_of
 from allworlds.world import World
 
 REPEATED = 5

@@ -6,8 +6,9 @@
     names of explorers, and what is known by a name alone;
 ``subject``
     an explorer as a check speaks of it;
-``loading``
-    its code, found by its name, in a process that may run users' code;
+``loading``, ``functions``
+    its code, found by its name, in a process that may run users' code; a function, with the fewest
+    imports;
 ``asked``
     the part of a request that names one;
 ``spelling``

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple, Protocol
 
 from msgspec import Struct
 
+from allworlds import log as entries
 from allworlds.inputs import show
 from allworlds.judging.endings import (
     Ending,
@@ -30,7 +31,6 @@ from allworlds.protocol import (
     Transcript,
     Write,
     action_numbered,
-    log as entries,
     play_run,
 )
 

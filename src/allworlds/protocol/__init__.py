@@ -23,7 +23,6 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.protocol import log as log
     from allworlds.protocol.actions import (
         Action as Action,
         Drop as Drop,

@@ -12,6 +12,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any, Protocol
 
+from allworlds import log as entries
 from allworlds.inputs import (
     LARGEST_SIZE,
     SHOWN,
@@ -22,7 +23,6 @@ from allworlds.inputs import (
     show,
 )
 from allworlds.maps import CombinatorialMap, InvalidMap
-from allworlds.protocol import log as entries
 from allworlds.protocol.actions import Drop, Move, Pick, Write
 from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
 from allworlds.protocol.choices import Choices

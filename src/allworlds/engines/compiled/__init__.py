@@ -5,13 +5,9 @@
 ``requests``
     requests to the kernel;
 ``tallies``
-    built-in explorers: its rows into tallies;
-``stretches``
-    users' explorers, many runs at a time;
-``users_engine``, ``users_kernel``
-    the engine of both, for workers, and what it loads there;
+    its rows into tallies; the engine of built-in explorers;
 ``agreement``
-    its comparison with the Python engine, before it is believed;
+    the comparison of that engine with the Python one, before it is believed;
 ``sizes``
     the sizes from which on it is used.
 """

@@ -11,10 +11,14 @@ lock only to start and to end, so that threads share the work.
     the worlds: maps, finished one after the other, with every lighthouse;
 ``algorithm1``
     explorers, each behind the C interface of all explorers;
-``native``, ``logs``, ``stretch``, ``batches``
-    users' explorers, played in processes of their own, many runs at a time;
-``memory_arrays``
-    the memory of stretches, as compiled code sees it;
+``batches``, ``logs``
+    users' explorers: runs laid out, their logs judged, many at a time;
+``native``
+    libraries, played in worlds and against records;
+``stretch``, ``memory_arrays``
+    the memory of a batch, plain and as arrays;
+``library_player``, ``users``
+    a library that plays batches; the compiling of what judges, in another process;
 ``demand_driven``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``schedule_costs``

@@ -111,5 +111,5 @@ def _stamp() -> str:
 
 def _sources() -> list[Path]:
     here = Path(__file__).parent
-    others = ("judging/laws/law_table.py", "protocol/log.py")
+    others = ("judging/laws/law_table.py", "log.py")
     return [*sorted(here.glob("*.py")), *(here.parents[1] / each for each in others)]

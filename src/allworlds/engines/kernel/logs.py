@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from numpy import int64
 
+from allworlds import log as codes
 from allworlds.engines.kernel.calls import address_of, byte_of, entry_of, put_entry
 from allworlds.engines.kernel.compiling import inlined, inner
 from allworlds.engines.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
@@ -15,7 +16,6 @@ from allworlds.engines.kernel.names import LANES
 from allworlds.engines.kernel.published import look_at
 from allworlds.engines.kernel.records import DARTS, NONE
 from allworlds.engines.kernel.worlds import arrival
-from allworlds.protocol import log as codes
 
 LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS + LANES
 """The largest number of bytes that are written in one step."""

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from numba import int32, types
 from numpy import int64
 
+from allworlds import log as codes
 from allworlds.engines.kernel import names, stretch
 from allworlds.engines.kernel.calls import (
     address_of,
@@ -32,7 +33,6 @@ from allworlds.engines.kernel.gluing import advance
 from allworlds.engines.kernel.logs import LONGEST_ENTRY, span
 from allworlds.engines.kernel.records import ASKED, NONE
 from allworlds.engines.kernel.worlds import settle
-from allworlds.protocol import log as codes
 
 # The addresses of an explorer, in their order.  There are two rooms for sigma and alpha, which take
 # turns: who reads what has just been written, in other portions, waits for it to get to memory.

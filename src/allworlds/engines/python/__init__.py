@@ -1,4 +1,4 @@
-"""The Python engine: runs are played, judged and added up.
+"""Runs in Python: judged, compared, counted and added up.
 
 ``scope``
     the scope of a check: a class of worlds, all of it or a part, and the rules;
@@ -8,12 +8,8 @@
     one run, judged;
 ``run_counter``
     the runs of a unit, and their counting in all engines;
-``python_engine``
-    all runs of a unit; **the** loop of the exhaustive check;
-``play``, ``world_runner``, ``players``, ``second_play``, ``comparison``, ``in_process``
-    a user's explorer, which plays every run twice, and the comparison of plays;
-``prints``
-    what the explorer prints in one run, escaped and limited;
+``comparison``
+    two plays of one run, and what their difference means;
 ``tally``
     counts that can be added up in any order, and the smallest findings;
 ``costs``

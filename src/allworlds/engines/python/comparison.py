@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from allworlds import log as entries
 from allworlds.document import replace
 from allworlds.engines.python.examiner import LOST, Outcome
 from allworlds.inputs import show
@@ -16,7 +17,7 @@ from allworlds.judging import (
     Violation,
     unchecked,
 )
-from allworlds.protocol import action_numbered, log as entries
+from allworlds.protocol import action_numbered
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
 """The number of actions that are shown before the first that differs, and from it on."""
