@@ -11,16 +11,18 @@ from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
 from allworlds.inputs import InputError, show
-from allworlds.protocol.choices import Choices
-from allworlds.protocol.importing import (
+from allworlds.protocol import (
+    Choices,
+    Percept,
+    Player,
     SourceText,
+    Told,
+    arguments_of,
     attribute_of,
+    called,
     module_named,
     module_of_text,
 )
-from allworlds.protocol.percept import Percept
-from allworlds.protocol.player import Player, Told
-from allworlds.protocol.user_code import arguments_of, called
 
 EXPLORER = "an explorer is def explore(first) with yield"
 
