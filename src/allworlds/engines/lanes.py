@@ -17,7 +17,7 @@ import time
 import traceback
 import warnings
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
 from multiprocessing.connection import Connection, Pipe, wait
@@ -104,9 +104,9 @@ class OneLane(Struct):
 
 
 class _Process:
-    """A lane in a process of its own, forked from this one."""
+    """A lane in a process of its own, forked from this one beside the others."""
 
-    def __init__(self, subject: Subject, limits: Limits, *, first: bool) -> None:
+    def __init__(self, subject: Subject, limits: Limits, others: Sequence[_Process]) -> None:
         self.link, theirs = Pipe()
         self.units: dict[str, UnitOfRuns] = {}
         for stream in (sys.stdout, sys.stderr):
@@ -117,7 +117,10 @@ class _Process:
             warnings.simplefilter("ignore", DeprecationWarning)  # other threads take no part
             self.pid = os.fork()
         if self.pid == 0:
-            _serve(theirs, self.link, subject, limits, more_seeds=first)
+            # Who holds an end of another lane's link keeps that one from hearing of its end.
+            mine = [self.link, *(other.link for other in others)]
+            # One lane tries other hash seeds.
+            _serve(theirs, mine, subject, limits, more_seeds=not others)
         gc.unfreeze()
         theirs.close()
 
@@ -193,8 +196,7 @@ class Lanes(Struct):
         """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
         least = min(self._processes, key=lambda one: len(one.units), default=None)
         if least is None or (least.units and len(self._processes) < self.limits.workers):
-            first = not self._processes  # one lane tries other hash seeds
-            self._processes.append(_Process(self.subject, self.limits, first=first))
+            self._processes.append(_Process(self.subject, self.limits, self._processes))
             return self._processes[-1]
         return least if len(least.units) < AHEAD else None
 
@@ -217,13 +219,19 @@ class Lanes(Struct):
 
 
 def _serve(
-    link: Connection, theirs: Connection, subject: Subject, limits: Limits, *, more_seeds: bool
+    link: Connection,
+    theirs: Sequence[Connection],
+    subject: Subject,
+    limits: Limits,
+    *,
+    more_seeds: bool,
 ) -> NoReturn:
     """Be a lane: take units, and send parts, until the owner hangs up."""
     status = 1
     try:
         end_with_parent()
-        theirs.close()
+        for end in theirs:
+            end.close()
         os.setsid()
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
         if limits.memory is not None and not subject.from_user:
