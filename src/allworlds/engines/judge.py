@@ -54,6 +54,12 @@ class Recorded(NamedTuple):
     script: tuple[int, ...] = ()
     over: bool = False
 
+    @classmethod
+    def of(cls, due: Due, episode: Episode) -> Recorded:
+        """What was sensed in an episode of that run."""
+        over = isinstance(episode.ending, Over)
+        return cls(episode.transcript.percepts, due.world, due.script, over)
+
 
 class Judged(NamedTuple):
     """A log, judged.
@@ -129,9 +135,7 @@ class RunBatch:
 
     def record(self, row: int) -> Recorded:
         """Return the record of a run: all that the second player gets of it."""
-        due, episode = self.runs[row], self.outcome(row).outcome.episode
-        percepts, over = episode.transcript.percepts, isinstance(episode.ending, Over)
-        return Recorded(percepts, due.world, due.script, over)
+        return Recorded.of(self.runs[row], self.outcome(row).outcome.episode)
 
     def outcome(self, row: int) -> Judged:
         """A run, judged by the Python judge."""

@@ -27,6 +27,7 @@ from allworlds.document import replace
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
+    Recorded,
     RunBatch,
     Work,
     drawn_order,
@@ -428,20 +429,31 @@ class Lane:
             return self._by_seed(batch, work, [row for row, _ in differing])
         found = {}
         for row, other in few:
-            one, again = batch.outcome(row), [play[row] for play in (*firsts, *seconds)]
-            if may_be_the_machine(one.log, other) and not any(
-                self._differ(again[0], log) for log in again[1:]
-            ):
+            one, plays = batch.outcome(row), [play[row] for play in firsts]
+            anew = None
+            if may_be_the_machine(one.log, other):
+                anew = self._alike(batch, row, plays)
+            if anew is not None:
                 # What has happened once, and in no fresh process, refutes nothing.
-                ended = one.log if self._differ(one.log, again[0]) else other
+                ended = one.log if self._differ(one.log, plays[0]) else other
                 work.tally.remark(
                     "a run ended otherwise when it was tried again; at first: "
                     f"{ending_in_words(ended)}"
                 )
-                found[row] = self._anew(batch.runs[row], again[0])
-            else:
-                found[row] = overruled(one.outcome, one.log, other, choices=self.judge.every)
+            found[row] = anew or overruled(one.outcome, one.log, other, choices=self.judge.every)
         return found
+
+    def _alike(self, batch: RunBatch, row: int, plays: Sequence[Log]) -> Outcome | None:
+        """The outcome of a run by these later plays in its world; None if they are not alike.
+
+        Neither may a play against their record be another; the record of the run may be too short.
+        """
+        due = batch.runs[row]
+        anew = self._anew(due, plays[0])
+        message = self.judge.records_message([Recorded.of(due, anew.episode)], [0])
+        again = self._fresh(self._seeds[SECOND], message, [row])[row]
+        alike = not any(self._differ(plays[0], log) for log in (*plays[1:], again))
+        return anew if alike else None
 
     def _anew(self, due: Due, log: Log) -> Outcome:
         episode = self.judge.episode(due.world, log)
@@ -566,9 +578,9 @@ class Lane:
         finally:
             player.close()
         self._unrepeated[lost.law] += 1
-        if lost.law == "timeout" and self._unrepeated["timeout"] > 1:
+        if not lost.machine or (lost.law == "timeout" and self._unrepeated["timeout"] > 1):
             batch.lost.add(row)
-            after = " when it was played after others, twice; by itself it was not"
+            after = " when it was played after others; by itself it was not"
             return lost_log(b"", Lost(lost.law, lost.seen + after, machine=False))
         self._note(batch.work, lost)
         return log

@@ -103,7 +103,7 @@ class OneLane(Struct):
 
 
 class _Process:
-    """A lane in a process of its own, forked from this one."""
+    """A lane in a process of its own, forked from this one beside the others."""
 
     def __init__(self, subject: Subject, limits: Limits, others: Sequence[_Process]) -> None:
         self.link, theirs = Pipe()

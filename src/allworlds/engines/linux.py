@@ -35,13 +35,21 @@ def adopt() -> None:
         _control(SUBREAPER, 1)
 
 
+def descendants(pid: int) -> list[int]:
+    """The processes that a process has started, and those that these have started."""
+    found = _children(pid) if HERE else []
+    for one in found:
+        found += _children(one)
+    return found
+
+
 def end_adopted(token: str) -> None:
     """Kill the children of this process in whose environment this text stands.
 
-    They are what a player has left behind in other groups; what another part of this program has
-    started is not touched.
+    They are what a player has left behind in other groups, and lost by an end in between; what
+    another part of this program has started is not touched.
     """
-    while HERE and (left := [pid for pid in _children() if _has(pid, token)]):
+    while HERE and (left := [pid for pid in _children(os.getpid()) if _has(pid, token)]):
         for pid in left:
             with suppress(ProcessLookupError, PermissionError):
                 os.kill(pid, signal.SIGKILL)
@@ -49,11 +57,11 @@ def end_adopted(token: str) -> None:
                 os.waitpid(pid, 0)
 
 
-def _children() -> list[int]:
+def _children(parent: int) -> list[int]:
     found: list[int] = []
     with suppress(OSError):
-        for task in os.listdir("/proc/self/task"):  # noqa: PTH208
-            with open(f"/proc/self/task/{task}/children") as file:  # noqa: PTH123
+        for task in os.listdir(f"/proc/{parent}/task"):  # noqa: PTH208
+            with open(f"/proc/{parent}/task/{task}/children") as file:  # noqa: PTH123
                 found += map(int, file.read().split())
     return found
 

@@ -335,6 +335,7 @@ class PlayerProcess:
 
     def close(self) -> None:
         """End the process, and all that it has started."""
+        below = linux.descendants(self.pid)
         self._link.close()
         if is_program(self.setup.subject.name):  # it ends its program
             deadline = time.monotonic() + GRACE
@@ -342,6 +343,9 @@ class PlayerProcess:
                 time.sleep(0.01)
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(self.pid, signal.SIGKILL)
+        for pid in below:
+            with suppress(ProcessLookupError, PermissionError):
+                os.kill(pid, signal.SIGKILL)
         if self._code() is None:
             _, status = os.waitpid(self.pid, 0)
             self._status = os.waitstatus_to_exitcode(status)

@@ -1,4 +1,4 @@
-"""Is wrong, and sends SIGINT to its whole group and to its parent.
+"""Is wrong, and sends SIGINT to its whole group.
 
 verdict: refuted map
 """
@@ -11,6 +11,5 @@ from allworlds import CombinatorialMap, Estimate
 
 def explore(first):
     os.kill(0, signal.SIGINT)
-    os.kill(os.getppid(), signal.SIGINT)
     return Estimate(CombinatorialMap((0, 1), (1, 0)), 0)
     yield
