@@ -626,6 +626,8 @@ def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> lis
     Raises:
         Lost: if it is lost.
     """
+    if isinstance(player, PlayerProcess) and player.setup.prints:
+        player.loaded()  # what is printed then is not of the run
     player.give(None, message)
     while True:
         wait([player], POLL)

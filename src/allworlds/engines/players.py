@@ -244,6 +244,7 @@ class PlayerProcess:
             raise HarnessError(content.decode(errors="replace"))
         try:
             if letter == READY and self.description is None:
+                self._hear_prints()  # those before it are of the loading
                 keywords, digest, has_shield = marshal.loads(content)  # noqa: S302  # honest
                 self.description = Description(frozenset(keywords), digest, has_shield)
                 return None
@@ -349,6 +350,9 @@ class PlayerProcess:
         if self._code() is None:
             _, status = os.waitpid(self.pid, 0)
             self._status = os.waitstatus_to_exitcode(status)
+        for pid in below:  # who was adopted is ours to wait for
+            with suppress(ChildProcessError):
+                os.waitpid(pid, 0)
         self._hear_prints()
         os.close(self._printed)
         linux.end_adopted(self._token)

@@ -1,0 +1,299 @@
+"""Players as their owner sees them, and a player's own part in this process."""
+
+import marshal
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from allworlds import log as entries
+from allworlds.engines import Limits, RunCounter, Scope, linux, player, players
+from allworlds.engines.judge import Due, PythonJudge
+from allworlds.engines.lane import answered
+from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup
+from allworlds.explorers import Subject, load, source_of
+from allworlds.inputs import InputError
+from allworlds.judging import Log, Rules
+from allworlds.maps import Extent, MapClass
+from allworlds.world import Directional, World
+from small import EDGE
+
+WORLD = World(EDGE, Directional(0))
+RIGHT = """
+from allworlds import CombinatorialMap, Estimate, Move
+
+def explore(first):
+    yield Move(0)
+    return Estimate(CombinatorialMap((0, 1), (1, 0)), 1)
+
+def dies(first):
+    import os
+    yield Move(0)
+    os._exit(3)
+
+def prints(first):
+    print("here")
+    return (yield from explore(first))
+
+def forks(first):
+    import os
+    os.fork()
+    return (yield from explore(first))
+
+def hangs(first):
+    yield Move(0)
+    while True:
+        pass
+"""
+
+
+@pytest.fixture
+def module(tmp_path):
+    file = tmp_path / "mine.py"
+    file.write_text(RIGHT)
+    return file
+
+
+def setup_of(module, name="explore", **more):
+    explorer = f"{module}:{name}"
+    subject = Subject(explorer, frozenset(), source=source_of(explorer))
+    return Setup(subject, Limits(answer_timeout=more.pop("answer_timeout", 60)), **more)
+
+
+def judge():
+    return PythonJudge(RunCounter(Scope(Extent(MapClass.MAPS, 1), Rules()), 1), "mine")
+
+
+def runs(times=1, **more):
+    return judge().worlds_message([Due(0, 0, WORLD)] * times, **more)
+
+
+def test_a_player_plays_a_batch_in_worlds_and_against_records(module):
+    one = PlayerProcess(setup_of(module), 0)
+    try:
+        logs = answered(one, runs(3))
+        (first, *_) = logs
+        assert logs == [first] * 3
+        assert Log.of(first).actions == [0]
+        judged = judge().judged(Due(0, 0, WORLD), first)
+        assert judged.outcome.violation is None
+        batch_of_records = judge().records_message([judge_record(judged)], [0])
+        assert answered(one, batch_of_records) == [first]
+    finally:
+        one.close()
+
+
+def judge_record(judged):
+    from allworlds.engines.judge import Recorded
+
+    return Recorded.of(Due(0, 0, WORLD), judged.outcome.episode)
+
+
+def test_the_walk_of_a_player_that_dies_is_heard(module):
+    one = PlayerProcess(setup_of(module, "dies"), 0)
+    try:
+        with pytest.raises(Lost, match="exit code 3") as lost:
+            answered(one, runs(hear=True))
+        assert lost.value.law == "crash"
+        assert Log.of(bytes(one.part), whole=False).actions == [0]
+    finally:
+        one.close()
+
+
+def test_a_silent_player_is_given_up(module):
+    one = PlayerProcess(setup_of(module, "hangs", answer_timeout=0.3), 0)
+    try:
+        with pytest.raises(Lost, match=r"silent for 0\.3 s") as lost:
+            answered(one, runs(hear=True))
+        assert (lost.value.law, lost.value.machine) == ("timeout", True)
+        assert one.beat[0] == 0
+    finally:
+        one.close()
+
+
+def test_prints_are_recorded_where_that_is_asked_for(module):
+    for prints, told in ((True, "here\n"), (False, "")):
+        one = PlayerProcess(setup_of(module, "prints", prints=prints), 0)
+        try:
+            answered(one, runs())
+        finally:
+            one.close()
+        assert one.prints.text == told
+
+
+def test_a_copy_of_a_player_does_not_answer(module):
+    one = PlayerProcess(setup_of(module, "forks"), 0)
+    try:
+        assert len(answered(one, runs(5))) == 5
+        assert not one.jobs
+    finally:
+        one.close()
+
+
+def test_a_player_that_is_killed_while_it_loads_is_started_once_more(module, tmp_path):
+    once = tmp_path / "once"
+    text = f"import os, signal\nfrom pathlib import Path\nonce = Path({str(once)!r})\n"
+    text += "if not once.exists():\n    once.touch()\n    os.kill(os.getpid(), signal.SIGKILL)\n"
+    module.write_text(text + RIGHT)
+    one = PlayerProcess(setup_of(module), 0)
+    try:
+        assert len(answered(one, runs())) == 1
+    finally:
+        one.close()
+
+
+def test_a_player_that_always_ends_while_it_loads_is_bad_input(module):
+    module.write_text("import os\nos._exit(4)\n")
+    one = PlayerProcess(setup_of(module), 0)
+    try:
+        with pytest.raises(InputError, match=r"exit code 4.* when it imported .*mine.py"):
+            one.loaded()
+    finally:
+        one.close()
+
+
+@pytest.mark.parametrize(
+    "said", [b"X", bytes((player.LOGS,)) + b"12345678", bytes((player.READY,)) + b"\xff", b""]
+)
+def test_bytes_that_are_no_message_are_a_crash(module, said):
+    one = PlayerProcess(setup_of(module), 0)
+    try:
+        one.loaded()
+        one.jobs.append((None, runs()))
+        with pytest.raises(Lost, match="none of its messages"):
+            one._message(said)
+    finally:
+        one.close()
+
+
+def test_what_a_player_started_ends_with_it(module):
+    if not linux.HERE:
+        pytest.skip("Linux alone ends what has left its group")
+    started = "import subprocess\nprocess = subprocess.Popen(['sleep', '1000'], "
+    started += "start_new_session=True)\nprint(process.pid, flush=True)\n"
+    module.write_text(started + RIGHT)
+    one = PlayerProcess(setup_of(module), 0)
+    one.loaded()
+    (pid,) = {int(word) for word in one._relayed.decode().split()}
+    one.close()
+    with pytest.raises(ProcessLookupError):
+        os.kill(pid, 0)
+
+
+def test_without_linux_all_but_daemons_and_memory_is_as_ever(module, monkeypatch):
+    monkeypatch.setattr(linux, "HERE", False)
+    linux.end_with_parent()
+    linux.adopt()
+    linux.limit_memory(1)
+    assert linux.descendants(os.getpid()) == []
+    one = PlayerProcess(setup_of(module), 0)
+    assert len(answered(one, runs())) == 1
+    one.close()
+
+
+# ---------------------------------------------------------------- the player's own part
+
+
+class Link:
+    """What a player reads and writes, without a process."""
+
+    def __init__(self, messages):
+        self.waiting = b"".join(len(m).to_bytes(4, "little") + m for m in messages)
+        self.said = b""
+
+    def read(self, _file, size):
+        part, self.waiting = self.waiting[:size], self.waiting[size:]
+        return part
+
+    def write(self, _file, data):
+        self.said += bytes(data)
+        return len(data)
+
+    @property
+    def answers(self):
+        said, found = self.said, []
+        while said:
+            size = int.from_bytes(said[:4], "little")
+            found.append((said[4], said[5 : 4 + size]))
+            said = said[4 + size :]
+        return found
+
+
+@pytest.fixture
+def served(monkeypatch):
+    """Serve messages by a player in this process; return its answers."""
+
+    def serve(explorer, *batches):
+        link = Link([marshal.dumps(batch) for batch in batches])
+        monkeypatch.setattr(player.os, "read", link.read)
+        monkeypatch.setattr(player.os, "write", link.write)
+        server = player._Server(explorer, [0, 0])
+        while (batch := player._read()) is not None:
+            server.serve(batch)
+        monkeypatch.undo()
+        return link.answers
+
+    return serve
+
+
+def test_a_server_plays_what_it_is_given(module, served):
+    explorer = load(f"{module}:explore")
+    ((letter, content),) = served(explorer, runs(2))
+    assert letter == player.LOGS
+    logs = players._logs(content, 2)
+    assert {*logs} == {entries.motion(0) + entries.answer((0, 1), (1, 0), 1)}
+
+
+def test_a_server_sends_each_turn_where_that_is_asked_for(module, served):
+    parts = served(load(f"{module}:explore"), runs(hear=True))
+    assert [letter for letter, _ in parts] == [player.PART, player.PART, player.LOGS]
+    assert [content for _, content in parts[:2]] == [b"", entries.motion(0)]
+
+
+def test_a_mistake_of_ours_is_told_as_that(module, served):
+    ((letter, content),) = served(load(f"{module}:explore"), runs() | {"kind": "unknown"})
+    assert letter == player.FAILURE
+    assert b"KeyError" in content
+
+
+def test_a_player_here_is_asked_as_one_elsewhere(module):
+    here = PlayerHere(load(f"{module}:prints").player(), prints=True)
+    elsewhere = PlayerProcess(setup_of(module), 0)
+    try:
+        assert answered(here, runs(2)) == answered(elsewhere, runs(2))
+    finally:
+        elsewhere.close()
+    assert here.prints.text == "here\n" * 2
+
+
+def test_players_end_with_the_process_that_has_started_them(module, tmp_path):
+    if not linux.HERE:
+        pytest.skip("elsewhere they end when their link is closed")
+    pids = tmp_path / "pids"
+    text = "import os\nfrom pathlib import Path\n"
+    text += f"with Path({str(pids)!r}).open('a') as file:\n    file.write(f'{{os.getpid()}} ')\n"
+    module.write_text(text + RIGHT)
+    command = [sys.executable, "-m", "allworlds", "check", f"{module}:hangs", "--edges", "1"]
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    while not pids.exists() or len(pids.read_text().split()) < 3:
+        time.sleep(0.01)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    for pid in pids.read_text().split():
+        for _ in range(500):
+            if not Path(f"/proc/{pid}").exists() or b"Z" in _state(pid):
+                break
+            time.sleep(0.01)
+        else:
+            raise AssertionError(f"the player {pid} goes on")
+
+
+def _state(pid):
+    try:
+        return Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()[0]
+    except OSError:
+        return b"Z"
