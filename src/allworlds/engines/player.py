@@ -55,6 +55,8 @@ def main() -> None:
     os.close(BEAT)
     from allworlds.inputs import InputError
 
+    _makers()  # what is needed is loaded before users' code, which may spoil the import path
+    own = os.getpid()
     try:
         subject = _loaded(setup)
     except InputError as error:
@@ -62,13 +64,16 @@ def main() -> None:
         if setup["memory"] is not None and "memory" not in reason:
             reason = f"memory {setup['memory']} MB is probably too small: {reason}"
         return _answer(REFUSAL, reason.encode(errors="surrogatepass"))
+    if os.getpid() != own:
+        os._exit(0)  # a copy that the explorer has forked when it was imported
     signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
     _flush()
     if not setup["prints"]:
-        nothing = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nothing, 1)
-        os.dup2(nothing, 2)
-        os.close(nothing)
+        with suppress(OSError):  # users' code may have limited what can be opened
+            nothing = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(nothing, 1)
+            os.dup2(nothing, 2)
+            os.close(nothing)
     description = [sorted(subject.keywords), _digest(subject), _has_shield(subject)]
     _answer(READY, marshal.dumps(description))
     with subject.running():
