@@ -247,7 +247,7 @@ class PlayerProcess:
             elif letter in (LOGS, NO_ROOM) and self.jobs:
                 job, asked = self.jobs.popleft()
                 self._seen, self._since = None, time.monotonic()
-                logs = None if letter == NO_ROOM else _logs(content, _runs(asked))
+                logs = None if letter == NO_ROOM else logs_of(content, _runs(asked))
                 return Answer(job, logs)
             else:
                 raise ValueError(letter)
@@ -435,7 +435,7 @@ def _runs(message: dict[str, Any]) -> int:
     return int(message["runs"])
 
 
-def _logs(content: bytes, runs: int) -> list[bytes]:
+def logs_of(content: bytes, runs: int) -> list[bytes]:
     """The logs of an answer.
 
     Raises:
