@@ -2,12 +2,13 @@
 
     python benchmarks/native.py LIBRARY [--edges M] [--units N] [--explore PROGRAM]
 
-Runs are laid out, played, judged, played again and compared, all in this process; a check also
-needs messages and processes.  In the same units of work, two other costs are measured.  A loop in C
-plays the explorer twice and does nothing else, which no judge can do without.  The Python engine
-plays the built-in explorer once; so the whole is also told without the second play.  PROGRAM is a
-yardstick: it is called with ``0 M`` and prints the number of worlds (``leaves``).  All times are
-processor times, in microseconds a run, or for the yardstick a world.
+Runs are laid out, played, judged, played again and compared as in a lane, but all in this process;
+a check also needs processes, which send each other the messages.  In the same units of work, two
+other costs are measured.  A loop in C plays the explorer twice and does nothing else, which no
+judge can do without.  The Python engine plays the built-in explorer once; so the whole is also told
+without the second play.  PROGRAM is a yardstick: it is called with ``0 M`` and prints the number of
+worlds (``leaves``).  All times are processor times, in microseconds a run, or for the yardstick a
+world.
 """
 
 from __future__ import annotations
@@ -23,24 +24,25 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from allworlds.engines.isolation.jobs import PlayStretch
-from allworlds.engines.isolation.library_player import LibraryPlayer
-from allworlds.engines.isolation.shared_logs import StretchMemory
-
 import allworlds.explorers.shared_library
-from allworlds.engines import PythonEngine, Scope
-from allworlds.engines.compiled.requests import level_of
-from allworlds.engines.kernel.batches import UnitJudge, load_native
-from allworlds.engines.kernel.stretch import LONGEST_STRETCH, RUN_TOLD, Stretch
+from allworlds.engines import Examiner, RunCounter, Scope
+from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
+from allworlds.engines.judge import PythonJudge, Work
+from allworlds.engines.kernel.batches import load_native
+from allworlds.engines.kernel.library_player import LibraryPlayer
+from allworlds.engines.kernel.stretch import LONGEST_STRETCH, RUN_TOLD
+from allworlds.engines.players import logs_of
 from allworlds.explorers import NativeExplorer, load
 from allworlds.explorers.shared_library.library import ROOM, Library
 from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
+from allworlds.protocol import Choices
+from allworlds.world import World
 
 PARTS = ("laid out", "first play", "judged", "second play", "compared")
 SECOND = PARTS.index("second play")
 SAMPLED = 40
-"""In so many units, evenly spaced, the Python engine plays the first runs."""
+"""In so many units, evenly spaced, the Python engine plays the runs."""
 
 
 class Bare:
@@ -64,10 +66,10 @@ class Bare:
         self._explorer = (ctypes.c_void_p * 5)(*(addresses[name] for name in names), library.new())
         self._room = [(ctypes.c_int32 * ROOM)() for _ in range(2)]
 
-    def play(self, stretch: Stretch, runs: int) -> int:
-        """The number of traversals of so many runs that have been laid out."""
-        heads, worlds = stretch.heads, stretch.worlds
-        sizes = ctypes.c_long(runs), ctypes.c_long(worlds.shape[1])
+    def play(self, batch: CompiledBatch) -> int:
+        """The number of traversals of the runs of a batch."""
+        heads, worlds = batch.heads, batch.tables
+        sizes = ctypes.c_long(len(batch)), ctypes.c_long(worlds.shape[1])
         told = ctypes.c_void_p(heads[:, RUN_TOLD:].ctypes.data)
         apart = ctypes.c_long(heads.shape[1])
         tables = ctypes.c_void_p(worlds.ctypes.data)
@@ -84,12 +86,12 @@ class Measured:
     """
 
     def __init__(self, library: str, edges: int, folder: str) -> None:
-        self.edges = edges
-        rules = Rules("directional", own_bound="paper")
-        extent = Extent(MapClass.MAPS, edges, None)
-        self.scope = Scope(extent, rules)
-        self.level = level_of("native:", rules, extent, edges)
-        self.memory = [StretchMemory(edges) for _ in range(2)]
+        self.scope = Scope(
+            Extent(MapClass.MAPS, edges, None), Rules("directional", own_bound="paper")
+        )
+        self.counter = RunCounter(self.scope, keep=1)
+        python = PythonJudge(self.counter, "native:")
+        self.judge = CompiledJudge(python, lambda: 0, native=True)
         explorers = [NativeExplorer(Library(library)) for _ in range(2)]
         self.players = [LibraryPlayer(explorer, bytearray(16)) for explorer in explorers]
         self.bare = Bare(library, folder)
@@ -104,26 +106,29 @@ class Measured:
         self.spent[part] += time.process_time() - start
         return done
 
-    def one_by_one(self, prefix: tuple[int, ...]) -> None:
+    def one_by_one(self, unit: Any) -> None:
         """Play every run of a unit by itself, twice, and once more by a loop in C."""
-        memory, players, timed = self.memory, self.players, self.timed
-        judge = UnitJudge(self.level, prefix, 1, *(each.stretch for each in memory))
-        laid = None
-        while laid is None or not laid.last:
-            laid = timed("laid out", lambda: judge.lay_out(LONGEST_STRETCH))
-            jobs = [
-                PlayStretch(each.file, self.edges, laid.runs, again, "fifo", again=bool(again))
-                for again, each in enumerate(memory)
-            ]
-            size = timed("first play", lambda job=jobs[0]: players[0].play(job)).size
-            rows, good = timed("judged", lambda a=laid, s=size: judge.judge(a, s))
-            size = timed("second play", lambda job=jobs[1]: players[1].play(job)).size
-            if not good or rows.broken or judge.differing(size):
+        timed, work, walked = self.timed, Work(unit, self.counter.tally()), 0
+        batches = self.judge.batches(work, lambda: LONGEST_STRETCH)
+        while batch := timed("laid out", lambda: next(batches, None)):
+            rows = range(len(batch))
+            first = timed("first play", lambda b=batch, r=rows: self.played(0, b.worlds(r)))
+            batch.logs[0].update(enumerate(first))
+            good = timed("judged", lambda b=batch: self.judge.judge(b))
+            second = timed("second play", lambda b=batch, r=rows: self.played(1, b.records(r, r)))
+            if not good or batch.broken or first != second:
                 raise SystemExit("a law is broken: this measures nothing")
-            timed("compared", lambda s=size: judge.differing(s))
-            walked = timed("bare", lambda n=laid.runs: self.bare.play(memory[0].stretch, n))
-            assert walked == sum(row.traversals for row in rows.counts)
-            self.runs += laid.runs
+            timed("compared", lambda a=first, b=second: a == b)
+            walked += timed("bare", lambda b=batch: self.bare.play(b))
+            self.runs += len(batch)
+        assert walked == sum(row.traversals for row in work.tally.rows.values())
+
+    def played(self, which: int, message: dict[str, Any]) -> list[bytes]:
+        """The logs that answer a message."""
+        content = self.players[which].play(message)
+        if content is None:
+            raise SystemExit("logs do not fit: this measures nothing")
+        return logs_of(content, message["runs"])
 
     def cost(self, *parts: str) -> float:
         """Microseconds a run of these parts."""
@@ -141,8 +146,10 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         measured = Measured(given.library, given.edges, folder)
     units = list(measured.scope.units(given.edges))[: given.units]
+    measured.one_by_one(units[0])  # both judges are compared on the first runs
+    measured.spent, measured.runs = dict.fromkeys(measured.spent, 0.0), 0
     for unit in units:
-        measured.one_by_one(unit.prefix)
+        measured.one_by_one(unit)
     whole, once = measured.cost(*PARTS), measured.cost(*PARTS[:SECOND])
     bare = 2 * measured.cost("bare")
     for part in PARTS:
@@ -150,7 +157,7 @@ def main() -> None:
     runs = measured.runs
     print(f"{'all':18} {whole:6.2f} microseconds a run, {runs:,} runs; played once {once:.2f}")
     print(f"{'bare':18} {bare:6.2f} two plays in C and nothing else")
-    python = python_engine(measured.scope, units)
+    python = python_engine(measured.counter, units)
     print(f"{'Python':18} {python:6.0f} the Python engine: {python / whole:.0f} times as much,")
     print(f"{'':25} {python / once:.0f} times one play, {python / bare:.0f} times the bare ones")
     if given.explore:
@@ -159,14 +166,20 @@ def main() -> None:
         print(f"{'yardstick':18} {world:6.3f} {ratios}")
 
 
-def python_engine(scope: Scope, units: list[Any]) -> float:
+def python_engine(counter: RunCounter, units: list[Any]) -> float:
     """Microseconds a run of the built-in explorer, in a sample of the units."""
-    engine = PythonEngine(scope, 1).for_built_in(load("algorithm1"))
-    start, runs = time.process_time(), 0
-    for unit in units[:: -(-len(units) // SAMPLED)]:
-        _, tally = next(iter(engine.parts(unit)))
-        runs += tally.runs
-    return (time.process_time() - start) / runs * 1e6
+    examiner = Examiner(load("algorithm1"), counter.scope.rules)
+    sampled = units[:: -(-len(units) // SAMPLED)]
+    worlds = [
+        World(run.map, run.lighthouse, 0)
+        for unit in sampled
+        for run in counter.runs(unit)
+        if run.lighthouse is not None
+    ]
+    start = time.process_time()
+    for world in worlds:
+        examiner.examine(world, Choices())
+    return (time.process_time() - start) / len(worlds) * 1e6
 
 
 def yardstick(program: str, edges: int) -> float:

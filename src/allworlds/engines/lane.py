@@ -429,31 +429,27 @@ class Lane:
             return self._by_seed(batch, work, [row for row, _ in differing])
         found = {}
         for row, other in few:
-            one, plays = batch.outcome(row), [play[row] for play in firsts]
-            anew = None
+            one, anew = batch.outcome(row), None
             if may_be_the_machine(one.log, other):
-                anew = self._alike(batch, row, plays)
-            if anew is not None:
-                # What has happened once, and in no fresh process, refutes nothing.
-                ended = one.log if self._differ(one.log, plays[0]) else other
-                work.tally.remark(
-                    "a run ended otherwise when it was tried again; at first: "
-                    f"{ending_in_words(ended)}"
-                )
+                anew = self._alike(batch, work, row, other)
             found[row] = anew or overruled(one.outcome, one.log, other, choices=self.judge.every)
         return found
 
-    def _alike(self, batch: RunBatch, row: int, plays: Sequence[Log]) -> Outcome | None:
-        """The outcome of a run by these later plays in its world; None if they are not alike.
+    def _alike(self, batch: RunBatch, work: Work, row: int, other: Log) -> Outcome | None:
+        """The outcome of a run by two later plays of it alone; None if they are not alike.
 
-        Neither may a play against their record be another; the record of the run may be too short.
+        What has happened once, and in no fresh process, refutes nothing.  The second play has the
+        record of the later one: that of the run may be too short.
         """
-        due = batch.runs[row]
-        anew = self._anew(due, plays[0])
+        due, one = batch.runs[row], batch.outcome(row).log
+        log = self._in_worlds(batch, [row], self._seeds[FIRST])[row]
+        anew = self._anew(due, log)
         message = self.judge.records_message([Recorded.of(due, anew.episode)], [0])
-        again = self._fresh(self._seeds[SECOND], message, [row])[row]
-        alike = not any(self._differ(plays[0], log) for log in (*plays[1:], again))
-        return anew if alike else None
+        if self._differ(log, self._fresh(self._seeds[SECOND], message, [row])[row]):
+            return None
+        ended = ending_in_words(one if self._differ(one, log) else other)
+        work.tally.remark(f"a run ended otherwise when it was tried again; at first: {ended}")
+        return anew
 
     def _anew(self, due: Due, log: Log) -> Outcome:
         episode = self.judge.episode(due.world, log)

@@ -55,6 +55,8 @@ def main() -> None:
     os.close(BEAT)
     from allworlds.inputs import InputError
 
+    _makers()  # what is needed is loaded before users' code, which may spoil the import path
+    own = os.getpid()
     try:
         subject = _loaded(setup)
     except InputError as error:
@@ -63,13 +65,16 @@ def main() -> None:
             reason = f"memory {setup['memory']} MB is probably too small: {reason}"
         _answer(REFUSAL, reason.encode(errors="surrogatepass"))
         return
+    if os.getpid() != own:
+        os._exit(0)  # a copy that the explorer has forked when it was imported
     signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
     _flush()
     if not setup["prints"]:
-        nothing = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nothing, 1)
-        os.dup2(nothing, 2)
-        os.close(nothing)
+        with suppress(OSError):  # users' code may have limited what can be opened
+            nothing = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(nothing, 1)
+            os.dup2(nothing, 2)
+            os.close(nothing)
     description = [sorted(subject.keywords), _digest(subject), _has_shield(subject)]
     _answer(READY, marshal.dumps(description))
     with subject.running():
@@ -85,7 +90,7 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
     Raises:
         InputError: if it cannot be loaded.
     """
-    from allworlds.engines.linux import address_space, limit_memory
+    from allworlds.engines.linux import address_space, end_with_parent, limit_memory
     from allworlds.protocol import SourceText, limit_calls
 
     # A silent model is given up before it looks like a silent explorer.
@@ -101,7 +106,9 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
     from allworlds.explorers import load
 
     subject = load(name, setup["answer_timeout"], source)
-    native = subject.innermost.native
+    native, program = subject.innermost.native, subject.innermost.program
+    if program is not None:
+        program.first_act = end_with_parent
     if native is not None:
         native.library.print_line_by_line()
         if setup["memory"] is None:

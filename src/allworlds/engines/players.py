@@ -251,7 +251,7 @@ class PlayerProcess:
             if letter in (LOGS, NO_ROOM) and self.jobs:
                 job, asked = self.jobs.popleft()
                 self._seen, self._since = None, time.monotonic()
-                return Answer(job, None if letter == NO_ROOM else _logs(content, _runs(asked)))
+                return Answer(job, None if letter == NO_ROOM else logs_of(content, _runs(asked)))
         except (ValueError, TypeError, EOFError):
             pass
         seen = "what a player has said is none of its messages"
@@ -441,7 +441,7 @@ def _runs(message: dict[str, Any]) -> int:
     return int(message["runs"])
 
 
-def _logs(content: bytes, runs: int) -> list[bytes]:
+def logs_of(content: bytes, runs: int) -> list[bytes]:
     """The logs of an answer.
 
     Raises:

@@ -1,4 +1,4 @@
-"""Is wrong, and can be imported three times: once looked at, and in two players.
+"""Is wrong, and can be imported four times: looked at, by two players, and under one seed more.
 
 What they have found is not lost; it is only not confirmed.
 
@@ -12,8 +12,8 @@ from allworlds import CombinatorialMap, Estimate
 
 with Path("imported").open("a") as imported:
     imported.write("!")
-    if imported.tell() > 3:
-        raise RuntimeError("not a fourth time")
+    if imported.tell() > 4:
+        raise RuntimeError("not a fifth time")
 
 
 def explore(first):

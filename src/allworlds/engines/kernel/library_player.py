@@ -40,7 +40,7 @@ class LibraryPlayer:
         if batch["again"]:
             sensed = frombuffer(batch["percepts"], uint8)
             memory.percepts[: len(sensed)] = sensed
-            memory.starts[:runs] = frombuffer(batch["starts"], int32)
+            memory.starts[:runs] = frombuffer(batch["starts"], int32)[:runs]
         else:
             worlds = frombuffer(batch["worlds"], uint8)
             memory.worlds[:runs] = worlds.reshape(runs, memory.wide)
