@@ -27,7 +27,7 @@ from typing import Any, NoReturn, Self
 from msgspec import Struct, field
 
 from allworlds.engines.lane import Lane
-from allworlds.engines.linux import end_with_parent, limit_memory
+from allworlds.engines.linux import descendants, end_with_parent, limit_memory
 from allworlds.engines.players import HarnessError, Unsettled
 from allworlds.engines.python.run_counter import EnginesDisagree, RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
@@ -133,8 +133,9 @@ class _Process:
             time.sleep(0.005)
             pid, status = os.waitpid(self.pid, os.WNOHANG)
         if not pid:
-            with suppress(ProcessLookupError):
-                os.kill(self.pid, signal.SIGKILL)
+            for each in (self.pid, *descendants(self.pid)):
+                with suppress(ProcessLookupError, PermissionError):
+                    os.kill(each, signal.SIGKILL)
             _, status = os.waitpid(self.pid, 0)
         return ended_by(os.waitstatus_to_exitcode(status))
 

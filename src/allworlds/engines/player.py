@@ -67,6 +67,8 @@ def main() -> None:
     if os.getpid() != own:
         os._exit(0)  # a copy that the explorer has forked when it was imported
     signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
+    if subject.innermost.program:
+        end_with_parent(signal.SIGTERM)  # here is no user's code, and the program must end, too
     _flush()
     if not setup["prints"]:
         with suppress(OSError):  # users' code may have limited what can be opened
