@@ -126,8 +126,7 @@ def is_for_compiled_code(attack):
     kinds = ("state", "reaching", "dying", "libraries")
     # What is left to the Python engine, what names its engine, and what looks for worlds alone.
     others = {"--memory", "--engine", "--where", "--schedules"}
-    alone = others & {*attack.options} or attack.name == "reaching/trusted_to_be_honest"
-    return attack.file.parent.name in kinds and not attack.signal and not alone
+    return attack.file.parent.name in kinds and not attack.signal and not others & {*attack.options}
 
 
 def tried():

@@ -27,7 +27,7 @@ from typing import Any, NoReturn, Self
 from msgspec import Struct, field
 
 from allworlds.engines.lane import Lane
-from allworlds.engines.linux import end_with_parent, limit_memory
+from allworlds.engines.linux import descendants, end_with_parent, limit_memory
 from allworlds.engines.players import HarnessError, Unsettled, child_path
 from allworlds.engines.python.run_counter import EnginesDisagree, RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
@@ -114,8 +114,10 @@ class _Process:
         gc.freeze()
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", DeprecationWarning)  # other threads take no part
+            parent = os.getpid()
             self.pid = os.fork()
         if self.pid == 0:
+            end_with_parent(parent)
             for other in (self, *others):  # whose owner hangs up when this process ends, too
                 other.link.close()
             _serve(theirs, subject, limits, first_lane=not others)
@@ -131,8 +133,9 @@ class _Process:
             time.sleep(0.005)
             pid, status = os.waitpid(self.pid, os.WNOHANG)
         if not pid:
-            with suppress(ProcessLookupError):
-                os.kill(self.pid, signal.SIGKILL)
+            for each in (self.pid, *descendants(self.pid)):
+                with suppress(ProcessLookupError, PermissionError):
+                    os.kill(each, signal.SIGKILL)
             _, status = os.waitpid(self.pid, 0)
         return ended_by(os.waitstatus_to_exitcode(status))
 
@@ -223,7 +226,6 @@ def _serve(link: Connection, subject: Subject, limits: Limits, *, first_lane: bo
     """Be a lane: take units, and send parts, until the owner hangs up."""
     status = 1
     try:
-        end_with_parent()
         os.setsid()
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
         if limits.memory is not None and not subject.from_user:

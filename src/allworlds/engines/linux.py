@@ -20,12 +20,11 @@ HERE = sys.platform == "linux"
 DEATH_SIGNAL, SUBREAPER = 1, 36
 
 
-def end_with_parent() -> None:
-    """End this process when the thread that has started it ends."""
+def end_with_parent(parent: int, number: int = signal.SIGKILL) -> None:
+    """Send this process a signal when the thread that has started it ends; its process is named."""
     if HERE:
-        parent = os.getppid()
-        _control(DEATH_SIGNAL, signal.SIGKILL)
-        if parent == 1 or os.getppid() != parent:
+        _control(DEATH_SIGNAL, number)
+        if os.getppid() != parent:
             os._exit(1)  # it has ended already
 
 

@@ -1,6 +1,6 @@
 """The program with the user's code in it: it plays, and does not judge.
 
-    python -P -c "...; main()" PATH...       (descriptor 3: the link; 4: the beat)
+    python -P -c "...; main(PARENT)" PATH...       (descriptor 3: the link; 4: the beat)
 
 It is told an explorer, then batches of runs, until the link is closed.  Each message is its length
 and bytes that marshal has written; an answer is its length, a letter and bytes, in which nothing is
@@ -44,11 +44,11 @@ SHARE_OF_MODELS = 0.8
 """The share of an explorer's time for an answer that a call of a lighthouse or judge may take."""
 
 
-def main() -> None:
-    """Serve until the owner hangs up."""
+def main(parent: int) -> None:
+    """Serve until the owner, the process of that number, hangs up."""
     from allworlds.engines.linux import end_with_parent
 
-    end_with_parent()
+    end_with_parent(parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
     setup = _read()
     beat = memoryview(mmap.mmap(BEAT, 16)).cast("q")
@@ -68,6 +68,10 @@ def main() -> None:
     if os.getpid() != own:
         os._exit(0)  # a copy that the explorer has forked when it was imported
     signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
+    if subject.innermost.program:
+        end_with_parent(
+            parent, signal.SIGTERM
+        )  # here is no user's code, and the program must end, too
     _flush()
     if not setup["prints"]:
         with suppress(OSError):  # users' code may have limited what can be opened
@@ -90,7 +94,7 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
     Raises:
         InputError: if it cannot be loaded.
     """
-    from allworlds.engines.linux import address_space, end_with_parent, limit_memory
+    from allworlds.engines.linux import address_space, limit_memory
     from allworlds.protocol import SourceText, limit_calls
 
     # A silent model is given up before it looks like a silent explorer.
@@ -106,9 +110,7 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
     from allworlds.explorers import load
 
     subject = load(name, setup["answer_timeout"], source)
-    native, program = subject.innermost.native, subject.innermost.program
-    if program is not None:
-        program.first_act = end_with_parent
+    native = subject.innermost.native
     if native is not None:
         native.library.print_line_by_line()
         if setup["memory"] is None:

@@ -45,7 +45,7 @@ RELAYED = 1 << 16
 
 _BOOT = (
     "import sys; sys.path[:] = sys.argv[1:]; del sys.argv[1:]; "
-    "from allworlds.engines.player import main; main()"
+    "from allworlds.engines.player import main; main({})"
 )
 _TOKEN = "ALLWORLDS_PLAYER"  # noqa: S105  # the name of a variable
 
@@ -521,7 +521,7 @@ def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
     places = [(free, 3), (free + 1, 4), (free + 2, 1), (free + 2, 2)]
     moved = [(os.POSIX_SPAWN_DUP2, *each) for each in places]
     closed = [(os.POSIX_SPAWN_CLOSE, each) for each in high]
-    command = [sys.executable, "-P", "-c", _BOOT, *child_path()]
+    command = [sys.executable, "-P", "-c", _BOOT.format(os.getpid()), *child_path()]
     return _spawners[0].done(
         lambda: os.posix_spawn(
             sys.executable,

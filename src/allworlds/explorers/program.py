@@ -14,7 +14,7 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from random import Random
 from typing import Literal
 
@@ -42,10 +42,6 @@ class Program:
         command: split as a shell splits words; no shell is involved.
         answer_timeout: seconds of silence after which it is killed.
 
-    Attributes:
-        path: of the program.
-        first_act: is called in the new process before the program is.
-
     Raises:
         InputError: if the command is empty, or its program is not found or cannot be run.
     """
@@ -65,7 +61,6 @@ class Program:
         if missing := missing_script(self._arguments):
             raise InputError(f"--exec {show(command)}: {missing}")
         self.path = found
-        self.first_act: Callable[[], None] | None = None
         self._timeout = answer_timeout
         self._process: subprocess.Popen[bytes] | None = None
         self._numbers = Random(secrets.randbits(64))  # noqa: S311  # they are to tell nothing
@@ -151,7 +146,6 @@ class Program:
                 stderr=subprocess.PIPE,
                 bufsize=0,
                 start_new_session=True,
-                preexec_fn=self.first_act,  # noqa: PLW1509  # a player has no threads of its own
             )
         except OSError as error:
             raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
