@@ -186,7 +186,7 @@ def test_what_a_player_started_ends_with_it(module):
 
 def test_without_linux_all_but_daemons_and_memory_is_as_ever(module, monkeypatch):
     monkeypatch.setattr(linux, "HERE", False)
-    linux.end_with_parent()
+    linux.end_with_parent(0)
     linux.adopt()
     linux.limit_memory(1)
     assert linux.descendants(os.getpid()) == []
@@ -199,7 +199,7 @@ def test_without_linux_all_but_daemons_and_memory_is_as_ever(module, monkeypatch
 
 
 class Link:
-    """What a player reads and writes, without a process."""
+    """A link that a player reads and writes, without a process."""
 
     def __init__(self, messages):
         self.waiting = b"".join(len(m).to_bytes(4, "little") + m for m in messages)

@@ -56,7 +56,7 @@ class Recorded(NamedTuple):
 
     @classmethod
     def of(cls, due: Due, episode: Episode) -> Recorded:
-        """What was sensed in an episode of that run."""
+        """The record of an episode of that run."""
         over = isinstance(episode.ending, Over)
         return cls(episode.transcript.percepts, due.world, due.script, over)
 

@@ -3,7 +3,7 @@
 The second play would be given the choices; but where there is one schedule a run, the policy
 answers them, and not what the first play has said of them.
 
-verdict: refuted nondeterministic
+verdict: refuted map or nondeterministic
 options: --edges 3 --lighthouse none --laws map,pose
 quick: 1
 """
