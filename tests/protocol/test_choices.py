@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from allworlds.inputs import InputError
-from allworlds.protocol import KINDS, Choices, Schedules, policy_named
+from allworlds.protocol import KINDS, Choices, ScheduledChoices, next_script, policy_named
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:7"]
 widths = st.lists(st.integers(1, 5), max_size=12)
@@ -203,6 +203,15 @@ trees = st.recursive(
 )
 
 
+def schedules():
+    """The choices of one run after the other, until there is no next script."""
+    script = ()
+    while script is not None:
+        choices = ScheduledChoices(script)
+        yield choices
+        script = next_script(script, choices.record, choices.widths)
+
+
 def walk(tree, choices):
     while tree:
         tree = choices.pick(tree, of="edge")
@@ -219,7 +228,7 @@ def leaves(tree):
 
 @given(trees)
 def test_schedules_are_all_sequences_of_answers_in_lexicographic_order(tree):
-    walked = [walk(tree, choices) for choices in Schedules()]
+    walked = [walk(tree, choices) for choices in schedules()]
     assert walked == list(leaves(tree))
     assert walked == sorted(walked)
 
@@ -227,28 +236,22 @@ def test_schedules_are_all_sequences_of_answers_in_lexicographic_order(tree):
 @given(st.lists(st.integers(1, 4), max_size=5))
 def test_schedules_of_fixed_widths_are_the_product_of_their_ranges(asked):
     found = []
-    for choices in Schedules():
+    for choices in schedules():
         found.append(tuple(choices.pick(range(width), of="transit") for width in asked))
         assert tuple(choices.record) == found[-1]
     assert found == list(product(*map(range, asked)))
 
 
 def test_an_explorer_that_asks_nothing_has_one_schedule():
-    assert [choices.record for choices in Schedules()] == [[]]
+    assert [choices.record for choices in schedules()] == [[]]
 
 
 def test_the_record_of_a_finished_run_stays_when_the_next_run_begins():
     runs = []
-    for choices in Schedules():
+    for choices in schedules():
         walk([(), [(), ()]], choices)
         runs.append(choices)
     assert [choices.record for choices in runs] == [[0], [1, 0], [1, 1]]
-
-
-def test_schedules_start_anew_each_time_they_are_iterated():
-    schedules = Schedules()
-    runs = [[walk([(), ()], choices) for choices in schedules] for _ in range(2)]
-    assert runs[0] == runs[1] == [[0], [1]]
 
 
 # ---------------------------------------------------------------- what cannot be chosen from
@@ -292,7 +295,7 @@ class Lying(list):
         return self.asked
 
 
-@pytest.mark.parametrize("make", [Choices, lambda: next(iter(Schedules()))])
+@pytest.mark.parametrize("make", [Choices, lambda: next(schedules())])
 def test_options_without_a_length_are_no_sequence_and_not_recorded(make):
     choices = make()
     with pytest.raises(ValueError, match="options of the type Lenless is no sequence"):
@@ -302,7 +305,7 @@ def test_options_without_a_length_are_no_sequence_and_not_recorded(make):
 
 def test_every_schedule_asks_options_for_their_length_once():
     options = Lying("abc")
-    choices = next(iter(Schedules()))
+    choices = next(schedules())
     assert choices.pick(options, of="edge") == "a"
     assert (options.asked, choices.widths) == (1, [1])
 
@@ -329,7 +332,7 @@ def test_a_choice_that_was_refused_leaves_the_schedules_as_they_are(broken):
             raise broken
 
     found = []
-    for choices in Schedules():
+    for choices in schedules():
         with pytest.raises((ValueError, broken)):
             choices.pick(Raising("ab"), of="edge")
         found.append(choices.pick("ab", of="edge"))
@@ -337,7 +340,7 @@ def test_a_choice_that_was_refused_leaves_the_schedules_as_they_are(broken):
 
 
 def test_options_that_choose_when_they_are_looked_at_are_refused():
-    choices = next(iter(Schedules()))
+    choices = next(schedules())
 
     class Choosing(list):
         def __getitem__(self, index):
@@ -350,7 +353,7 @@ def test_options_that_choose_when_they_are_looked_at_are_refused():
 @pytest.mark.parametrize("change", [lambda record: record.extend([7, 7]), list.clear])
 def test_a_run_that_did_not_make_the_choices_that_were_due_is_the_last(change):
     runs = 0
-    for choices in Schedules():
+    for choices in schedules():
         choices.pick("ab", of="edge")
         change(choices.record)
         runs += 1

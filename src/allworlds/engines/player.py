@@ -191,9 +191,9 @@ class _Server:
             logs = self._library.play(batch)
         except ExplorerFault:  # which each run will tell
             logs = None
-        _answer(NO_ROOM, b"") if logs is None else _answer(LOGS, logs)
         if os.getpid() != self._pid:
             os._exit(0)
+        _answer(NO_ROOM, b"") if logs is None else _answer(LOGS, logs)
 
 
 def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:

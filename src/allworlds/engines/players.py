@@ -249,9 +249,11 @@ class PlayerProcess:
                 self.description = Description(frozenset(keywords), digest, has_shield)
                 return None
             if letter in (LOGS, NO_ROOM) and self.jobs:
-                job, asked = self.jobs.popleft()
+                job, asked = self.jobs[0]
+                answer = Answer(job, None if letter == NO_ROOM else logs_of(content, asked["runs"]))
+                self.jobs.popleft()
                 self._seen, self._since = None, time.monotonic()
-                return Answer(job, None if letter == NO_ROOM else logs_of(content, _runs(asked)))
+                return answer
         except (ValueError, TypeError, EOFError):
             pass
         seen = "what a player has said is none of its messages"
@@ -434,11 +436,6 @@ def wait(
         poll.register(file, select.POLLIN)
     ready = {file for file, _ in poll.poll(1000 * seconds)}
     return any(file in ready for file in others)
-
-
-def _runs(message: dict[str, Any]) -> int:
-    """The number of logs that answer a message."""
-    return int(message["runs"])
 
 
 def logs_of(content: bytes, runs: int) -> list[bytes]:

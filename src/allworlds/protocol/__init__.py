@@ -48,7 +48,6 @@ if TYPE_CHECKING:
         Kind as Kind,
         Schedule as Schedule,
         ScheduledChoices as ScheduledChoices,
-        Schedules as Schedules,
         a_schedule as a_schedule,
         are_due as are_due,
         next_script as next_script,

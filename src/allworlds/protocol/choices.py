@@ -174,23 +174,6 @@ def _check_costs(options: Sized, cost: Sequence[int]) -> None:
         )
 
 
-class Schedules:
-    """Every schedule of one explorer on one world, in lexicographic order.
-
-    Usage: iterate; give each :class:`Choices` to one run; when the run has ended the next
-    one takes the next schedule.  An explorer without choices has one schedule.  A run that did not
-    make the choices that were due is the last: there might be no end.
-    """
-
-    def __iter__(self) -> Iterator[Choices]:
-        """Yield the choices of one run after the other."""
-        script: tuple[int, ...] | None = ()
-        while script is not None:
-            choices = ScheduledChoices(script)
-            yield choices
-            script = next_script(script, choices.record, choices.widths)
-
-
 def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int]) -> bool:
     """Whether these are the choices of the script, all others being 0."""
     length = max(len(script), len(record))

@@ -9,10 +9,7 @@
  * verdict of raises_a_signal: refuted crash
  * verdict of catches_its_signal: holds
  * verdict of forks_once: holds
- * verdict of stops_its_siblings: holds
- * verdict of keeps_stopping_its_siblings: holds
  * verdict of closes_all: refuted crash
- * verdict of writes_into_all: refuted crash or timeout
  * verdict of takes_all_memory: refuted crash
  * verdict of leaves: refuted crash
  * verdict of constructor_loops: refused
@@ -22,7 +19,6 @@
 #define _GNU_SOURCE
 #include "right.h"
 
-#include <dirent.h>
 #include <pthread.h>
 #include <setjmp.h>
 #include <signal.h>
@@ -93,66 +89,11 @@ WAY(forks_once)
         fork();
 }
 
-static int parent_of(int process)
-{
-    char name[64], text[1024] = "";
-    int parent = 0;
-    snprintf(name, sizeof name, "/proc/%d/stat", process);
-    FILE *file = fopen(name, "r");
-    if (file) {
-        text[fread(text, 1, sizeof text - 1, file)] = 0;
-        fclose(file);
-    }
-    char *end = strrchr(text, ')');
-    if (end)
-        sscanf(end + 1, " %*c %d", &parent);
-    return parent;
-}
-
-static void stop_children_of(int parent, int but)
-{
-    DIR *all = opendir("/proc");
-    for (struct dirent *one; all && (one = readdir(all));) {
-        int process = atoi(one->d_name);
-        if (process > 1 && process != but && parent_of(process) == parent)
-            kill(process, SIGSTOP);
-    }
-    if (all)
-        closedir(all);
-}
-
-WAY(stops_its_siblings)
-{
-    (void)percept;
-    stop_children_of(getppid(), getpid());
-}
-
-WAY(keeps_stopping_its_siblings)
-{
-    static int forked;
-    int parent = getppid(), itself = getpid();
-    (void)percept;
-    if (forked++ || fork())
-        return;
-    for (;; usleep(10000))
-        stop_children_of(parent, itself);
-}
-
 WAY(closes_all)
 {
     (void)percept;
     for (int descriptor = 0; descriptor < 256; descriptor++)
         close(descriptor);
-}
-
-WAY(writes_into_all)
-{
-    char noise[4096];
-    (void)percept;
-    memset(noise, 0x7f, sizeof noise);
-    for (int descriptor = 3; descriptor < 256; descriptor++)
-        if (write(descriptor, noise, sizeof noise) < 0)
-            continue;
 }
 
 WAY(takes_all_memory)

@@ -14,7 +14,7 @@ from allworlds.engines.units.shards import WHOLE, Portion, Shard, Whole
 from allworlds.inputs import InputError, an_integer, at_most, show
 from allworlds.judging import Rules
 from allworlds.maps import Extent
-from allworlds.protocol import Choices, Schedule, Schedules
+from allworlds.protocol import Schedule
 from allworlds.world import World
 
 MOST_RUNS = 10**12
@@ -119,10 +119,3 @@ class Scope(Struct, frozen=True):
             return
         for edges in self.extent.levels:
             yield SweptLevel(edges, level_size(self.extent, edges), self.units(edges))
-
-    def schedule(self, name: str) -> Iterator[Choices]:
-        """Choices for each schedule of the run of that name."""
-        if self.schedules == "one":
-            yield self.rules.choices(name)
-        else:
-            yield from Schedules()

@@ -17,7 +17,7 @@ from allworlds.judging import Chirality, Finding, Misreading, Rules
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
     """A finding with what its own document leaves out, but without the rules."""
-    record = {**finding.to_json(), "machine": finding.machine, "traced": finding.traced}
+    record = {**finding.to_json(), "machine": finding.machine}
     if finding.chirality:
         record["chirality"] = asdict(finding.chirality)
     if finding.misreading:
@@ -30,7 +30,6 @@ def finding_from_record(document: Mapping[str, Any]) -> Finding:
     return replace(
         Finding.from_json(document),
         machine=document["machine"],
-        traced=document["traced"],
         chirality=Chirality(**document["chirality"]) if "chirality" in document else None,
         misreading=Misreading(**document["misreading"]) if "misreading" in document else None,
     )

@@ -60,9 +60,8 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     other keys are ignored, but not in its world.
 
     ``at`` holds the place and ``under`` the rules, where they need not be made of the world and the
-    options. The ``machine`` may be the cause. A run that has killed its worker is ``traced``, so
-    that its walk is known, when it is reported. The ``chirality`` is what a chiral world showed,
-    and the ``misreading`` what a translator did.
+    options. The ``machine`` may be the cause. The ``chirality`` is what a chiral world
+    showed, and the ``misreading`` what a translator did.
     """
 
     version: Annotated[Literal[2], about("the version of findings")]
@@ -126,7 +125,6 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     at: Aside[int | None] = None
     under: Aside[Rules | None] = None
     machine: Aside[bool] = False
-    traced: Aside[bool] = True
     chirality: Aside[Chirality | None] = None
     misreading: Aside[Misreading | None] = None
 
