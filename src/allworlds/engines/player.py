@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.library_player import LibraryPlayer
-    from allworlds.explorers import Function, Subject
+    from allworlds.explorers import Function, Program, Subject
     from allworlds.protocol import Choices, Player
 
 LINK, BEAT = 3, 4
@@ -67,11 +67,9 @@ def main(parent: int) -> None:
         return
     if os.getpid() != own:
         os._exit(0)  # a copy that the explorer has forked when it was imported
-    signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
-    if subject.innermost.program:
-        end_with_parent(
-            parent, signal.SIGTERM
-        )  # here is no user's code, and the program must end, too
+    if program := subject.innermost.program:  # here is no user's code, and it must end, too
+        signal.signal(signal.SIGTERM, lambda *_: _leave(program))
+        end_with_parent(parent, signal.SIGTERM)
     _flush()
     if not setup["prints"]:
         with suppress(OSError):  # users' code may have limited what can be opened
@@ -289,9 +287,7 @@ def _digest(subject: Subject | Function) -> str:
     return ""
 
 
-def _leave(subject: Subject | Function) -> None:
-    """End the user's program behind the explorer, and this process."""
-    program = subject.innermost.program
-    if program:
-        program.close()
+def _leave(program: Program) -> None:
+    """End the user's program, and this process."""
+    program.close()
     os._exit(0)
