@@ -23,7 +23,7 @@ from typing import Any
 from unittest.mock import patch
 
 from allworlds import check
-from allworlds.engines.run_directory import finished_units as records
+from allworlds.engines import run_directory as records
 
 
 @dataclass(slots=True)

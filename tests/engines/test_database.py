@@ -9,10 +9,9 @@ import pytest
 
 from allworlds import check
 from allworlds.document import replace
-from allworlds.engines import Identity, Silent, reading
-from allworlds.engines.run_directory import database
-from allworlds.engines.run_directory.database import FILE, SCHEMA, checksum
-from allworlds.engines.run_directory.finished_units import records_in
+from allworlds.engines import Identity, Silent, database, reading
+from allworlds.engines.database import FILE, SCHEMA, checksum
+from allworlds.engines.run_directory import records_in
 from allworlds.inputs import InputError
 
 JOB = Identity(
@@ -108,7 +107,7 @@ def test_a_directory_that_nobody_can_write_is_refused():
 
 
 def test_a_directory_in_use_is_refused(finished, monkeypatch):
-    monkeypatch.setattr("allworlds.engines.run_directory.finished_units.PATIENCE", 0.1)
+    monkeypatch.setattr("allworlds.engines.run_directory.PATIENCE", 0.1)
     with (
         records_in(finished, lambda: JOB, nothing),
         pytest.raises(InputError, match="is in use by another command"),

@@ -1,7 +1,8 @@
-"""The table of the engines: a new one is an entry."""
+"""The job of an engine, and the table of the engines: a new one is an entry."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from typing import Annotated, Any, Protocol, TypeAlias
 
@@ -9,14 +10,12 @@ from msgspec import Struct
 
 from allworlds.document import one_of, replace
 from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER, WORTH_LOADING
-from allworlds.engines.job import Job
+from allworlds.engines.effort import DaskCluster, Limits
+from allworlds.engines.here import Split, Threads
 from allworlds.engines.lanes import in_any_order, workers_for
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.transports.split import Split
-from allworlds.engines.transports.threads import Threads
-from allworlds.engines.units.effort import DaskCluster
-from allworlds.engines.units.unit import Transport
+from allworlds.engines.units import Transport
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError, lack_of, show
 
@@ -104,7 +103,7 @@ class Compiled:
         near = Threads(workers, job.deadline, BATCH)
         if job.cluster is None:
             return ReadyEngine(near, engine)
-        from allworlds.engines.transports.dask import Dask
+        from allworlds.engines.dask import Dask
 
         far = Dask(job.cluster, workers, job.deadline)
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
@@ -125,7 +124,7 @@ def players_for(job: Job) -> Transport[Any]:
 
 def _cluster(job: Job, cluster: DaskCluster) -> Transport[Any]:
     """A cluster, on each worker of which an explorer is played as it would be here."""
-    from allworlds.engines.transports.dask import Dask
+    from allworlds.engines.dask import Dask
 
     subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
     if subject.from_user and not subject.importable:
@@ -190,3 +189,24 @@ def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = N
     if obstacle := ENGINES[name].obstacle(scope, subject):
         raise InputError(f"engine {show(name)} {obstacle}; give auto or python")
     return ENGINES[name]
+
+
+class Job(Struct, frozen=True):
+    """A check as an engine gets it.
+
+    Attributes:
+        scope, subject: of the check.
+        limits: of workers and of time.
+        keep: the number of findings that are kept.
+        deadline: on the monotonic clock, or None.
+        notice: takes a text that the user reads at once.
+        cluster: that is to do the work; None for work on this machine without Dask.
+    """
+
+    scope: Scope
+    subject: Subject
+    limits: Limits
+    keep: int
+    deadline: float | None
+    notice: Callable[[str], None]
+    cluster: DaskCluster | None = None

@@ -1,11 +1,12 @@
-"""The prints of an explorer, escaped and limited: for one run, and never for a verdict."""
+"""Prints of explorers, escaped and limited, and a stderr that may be lost: never for a verdict."""
 
 from __future__ import annotations
 
 import io
+import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
-from typing import Any, Protocol
+from typing import Any, Protocol, TextIO
 
 KEPT = 4096
 """The largest number of bytes of the text; of longer prints it has the beginning and the end."""
@@ -110,3 +111,28 @@ def printing_to(sink: Sink) -> Iterator[None]:
     )
     with redirect_stdout(written), redirect_stderr(written):
         yield
+
+
+def patient_stderr() -> TextIO:
+    """Stderr as a text stream that drops texts which cannot be written, if it is full or unread.
+
+    Otherwise ``print`` would raise in the code that calls it: an explorer would be refuted, or
+    bad input have the exit code of an internal error.
+    """
+    return io.TextIOWrapper(
+        io.BufferedWriter(_Patient(2, "w", closefd=False)),
+        encoding=sys.stderr.encoding if sys.stderr else "utf-8",
+        errors="backslashreplace",
+        line_buffering=True,
+    )
+
+
+class _Patient(io.FileIO):
+    """A file whose writing never fails."""
+
+    def write(self, data: Any) -> int:
+        """Write, and report the whole length as written."""
+        try:
+            return super().write(data)
+        except OSError:
+            return len(data)

@@ -13,20 +13,29 @@ from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
 from allworlds.document import replace
+from allworlds.engines.effort import ClusterLost, TimeIsUp, deadline_after
 from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.here import ThisThread
+from allworlds.engines.identity import Identity
+from allworlds.engines.kept_form import from_kept
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import NOBODY, Listener
 from allworlds.engines.python.run_counter import EnginesDisagree
-from allworlds.engines.run_directory.finished_units import ENDED, Records, records_in, shelf
-from allworlds.engines.run_directory.identity import Identity
-from allworlds.engines.transports.inline import ThisThread
-from allworlds.engines.units.effort import ClusterLost, TimeIsUp, deadline_after
-from allworlds.engines.units.gather import gather
-from allworlds.engines.units.kept_form import from_kept
-from allworlds.engines.units.levels import SweptLevel, levels_of, tell_of_size
-from allworlds.engines.units.listing import By
-from allworlds.engines.units.shards import UNMERGEABLE, WHOLE, AskedShard, Portion, Shard, shards_of
-from allworlds.engines.units.unit import Sum
+from allworlds.engines.run_directory import ENDED, Records, records_in, shelf
+from allworlds.engines.swept_report import By
+from allworlds.engines.units import (
+    UNMERGEABLE,
+    WHOLE,
+    AskedShard,
+    Portion,
+    Shard,
+    Sum,
+    SweptLevel,
+    gather,
+    levels_of,
+    shards_of,
+    tell_of_size,
+)
 from allworlds.inputs import InputError, meant, remembered, without_effort
 from allworlds.maps import Extent
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended

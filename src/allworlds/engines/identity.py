@@ -7,7 +7,7 @@ import json
 from typing import Annotated, Any, Self
 
 from allworlds.document import Document, Positive, ShardText, Text, about, taken
-from allworlds.engines.units.shards import Portion, a_shard, shards_of
+from allworlds.engines.units import Portion, a_shard, shards_of
 from allworlds.inputs import show
 from allworlds.version import __version__
 from allworlds.words import plural

@@ -17,7 +17,7 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
-from allworlds.engines.run_directory.identity import FORMAT, Identity, in_order
+from allworlds.engines.identity import FORMAT, Identity, in_order
 from allworlds.inputs import InputError, show
 from allworlds.version import __version__
 

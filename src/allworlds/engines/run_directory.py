@@ -14,11 +14,11 @@ from typing import Any, Protocol
 
 from typing_extensions import override
 
-from allworlds.engines.run_directory import database
-from allworlds.engines.run_directory.database import Database, is_at
-from allworlds.engines.run_directory.identity import Identity
-from allworlds.engines.units.kept_form import to_kept
-from allworlds.engines.units.unit import NOTHING_KEPT, KeptUnits, Sum, Unit
+from allworlds.engines import database
+from allworlds.engines.database import Database, is_at
+from allworlds.engines.identity import Identity
+from allworlds.engines.kept_form import to_kept
+from allworlds.engines.units import NOTHING_KEPT, KeptUnits, Sum, Unit
 from allworlds.inputs import InputError, a_path, show
 from allworlds.words import listed
 

@@ -1,16 +1,47 @@
-"""Units in threads, for engines that release the interpreter's lock."""
+"""Transports of this process: one thread, several, and small levels here where others are far."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from itertools import islice, takewhile
+from contextlib import ExitStack
+from itertools import chain, islice, takewhile
 from threading import Event
 from typing import Any, Protocol, Self, TypeVar
 
-from allworlds.engines.transports.inline import with_last
-from allworlds.engines.units.effort import POLL, TimeIsUp, check_deadline
-from allworlds.engines.units.unit import PartialResult, R, U, U_contra, UnitEngine
+from allworlds.engines.effort import POLL, TimeIsUp, check_deadline
+from allworlds.engines.units import PartialResult, R, Transport, U, U_contra, UnitEngine
+
+
+class ThisThread:
+    """The transport in this thread; the engine's work here cannot be stopped from outside."""
+
+    def __init__(self, deadline: float | None = None) -> None:
+        self._deadline = deadline
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Leave the context; no work goes on."""
+
+    def map(self, engine: UnitEngine[U, R], units: Iterable[U]) -> Iterator[PartialResult[U, R]]:
+        """Yield the parts of all units, in their order."""
+        for unit in units:
+            for result, last in with_last(engine.parts(unit)):
+                yield PartialResult(unit, result, last)
+                check_deadline(self._deadline)
+
+
+def with_last(items: Iterable[R]) -> Iterator[tuple[R, bool]]:
+    """Each of at least one item with whether it is the last one."""
+    iterator = iter(items)
+    item = next(iterator)
+    for following in iterator:
+        yield item, False
+        item = following
+    yield item, True
+
 
 R_co = TypeVar("R_co", covariant=True)
 
@@ -80,3 +111,41 @@ def _done(engine: UnitEngine[U, R], batch: Iterable[U], ended: Event) -> list[Pa
         for unit in takewhile(lambda _: not ended.is_set(), batch)
         for result, last in with_last(engine.parts(unit))
     ]
+
+
+class Split:
+    """Two transports as one: the first unit of a level decides which one does the level.
+
+    A level costs a scheduler some round trips before all workers are busy, and again at its end.
+    A small one is done in less.
+
+    Args:
+        soon: whether units such as this one are faster done near.
+        near: the transport of such units; a context as long as this one is.
+        far: that of the others, likewise.
+    """
+
+    def __init__(
+        self, soon: Callable[[Any], bool], near: Transport[Any], far: Transport[Any]
+    ) -> None:
+        self._soon, self._near, self._far = soon, near, far
+
+    def __enter__(self) -> Self:
+        with ExitStack() as stack:
+            stack.enter_context(self._near)
+            stack.enter_context(self._far)
+            stack.pop_all()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        try:
+            self._far.__exit__(*error)
+        finally:
+            self._near.__exit__(*error)
+
+    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
+        """Yield the parts of all units of one level, as they come."""
+        waiting = iter(units)
+        for first in waiting:
+            where = self._near if self._soon(first) else self._far
+            yield from where.map(engine, chain((first,), waiting))

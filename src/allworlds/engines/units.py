@@ -1,0 +1,398 @@
+"""Units: the pieces into which a level is cut, the shards of them, and the one loop over them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from heapq import heapify, heapreplace
+from random import Random
+from typing import Annotated, Any, Generic, Protocol, Self, TypeAlias, TypeVar
+
+from msgspec import Struct
+from typing_extensions import override
+
+from allworlds.engines.progress import Listener
+from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, an_integer, show
+from allworlds.maps import (
+    CombinatorialMap,
+    Extent,
+    Gluing,
+    completions,
+    prefixes,
+    rooted_maps,
+    source_for,
+    source_of,
+)
+
+
+class Unit(Protocol):
+    """A piece of work, which does not depend on the workers or their number."""
+
+    @property
+    def key(self) -> str:
+        """Its name among the units of one job."""
+
+
+class Sum(Protocol):
+    """A result whose parts can be added up in any order; a dataclass, kept by its fields."""
+
+    @property
+    def worlds(self) -> int:
+        """The number of worlds in it."""
+
+    def add(self, other: Any, /) -> None:
+        """Take in another part."""
+
+
+U = TypeVar("U", bound=Unit)
+R = TypeVar("R")
+U_contra = TypeVar("U_contra", bound=Unit, contravariant=True)
+R_co = TypeVar("R_co", covariant=True)
+E_contra = TypeVar("E_contra", contravariant=True)
+
+
+class PartialResult(Struct, Generic[U, R], frozen=True):
+    """A part of a unit's result; ``last``: whether it completes the unit."""
+
+    unit: U
+    result: R
+    last: bool
+
+
+class KeptUnits(Protocol):
+    """The store of finished units, so that no unit is done twice."""
+
+    def result(self, unit: Unit) -> Any:
+        """Return the result of a unit that is finished; None if it is not."""
+
+    def keep(self, unit: Unit, result: Any) -> None:
+        """Store the whole result of a unit; errors of the disk do not end the job."""
+
+
+class NothingKept(KeptUnits):
+    """A store that keeps no units."""
+
+    @override
+    def result(self, unit: Unit) -> None:
+        pass
+
+    @override
+    def keep(self, unit: Unit, result: Any) -> None:
+        pass
+
+
+NOTHING_KEPT = NothingKept()
+
+
+class UnitEngine(Protocol[U_contra, R_co]):
+    """The engine that does a unit."""
+
+    def parts(self, unit: U_contra) -> Iterator[R_co]:
+        """Yield the unit's result in parts, at least one; they add up to the whole."""
+
+
+class Transport(Protocol[E_contra]):
+    """A transport brings units to engines; a context, after which no work goes on."""
+
+    def __enter__(self) -> Self: ...
+
+    def __exit__(self, *_: object) -> None: ...
+
+    def map(self, engine: E_contra, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
+        """Yield the parts of all units, as they come.
+
+        Raises:
+            TimeIsUp: when the time limit has been reached.
+        """
+
+
+class Whole(Struct, frozen=True):
+    """Every world of the extent."""
+
+    def __str__(self) -> str:
+        return "0/1"
+
+
+class Shard(Struct, frozen=True):
+    """The part of number ``index`` when every level is dealt out to ``count`` parts.
+
+    Raises:
+        InputError: naming what is out of range.
+    """
+
+    index: int
+    count: int
+
+    def __post_init__(self) -> None:
+        for name, number in (("K", self.index), ("N", self.count)):
+            an_integer(f"shard {name}", number)
+        if self.count < 1 or not 0 <= self.index < self.count:
+            raise InputError(f"shard {self} is out of range; K/N needs 0 <= K < N, counted from 0")
+
+    def __str__(self) -> str:
+        return f"{self.index}/{self.count}"
+
+
+WHOLE = Whole()
+
+Portion: TypeAlias = Whole | Shard
+"""The part of the units of a job that is done."""
+
+UNMERGEABLE = "without --run DIR the report of this shard cannot be merged with others"
+"""The notice to the user of a shard that cannot be merged."""
+
+
+def shards_of(portion: object) -> int:
+    """The number of parts of the job to which this part belongs."""
+    return portion.count if isinstance(portion, Shard) else 1
+
+
+SHARD_DIGITS = 9
+
+
+def shard_numbers(text: str) -> tuple[int, int]:
+    """The two numbers of ``K/N``."""
+    match = re.fullmatch(r"([0-9]+)/([0-9]+)", text)
+    if match is None:
+        raise InputError(f"shard {show(text)} is not of the form K/N, counted from 0")
+    if max(map(len, match.groups())) > SHARD_DIGITS:
+        raise InputError(f"shard {show(text)} is too big; N is at most {10**SHARD_DIGITS - 1}")
+    return int(match[1]), int(match[2])
+
+
+def a_shard(pair: object) -> Portion:
+    """The shard of ``(K, N)``; of one shard, and of None, the whole.
+
+    Raises:
+        InputError: for anything else.
+    """
+    if isinstance(pair, Whole | Shard):
+        return pair
+    if pair is None:
+        return Whole()
+    if not isinstance(pair, tuple | list) or len(pair) != 2:
+        raise InputError(f"shard = {show(pair)} is not a pair (K, N)")
+    shard = Shard(an_integer("shard K", pair[0]), an_integer("shard N", pair[1]))
+    return Whole() if shard.count == 1 else shard
+
+
+class AskedShard(Request):
+    """The part of a request that names the shard."""
+
+    shard: Annotated[
+        Taken[tuple[int, int] | Portion | None, Portion],
+        Option(
+            SCOPE,
+            "K/N",
+            "Only the K-th of N parts of about equal weight, from 0.",
+            parse=shard_numbers,
+            default="0/1",
+            apart=True,
+        ),
+    ] = Taken(a_shard, None)
+
+
+def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:
+    """The numbers of the units that fall to a shard, ascending.
+
+    The heaviest unit that is left goes to the lightest shard; among equals the first to the first.
+    """
+    heaviest = sorted(range(len(weights)), key=lambda i: (-weights[i], i))
+    loads = [(0, index) for index in range(min(shard.count, len(weights)))]
+    heapify(loads)
+    mine = []
+    for i in heaviest:
+        load, index = loads[0]
+        if index == shard.index:
+            mine.append(i)
+        heapreplace(loads, (load + weights[i], index))
+    yield from sorted(mine)
+
+
+MANY_WORLDS = 10_000_000
+"""The number of worlds above which the user is told the size at once."""
+
+COUNTABLE_WORLDS = 10**12
+"""The number of worlds above which the counting of a level takes long, too."""
+
+
+class LevelUnit(Struct, frozen=True):
+    """All maps of a level whose history begins with ``prefix``."""
+
+    edges: int
+    prefix: tuple[int, ...]
+
+    @property
+    def key(self) -> str:
+        """The name ``EDGES:DECISION,DECISION,...``."""
+        return f"{self.edges}:{','.join(map(str, self.prefix))}"
+
+    def maps(self, extent: Extent) -> Iterator[CombinatorialMap]:
+        """The maps, rooted at dart 0, in the order of the enumeration."""
+        bounds = (self.edges, extent.map_class, extent.vertices)
+        return rooted_maps(*bounds, self.prefix, extent.where)
+
+    def weight(self, extent: Extent) -> int:
+        """The number of these maps, counted; in simple classes and under conditions at most."""
+        gluing = Gluing(self.edges, extent.map_class, extent.vertices, extent.where)
+        for decision in self.prefix:
+            gluing.apply(decision)
+        return completions(gluing)
+
+
+DEPTHS = ((6, 1), (9, 2))
+"""The number of decisions that make a unit, below each number of edges; a unit takes some
+milliseconds of the compiled engine, so that keeping its result costs little."""
+
+DEPTH = 3
+"""The number of decisions that make a unit of all larger levels."""
+
+SIMPLE_DEPTHS, SIMPLE_DEPTH = ((4, 1), (7, 2)), 5
+"""The numbers of decisions in the simple classes: weights are upper bounds there, with smaller
+errors for smaller units, and the errors of many units make up for each other."""
+
+
+def depth_of(extent: Extent, edges: int) -> int:
+    """The number of decisions that make a unit of a level."""
+    simple = extent.map_class.simple
+    depths, last = (SIMPLE_DEPTHS, SIMPLE_DEPTH) if simple else (DEPTHS, DEPTH)
+    return next((depth for below, depth in depths if edges < below), last)
+
+
+def units_of_level(extent: Extent, edges: int, portion: Portion = WHOLE) -> Iterator[LevelUnit]:
+    """The pieces of a level, or those of a shard; independent of the number of workers.
+
+    A shard gets about as many worlds as any other: the weights are counted beforehand.
+    """
+    bounds = (edges, extent.map_class, extent.vertices)
+    histories = prefixes(*bounds, depth_of(extent, edges), extent.where)
+    units = (LevelUnit(edges, prefix) for prefix in histories)
+    if isinstance(portion, Shard):
+        every = list(units)
+        units = (every[i] for i in dealt([unit.weight(extent) for unit in every], portion))
+    yield from units
+
+
+def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator[LevelUnit]:
+    """An endless sequence of pieces of a level, of at most ``most`` maps, drawn as its maps are.
+
+    A piece is drawn the more often the more maps it has; pieces without a map are left out.
+    """
+    while True:
+        bounds = (edges, extent.map_class, extent.vertices, extent.where)
+        gluing, prefix = Gluing(*bounds), list[int]()
+        while not gluing.finished and (not prefix or completions(gluing) > most):
+            following = [(decision, after) for decision, after in gluing.successors()]
+            weights = [completions(after) for _, after in following]
+            if not any(weights):
+                break
+            ((decision, gluing),) = draw.choices(following, weights)
+            prefix.append(decision)
+        else:
+            yield LevelUnit(edges, tuple(prefix))
+
+
+def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
+    """The rooted maps of a level by vertices, as the independent source counts them.
+
+    Under a condition without a source: at most so many, those of the class.
+    """
+    cells = (source_of(extent) or source_for(extent.map_class)).cells(edges)
+    return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
+
+
+def is_counted(extent: Extent | None) -> bool:
+    """Whether the worlds of an extent are counted beforehand, and not at most so many."""
+    return extent is None or source_of(extent) is not None
+
+
+def level_size(extent: Extent, edges: int) -> int:
+    """The number of all rooted maps of the level; under a condition without a source at most."""
+    return sum(cells_of_level(extent, edges).values())
+
+
+class SweptLevel(Struct, frozen=True):
+    """Units that are done as one: their result is reported if all of them are finished.
+
+    Attributes:
+        edges: of the largest of its worlds.
+        worlds: the number of results that are counted in it; of a shard, those of the whole.
+        units: those of this shard, made while they are asked for.
+        of: further data by which the study knows it.
+    """
+
+    edges: int
+    worlds: int
+    units: Iterable[Unit]
+    of: Any = None
+
+
+def levels_of(extent: Extent, portion: Portion = WHOLE) -> Iterator[SweptLevel]:
+    """The levels of all maps of an extent."""
+    for edges in extent.levels:
+        yield SweptLevel(edges, level_size(extent, edges), units_of_level(extent, edges, portion))
+
+
+def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
+    """Tell before the first level is begun if there are too many worlds to be soon done with.
+
+    Cost: some milliseconds; a level of which most worlds lie beyond the extent ends the counting.
+    """
+    last = extent.levels[-1]
+    source = source_of(extent) or source_for(extent.map_class)
+    worlds = counted = 0
+    for edges in extent.levels:
+        everywhere = sum(source.cells(edges).values())
+        counted, worlds = edges, worlds + level_size(extent, edges)
+        if worlds // shards > MANY_WORLDS:
+            listener.notice(
+                f"there are over {MANY_WORLDS:,} worlds with up to {edges} edges, and {last} are "
+                f"asked for: {_LONG}"
+            )
+            return
+        if everywhere > min(MANY_WORLDS * shards, COUNTABLE_WORLDS):
+            break
+    if counted < last:
+        listener.notice(f"all levels up to {last} edges are asked for: {_LONG}")
+
+
+_LONG = "this takes long, or does not end; an interrupt ends it with what is finished"
+
+
+def gather(
+    transport: Transport[E_contra],
+    engine: E_contra,
+    units: Iterable[Unit],
+    total: Sum,
+    listener: Listener,
+    kept: KeptUnits = NOTHING_KEPT,
+) -> None:
+    """Add the results of all units to ``total``; the listener is told of each part.
+
+    Kept units are not done again, and each unit is kept when it is whole.
+
+    Raises:
+        TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.
+    """
+
+    def undone() -> Iterator[Unit]:
+        for unit in units:
+            result = kept.result(unit)
+            if result is None:
+                yield unit
+            else:
+                total.add(result)
+                listener.progress(result.worlds)
+
+    begun: dict[str, Sum] = {}
+    for part in transport.map(engine, undone()):
+        key, result = part.unit.key, part.result
+        total.add(result)
+        listener.progress(result.worlds)
+        if key in begun:
+            begun[key].add(result)
+        else:
+            begun[key] = result
+        if part.last:
+            whole = begun.pop(key)
+            kept.keep(part.unit, whole)
