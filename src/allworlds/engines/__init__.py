@@ -15,7 +15,7 @@ Built-in explorers in compiled code need none of this: the kernel plays and judg
 The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and read logs:
 
 ``units``
-    the units of a level, shards of them, and the one loop over them;
+    the units of a level, and the shards to which they fall;
 ``effort``
     the limits of a job: workers, time-outs, time, a cluster;
 ``lanes``, ``here``, ``dask``
@@ -37,7 +37,7 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
 ``engine_table``
     **the** table of the engines, and the job that they get;
 ``sweep``, ``progress``, ``swept_report``
-    **the** loop through the levels of a study, its listeners, and its reports;
+    **the** loop over units, and through the levels of a study; its listeners, and its reports;
 ``single``, ``run_report``
     single runs, findings that are played again, by the same players; the report of one;
 ``other_worlds``, ``subject_probe``
@@ -141,7 +141,7 @@ if TYPE_CHECKING:
     from allworlds.engines.run_report import SingleRun as SingleRun, unused_choice as unused_choice
     from allworlds.engines.single import single_run as single_run
     from allworlds.engines.subject_probe import subject_of as subject_of
-    from allworlds.engines.sweep import Sweep as Sweep
+    from allworlds.engines.sweep import Sweep as Sweep, gather as gather
     from allworlds.engines.swept_report import (
         GATE as GATE,
         AskedRows as AskedRows,
@@ -168,7 +168,6 @@ if TYPE_CHECKING:
         cells_of_level as cells_of_level,
         dealt as dealt,
         drawn_units as drawn_units,
-        gather as gather,
         is_counted as is_counted,
         level_size as level_size,
         shards_of as shards_of,

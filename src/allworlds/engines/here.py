@@ -7,10 +7,10 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
 from itertools import chain, islice, takewhile
 from threading import Event
-from typing import Any, Protocol, Self, TypeVar
+from typing import Any, Protocol, Self
 
 from allworlds.engines.effort import POLL, TimeIsUp, check_deadline
-from allworlds.engines.units import PartialResult, R, Transport, U, U_contra, UnitEngine
+from allworlds.engines.units import PartialResult, R, Transport, U, UnitEngine
 
 
 class ThisThread:
@@ -25,7 +25,7 @@ class ThisThread:
     def __exit__(self, *_: object) -> None:
         """Leave the context; no work goes on."""
 
-    def map(self, engine: UnitEngine[U, R], units: Iterable[U]) -> Iterator[PartialResult[U, R]]:
+    def map(self, engine: UnitEngine, units: Iterable[U]) -> Iterator[PartialResult[U, Any]]:
         """Yield the parts of all units, in their order."""
         for unit in units:
             for result, last in with_last(engine.parts(unit)):
@@ -43,10 +43,7 @@ def with_last(items: Iterable[R]) -> Iterator[tuple[R, bool]]:
     yield item, True
 
 
-R_co = TypeVar("R_co", covariant=True)
-
-
-class Haltable(UnitEngine[U_contra, R_co], Protocol[U_contra, R_co]):
+class Haltable(UnitEngine, Protocol):
     """An engine for threads: its work can be ended before its time."""
 
     def halt(self) -> None:
@@ -66,7 +63,7 @@ class Threads:
         self._workers, self._deadline, self._batch = workers, deadline, batch
         self._pool = ThreadPoolExecutor(workers)
         self._ended = Event()
-        self._engine: Haltable[Any, Any] | None = None
+        self._engine: Haltable | None = None
 
     def __enter__(self) -> Self:
         return self
@@ -81,7 +78,7 @@ class Threads:
         patient = isinstance(error, Exception | None) and not isinstance(error, TimeIsUp)
         self._pool.shutdown(wait=patient, cancel_futures=True)
 
-    def map(self, engine: Haltable[U, R], units: Iterable[U]) -> Iterator[PartialResult[U, R]]:
+    def map(self, engine: Haltable, units: Iterable[U]) -> Iterator[PartialResult[U, Any]]:
         """Yield the parts of all units, in the order in which their batches are done.
 
         Raises:
@@ -89,7 +86,7 @@ class Threads:
         """
         self._engine = engine
         waiting = iter(units)
-        at_work: list[Future[list[PartialResult[U, R]]]] = []
+        at_work: list[Future[list[PartialResult[U, Any]]]] = []
         while True:
             while len(at_work) < 2 * self._workers and (batch := [*islice(waiting, self._batch)]):
                 at_work.append(self._pool.submit(_done, engine, batch, self._ended))
@@ -104,7 +101,7 @@ class Threads:
             check_deadline(self._deadline)
 
 
-def _done(engine: UnitEngine[U, R], batch: Iterable[U], ended: Event) -> list[PartialResult[U, R]]:
+def _done(engine: UnitEngine, batch: Iterable[U], ended: Event) -> list[PartialResult[U, Any]]:
     """The parts of some units; of fewer, once the context has ended."""
     return [
         PartialResult(unit, result, last)

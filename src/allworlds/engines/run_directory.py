@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from typing_extensions import override
 
@@ -18,7 +18,7 @@ from allworlds.engines import database
 from allworlds.engines.database import Database, is_at
 from allworlds.engines.identity import Identity
 from allworlds.engines.kept_form import to_kept
-from allworlds.engines.units import NOTHING_KEPT, KeptUnits, Sum, Unit
+from allworlds.engines.units import Sum, Unit
 from allworlds.inputs import InputError, a_path, show
 from allworlds.words import listed
 
@@ -38,40 +38,20 @@ class Gap(Exception):
     """Raised if parts of a whole are missing."""
 
 
-class Records(Protocol):
-    """The records of a job."""
+class Records:
+    """The records of a job; by default nothing is kept."""
 
     def result(self, key: str) -> Any:
         """Return the JSON value of a finished unit; None for any other."""
 
-    def keep(self, key: str, worlds: int, result: Any) -> None:
-        """Take in a finished unit."""
+    def keep(self, key: str, result: Sum) -> None:
+        """Take in a finished unit with its whole result."""
 
     def recall(self, name: str) -> Any:
         """Return the value that was noted under a name; None if there is none."""
 
     def note(self, name: str, value: Any) -> None:
         """Note a JSON value under a name."""
-
-
-class NoRecords(Records):
-    """Records that keep no units."""
-
-    @override
-    def result(self, key: str) -> None:
-        pass
-
-    @override
-    def keep(self, key: str, worlds: int, result: Any) -> None:
-        pass
-
-    @override
-    def recall(self, name: str) -> None:
-        pass
-
-    @override
-    def note(self, name: str, value: Any) -> None:
-        pass
 
 
 @dataclass(slots=True)
@@ -101,8 +81,9 @@ class RunDirectory(Records):
         return self.database.result(key) if key in self.found else None
 
     @override
-    def keep(self, key: str, worlds: int, result: Any) -> None:
-        self._write(lambda: self.database.keep(key, worlds, time.time(), result))
+    def keep(self, key: str, result: Sum) -> None:
+        kept = to_kept(result)
+        self._write(lambda: self.database.keep(key, result.worlds, time.time(), kept))
 
     @override
     def recall(self, name: str) -> Any:
@@ -157,9 +138,6 @@ class Merged(Records):
             raise Gap(f"unit {key} is not finished{self._unfinished()}")
         return found[0][1]
 
-    def keep(self, key: str, worlds: int, result: Any) -> None:
-        """Do nothing: in a merge no unit is done."""
-
     def recall(self, name: str) -> Any:
         """The value that one of the directories has noted under a name.
 
@@ -170,10 +148,6 @@ class Merged(Records):
             if (told := directory.recall(name)) is not None:
                 return told
         raise Gap(f"a finding has not been confirmed yet{self._unfinished()}")
-
-    @override
-    def note(self, name: str, value: Any) -> None:
-        pass
 
     def _unfinished(self) -> str:
         names = [
@@ -203,12 +177,7 @@ class Shelf:
 
     def keep(self, unit: Unit, result: Sum) -> None:
         """Keep the whole result of a unit."""
-        self.records.keep(unit.key, result.worlds, to_kept(result))
-
-
-def shelf(records: Records, read: Callable[[Any], Sum]) -> KeptUnits:
-    """The shelf of these records; ``read`` makes a result of its JSON value."""
-    return NOTHING_KEPT if isinstance(records, NoRecords) else Shelf(records, read)
+        self.records.keep(unit.key, result)
 
 
 @contextmanager
@@ -226,7 +195,7 @@ def records_in(
         InputError: if the directory is of another job, in use, damaged, or cannot be written.
     """
     if run is None:
-        yield NoRecords()
+        yield Records()
         return
     path = a_path("run", run)
     with ExitStack() as stack:

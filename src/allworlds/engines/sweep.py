@@ -8,7 +8,7 @@ the report of all that was finished by then.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
@@ -21,17 +21,19 @@ from allworlds.engines.kept_form import from_kept
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import NOBODY, Listener
 from allworlds.engines.python.run_counter import EnginesDisagree
-from allworlds.engines.run_directory import ENDED, Records, records_in, shelf
+from allworlds.engines.run_directory import ENDED, Records, Shelf, records_in
 from allworlds.engines.swept_report import By
 from allworlds.engines.units import (
     UNMERGEABLE,
     WHOLE,
     AskedShard,
+    E_contra,
     Portion,
     Shard,
     Sum,
     SweptLevel,
-    gather,
+    Transport,
+    Unit,
     levels_of,
     shards_of,
     tell_of_size,
@@ -44,9 +46,44 @@ Total = TypeVar("Total", bound=Sum)
 Answer = TypeVar("Answer")
 
 
-def _nothing_left() -> ReadyEngine:
-    """The engine of a job in which every unit is kept."""
-    return ReadyEngine(ThisThread(), None)
+def gather(
+    transport: Transport[E_contra],
+    engine: E_contra,
+    units: Iterable[Unit],
+    total: Sum,
+    listener: Listener,
+    kept: Shelf | None = None,
+) -> None:
+    """Add the results of all units to ``total``; the listener is told of each part.
+
+    Kept units are not done again, and each unit is kept when it is whole.
+
+    Raises:
+        TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.
+    """
+
+    def undone() -> Iterator[Unit]:
+        for unit in units:
+            result = kept.result(unit) if kept else None
+            if result is None:
+                yield unit
+            else:
+                total.add(result)
+                listener.progress(result.worlds)
+
+    begun: dict[str, Sum] = {}
+    for part in transport.map(engine, undone()):
+        key, result = part.unit.key, part.result
+        total.add(result)
+        listener.progress(result.worlds)
+        if key in begun:
+            begun[key].add(result)
+        else:
+            begun[key] = result
+        if part.last:
+            whole = begun.pop(key)
+            if kept:
+                kept.keep(part.unit, whole)
 
 
 class Sweep(ABC, Generic[Total, Answer]):
@@ -182,7 +219,8 @@ class Sweep(ABC, Generic[Total, Answer]):
         Raises:
             Gap: if a unit is missing.
         """
-        self.ready = _nothing_left  # type: ignore[method-assign]  # whatever it would be
+        nothing_left = ReadyEngine(ThisThread(), None)
+        self.ready = lambda: nothing_left  # type: ignore[method-assign]  # whatever it would be
         return self._answered(records, self._swept)
 
     def _answered(self, records: Records, swept: Callable[[], Ending]) -> Answer:
@@ -210,7 +248,7 @@ class Sweep(ABC, Generic[Total, Answer]):
             return Stopped(str(error))
 
     def _through(self) -> Ending | None:
-        made, kept = self.ready(), shelf(self.records, self.read)
+        made, kept = self.ready(), Shelf(self.records, self.read)
         shards = shards_of(self.portion)
         with made.transport as there:
             if self.extent is not None:

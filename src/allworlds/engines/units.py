@@ -1,15 +1,15 @@
-"""Units: the pieces into which a level is cut, the shards of them, and the one loop over them."""
+"""Units: the pieces into which a level is cut, and the shards to which they fall."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heapreplace
+from math import inf
 from random import Random
 from typing import Annotated, Any, Generic, Protocol, Self, TypeAlias, TypeVar
 
 from msgspec import Struct
-from typing_extensions import override
 
 from allworlds.engines.progress import Listener
 from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, an_integer, show
@@ -46,8 +46,6 @@ class Sum(Protocol):
 
 U = TypeVar("U", bound=Unit)
 R = TypeVar("R")
-U_contra = TypeVar("U_contra", bound=Unit, contravariant=True)
-R_co = TypeVar("R_co", covariant=True)
 E_contra = TypeVar("E_contra", contravariant=True)
 
 
@@ -59,35 +57,10 @@ class PartialResult(Struct, Generic[U, R], frozen=True):
     last: bool
 
 
-class KeptUnits(Protocol):
-    """The store of finished units, so that no unit is done twice."""
-
-    def result(self, unit: Unit) -> Any:
-        """Return the result of a unit that is finished; None if it is not."""
-
-    def keep(self, unit: Unit, result: Any) -> None:
-        """Store the whole result of a unit; errors of the disk do not end the job."""
-
-
-class NothingKept(KeptUnits):
-    """A store that keeps no units."""
-
-    @override
-    def result(self, unit: Unit) -> None:
-        pass
-
-    @override
-    def keep(self, unit: Unit, result: Any) -> None:
-        pass
-
-
-NOTHING_KEPT = NothingKept()
-
-
-class UnitEngine(Protocol[U_contra, R_co]):
+class UnitEngine(Protocol):
     """The engine that does a unit."""
 
-    def parts(self, unit: U_contra) -> Iterator[R_co]:
+    def parts(self, unit: Any) -> Iterator[Any]:
         """Yield the unit's result in parts, at least one; they add up to the whole."""
 
 
@@ -147,16 +120,13 @@ def shards_of(portion: object) -> int:
     return portion.count if isinstance(portion, Shard) else 1
 
 
-SHARD_DIGITS = 9
-
-
 def shard_numbers(text: str) -> tuple[int, int]:
     """The two numbers of ``K/N``."""
     match = re.fullmatch(r"([0-9]+)/([0-9]+)", text)
     if match is None:
         raise InputError(f"shard {show(text)} is not of the form K/N, counted from 0")
-    if max(map(len, match.groups())) > SHARD_DIGITS:
-        raise InputError(f"shard {show(text)} is too big; N is at most {10**SHARD_DIGITS - 1}")
+    if max(map(len, match.groups())) > 9:
+        raise InputError(f"shard {show(text)} is too big; N is at most {10**9 - 1}")
     return int(match[1]), int(match[2])
 
 
@@ -215,6 +185,8 @@ MANY_WORLDS = 10_000_000
 COUNTABLE_WORLDS = 10**12
 """The number of worlds above which the counting of a level takes long, too."""
 
+_LONG = "this takes long, or does not end; an interrupt ends it with what is finished"
+
 
 class LevelUnit(Struct, frozen=True):
     """All maps of a level whose history begins with ``prefix``."""
@@ -240,23 +212,19 @@ class LevelUnit(Struct, frozen=True):
         return completions(gluing)
 
 
-DEPTHS = ((6, 1), (9, 2))
+DEPTHS = ((6, 1), (9, 2), (inf, 3))
 """The number of decisions that make a unit, below each number of edges; a unit takes some
 milliseconds of the compiled engine, so that keeping its result costs little."""
 
-DEPTH = 3
-"""The number of decisions that make a unit of all larger levels."""
-
-SIMPLE_DEPTHS, SIMPLE_DEPTH = ((4, 1), (7, 2)), 5
-"""The numbers of decisions in the simple classes: weights are upper bounds there, with smaller
-errors for smaller units, and the errors of many units make up for each other."""
+SIMPLE_DEPTHS = ((4, 1), (7, 2), (inf, 5))
+"""The same in the simple classes: weights are upper bounds there, with smaller errors for smaller
+units, and the errors of many units make up for each other."""
 
 
 def depth_of(extent: Extent, edges: int) -> int:
     """The number of decisions that make a unit of a level."""
-    simple = extent.map_class.simple
-    depths, last = (SIMPLE_DEPTHS, SIMPLE_DEPTH) if simple else (DEPTHS, DEPTH)
-    return next((depth for below, depth in depths if edges < below), last)
+    depths = SIMPLE_DEPTHS if extent.map_class.simple else DEPTHS
+    return next(depth for below, depth in depths if edges < below)
 
 
 def units_of_level(extent: Extent, edges: int, portion: Portion = WHOLE) -> Iterator[LevelUnit]:
@@ -282,7 +250,7 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
         bounds = (edges, extent.map_class, extent.vertices, extent.where)
         gluing, prefix = Gluing(*bounds), list[int]()
         while not gluing.finished and (not prefix or completions(gluing) > most):
-            following = [(decision, after) for decision, after in gluing.successors()]
+            following = [*gluing.successors()]
             weights = [completions(after) for _, after in following]
             if not any(weights):
                 break
@@ -354,45 +322,3 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
             break
     if counted < last:
         listener.notice(f"all levels up to {last} edges are asked for: {_LONG}")
-
-
-_LONG = "this takes long, or does not end; an interrupt ends it with what is finished"
-
-
-def gather(
-    transport: Transport[E_contra],
-    engine: E_contra,
-    units: Iterable[Unit],
-    total: Sum,
-    listener: Listener,
-    kept: KeptUnits = NOTHING_KEPT,
-) -> None:
-    """Add the results of all units to ``total``; the listener is told of each part.
-
-    Kept units are not done again, and each unit is kept when it is whole.
-
-    Raises:
-        TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.
-    """
-
-    def undone() -> Iterator[Unit]:
-        for unit in units:
-            result = kept.result(unit)
-            if result is None:
-                yield unit
-            else:
-                total.add(result)
-                listener.progress(result.worlds)
-
-    begun: dict[str, Sum] = {}
-    for part in transport.map(engine, undone()):
-        key, result = part.unit.key, part.result
-        total.add(result)
-        listener.progress(result.worlds)
-        if key in begun:
-            begun[key].add(result)
-        else:
-            begun[key] = result
-        if part.last:
-            whole = begun.pop(key)
-            kept.keep(part.unit, whole)
