@@ -42,11 +42,15 @@ BUSY = 10.0
 """Seconds to wait for a reader."""
 
 
+def named(path: Path) -> str:
+    """A run directory, as messages name it."""
+    return f"run directory {show(str(path))}"
+
+
 def damaged(path: Path, how: str) -> InputError:
     """The error for a run directory that is not as it was written."""
     return InputError(
-        f"run directory {show(str(path))} is damaged: {how}; remove it and begin again, or bring "
-        "it back from a copy"
+        f"{named(path)} is damaged: {how}; remove it and begin again, or bring it back from a copy"
     )
 
 
@@ -56,7 +60,7 @@ def saying_where(path: Path) -> Iterator[None]:
     try:
         yield
     except sqlite3.OperationalError as error:
-        raise InputError(f"run directory {show(str(path))} cannot be used: {error}") from None
+        raise InputError(f"{named(path)} cannot be used: {error}") from None
     except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
         raise damaged(path, str(error)) from None
 
@@ -261,9 +265,7 @@ def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
         raise InputError(f"{show(str(path))} is no run directory: its {FILE} is somebody else's")
     (schema,) = connection.execute("PRAGMA user_version").fetchone()
     if schema != SCHEMA:
-        raise InputError(
-            f"run directory {show(str(path))} is of schema {schema}; this program reads {SCHEMA}"
-        )
+        raise InputError(f"{named(path)} is of schema {schema}; this program reads {SCHEMA}")
     for (said,) in connection.execute("PRAGMA integrity_check"):
         if said != "ok":
             raise damaged(path, str(said).splitlines()[0])
@@ -273,7 +275,7 @@ def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
     identity = Identity.of_text(row[1])
     if identity.format != FORMAT:
         raise InputError(
-            f"run directory {show(str(path))} is of format {identity.format}, written by version "
-            f"{identity.version}; this version, {__version__}, reads format {FORMAT}"
+            f"{named(path)} is of format {identity.format}, written by version {identity.version}; "
+            f"this version, {__version__}, reads format {FORMAT}"
         )
     return identity

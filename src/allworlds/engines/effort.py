@@ -84,6 +84,11 @@ def _positive(name: str) -> Callable[[Any], Any]:
     return limit
 
 
+def _seconds(about: str) -> Option:
+    """An option of a time that does not change what a job means."""
+    return Option(EFFORT, "S", about, parse=seconds_of, apart=True)
+
+
 def _loading_in_time(make: Callable[..., None]) -> Callable[..., None]:
     """A constructor of requests in which models are imported in the time that a keyword names."""
 
@@ -105,13 +110,7 @@ class AskedPatience(Request):
     ] = Taken(_positive("answer-timeout"), ANSWER_TIMEOUT)
     start_timeout: Annotated[
         Taken[float, float],
-        Option(
-            EFFORT,
-            "S",
-            "Seconds in which code of yours must be imported, or a library loaded.",
-            parse=seconds_of,
-            apart=True,
-        ),
+        _seconds("Seconds in which code of yours must be imported, or a library loaded."),
     ] = Taken(_positive("start-timeout"), START_TIMEOUT)
 
     def __init_subclass__(cls, **options: Any) -> None:
@@ -145,13 +144,7 @@ class AskedTime(Request):
 
     time_limit: Annotated[
         Taken[float | None, float | None],
-        Option(
-            EFFORT,
-            "S",
-            "Stop after S seconds, and report what is finished.",
-            parse=seconds_of,
-            apart=True,
-        ),
+        _seconds("Stop after S seconds, and report what is finished."),
     ] = Taken(_positive("time-limit"), None)
 
 
@@ -247,13 +240,7 @@ class AskedCluster(Request):
     ] = Taken(_scheduler, None)
     dask_timeout: Annotated[
         Taken[float, float],
-        Option(
-            EFFORT,
-            "S",
-            "Give up a Dask worker or scheduler that is silent for S seconds.",
-            parse=seconds_of,
-            apart=True,
-        ),
+        _seconds("Give up a Dask worker or scheduler that is silent for S seconds."),
     ] = Taken(_positive("dask-timeout"), DASK_TIMEOUT)
 
     @property

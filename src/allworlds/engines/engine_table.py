@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Any, Protocol, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 from msgspec import Struct
+from typing_extensions import override
 
 from allworlds.document import one_of, replace
 from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER, WORTH_LOADING
@@ -20,6 +22,27 @@ from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError, lack_of, show
 
 
+class Job(Struct, frozen=True):
+    """A check as an engine gets it.
+
+    Attributes:
+        scope, subject: of the check.
+        limits: of workers and of time.
+        keep: the number of findings that are kept.
+        deadline: on the monotonic clock, or None.
+        notice: takes a text that the user reads at once.
+        cluster: that is to do the work; None for work on this machine without Dask.
+    """
+
+    scope: Scope
+    subject: Subject
+    limits: Limits
+    keep: int
+    deadline: float | None
+    notice: Callable[[str], None]
+    cluster: DaskCluster | None = None
+
+
 class ReadyEngine(Struct, frozen=True):
     """An engine made ready, and the transport by which units get to it and tallies back."""
 
@@ -27,17 +50,20 @@ class ReadyEngine(Struct, frozen=True):
     engine: Any  # what the transport takes; None where every unit is kept
 
 
-class EngineKind(Protocol):
-    """A kind of engine, as the table of the engines needs it."""
+class EngineKind(ABC):
+    """A kind of engine; by default it can do every check, and plays each run."""
 
     name: str
 
-    def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """The reason why one run may be counted for several; empty if each run is played."""
+    def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
+        """Return the reason why one run may be counted for several; empty if each is played."""
+        return ""
 
-    def obstacle(self, scope: Scope, subject: Subject) -> str:
+    def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # none
         """Return the reason why it cannot do a check; empty if it can."""
+        return ""
 
+    @abstractmethod
     def ready(self, job: Job) -> ReadyEngine:
         """Return the engine for this job.
 
@@ -46,25 +72,18 @@ class EngineKind(Protocol):
         """
 
 
-class General:
+class General(EngineKind):
     """The Python engine: every explorer, every option, generators in worker processes."""
 
     name = "python"
 
-    def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
-        """The empty text: each run is played."""
-        return ""
-
-    def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # it can do all
-        """Return the empty text: it can do every check."""
-        return ""
-
+    @override
     def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
         return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep))
 
 
-class Compiled:
+class Compiled(EngineKind):
     """The judge in compiled code: built-in explorers in threads, users' ones in processes."""
 
     name = "kernel"
@@ -109,17 +128,13 @@ class Compiled:
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
 
 
-def has_models(scope: Scope) -> bool:
-    """Whether code of the user's judges the runs, or chooses the worlds."""
-    where = scope.extent.where
-    return bool(scope.rules.files or getattr(where, "codes", ()))
-
-
 def players_for(job: Job) -> Transport[Any]:
     """The transport to the place where the explorer is played: here, or a cluster's workers."""
-    if job.cluster is None:
-        return workers_for(job.subject, job.limits, job.deadline, models=has_models(job.scope))
-    return _cluster(job, job.cluster)
+    if job.cluster is not None:
+        return _cluster(job, job.cluster)
+    # Code of the user's may judge the runs, or choose the worlds.
+    models = bool(job.scope.rules.files or getattr(job.scope.extent.where, "codes", ()))
+    return workers_for(job.subject, job.limits, job.deadline, models=models)
 
 
 def _cluster(job: Job, cluster: DaskCluster) -> Transport[Any]:
@@ -189,24 +204,3 @@ def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = N
     if obstacle := ENGINES[name].obstacle(scope, subject):
         raise InputError(f"engine {show(name)} {obstacle}; give auto or python")
     return ENGINES[name]
-
-
-class Job(Struct, frozen=True):
-    """A check as an engine gets it.
-
-    Attributes:
-        scope, subject: of the check.
-        limits: of workers and of time.
-        keep: the number of findings that are kept.
-        deadline: on the monotonic clock, or None.
-        notice: takes a text that the user reads at once.
-        cluster: that is to do the work; None for work on this machine without Dask.
-    """
-
-    scope: Scope
-    subject: Subject
-    limits: Limits
-    keep: int
-    deadline: float | None
-    notice: Callable[[str], None]
-    cluster: DaskCluster | None = None

@@ -101,15 +101,8 @@ def _in_words(value: Any) -> str:
     return ",".join(map(str, value)) if isinstance(value, list | tuple) else show(value)
 
 
-def canonical(value: Any) -> str:
-    """The canonical text of a JSON value, equal for equal values."""
-    return _CANONICAL.encode(value)
+canonical = json.JSONEncoder(sort_keys=True, separators=(",", ":")).encode
+"""The canonical text of a JSON value, equal for equal values."""
 
-
-def in_order(value: Any) -> str:
-    """A JSON value as a text that keeps the order of keys, in which a report tells them."""
-    return _IN_ORDER.encode(value)
-
-
-_IN_ORDER = json.JSONEncoder(separators=(",", ":"))
-_CANONICAL = json.JSONEncoder(sort_keys=True, separators=(",", ":"))
+in_order = json.JSONEncoder(separators=(",", ":")).encode
+"""A JSON value as a text that keeps the order of keys, in which a report tells them."""

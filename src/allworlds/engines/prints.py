@@ -6,7 +6,9 @@ import io
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
-from typing import Any, Protocol, TextIO
+from typing import Any, TextIO
+
+from typing_extensions import override
 
 KEPT = 4096
 """The largest number of bytes of the text; of longer prints it has the beginning and the end."""
@@ -17,19 +19,20 @@ SIGN = "\n[... {} bytes more ...]\n"
 DIGITS = 15
 
 
-class Sink(Protocol):
-    """A receiver of bytes."""
+class Silence:
+    """A sink of bytes that drops everything."""
 
     def add(self, printed: bytes) -> None:
-        """Take bytes."""
+        """Drop the bytes."""
 
 
-class Prints:
+class Prints(Silence):
     """A record of bytes of limited size, and its text."""
 
     def __init__(self) -> None:
         self._first, self._last, self._size = bytearray(), bytearray(), 0
 
+    @override
     def add(self, printed: bytes) -> None:
         """Add bytes to the record; drop bytes from its middle if it is full."""
         self._size += len(printed)
@@ -77,19 +80,12 @@ def _fitting(letters: Iterable[tuple[int, str]], room: int) -> tuple[list[str], 
     return fitting, made_of
 
 
-class Silence:
-    """A sink that drops everything."""
-
-    def add(self, _: bytes) -> None:
-        """Drop the bytes."""
-
-
 class _PrintStream(io.BufferedIOBase):
     """A stream of bytes that ends in a sink."""
 
     name = "<the explorer's prints>"
 
-    def __init__(self, sink: Sink) -> None:
+    def __init__(self, sink: Silence) -> None:
         self._sink = sink
 
     def writable(self) -> bool:
@@ -104,7 +100,7 @@ class _PrintStream(io.BufferedIOBase):
 
 
 @contextmanager
-def printing_to(sink: Sink) -> Iterator[None]:
+def printing_to(sink: Silence) -> Iterator[None]:
     """Send what Python prints in this process to a sink; other prints go where they did."""
     written = io.TextIOWrapper(
         _PrintStream(sink), "utf-8", "backslashreplace", newline="", write_through=True

@@ -15,7 +15,7 @@ from typing import Any
 from typing_extensions import override
 
 from allworlds.engines import database
-from allworlds.engines.database import Database, is_at
+from allworlds.engines.database import Database, is_at, named
 from allworlds.engines.identity import Identity
 from allworlds.engines.kept_form import to_kept
 from allworlds.engines.units import Sum, Unit
@@ -96,15 +96,15 @@ class RunDirectory(Records):
     def _write(self, write: Callable[[], None]) -> None:
         if self._full:
             return
-        named = f"run directory {show(str(self.database.path))}"
+        where = named(self.database.path)
         if not self.database.is_there:
             self._full = True
-            self.notice(f"{named} was removed; the job goes on without it, and keeps nothing")
+            self.notice(f"{where} was removed; the job goes on without it, and keeps nothing")
             return
         if self._alone and not self.lock.is_held:
             self._alone = False
             self.notice(
-                f"{named} is in use by another command, too, since its file {LOCK} was removed; "
+                f"{where} is in use by another command, too, since its file {LOCK} was removed; "
                 "both go on"
             )
         try:
@@ -112,7 +112,7 @@ class RunDirectory(Records):
         except sqlite3.OperationalError as error:
             self._full = True
             self.notice(
-                f"{named} takes no more: {error}; what it holds is kept, and the job goes on "
+                f"{where} takes no more: {error}; what it holds is kept, and the job goes on "
                 "without it"
             )
 
@@ -212,8 +212,8 @@ def _opened(path: Path, identity: Identity) -> Database:
         others = sorted(n for n in names if n != LOCK and not n.startswith(database.DRAFT))
         if others:
             raise InputError(
-                f"run directory {show(str(path))} holds {show(others[0])}, which is not ours; "
-                "give a new or an empty one"
+                f"{named(path)} holds {show(others[0])}, which is not ours; give a new or an empty "
+                "one"
             )
         return database.created(path, identity)
     opened = database.opened(path)
@@ -223,7 +223,7 @@ def _opened(path: Path, identity: Identity) -> Database:
         said = f"is of shard {its.shard}, not {identity.shard}"
     if said:
         opened.close()
-        raise InputError(f"run directory {show(str(path))} {said}")
+        raise InputError(f"{named(path)} {said}")
     return opened
 
 
@@ -278,14 +278,12 @@ def _locked(path: Path) -> Iterator[Lock]:
         path.mkdir(parents=True, exist_ok=True)
         lock = Lock(path / LOCK)
     except OSError as error:
-        raise InputError(
-            f"run directory {show(str(path))} cannot be written: {error.strerror}"
-        ) from None
+        raise InputError(f"{named(path)} cannot be written: {error.strerror}") from None
     try:
         until = time.monotonic() + PATIENCE
         while not lock.take():
             if time.monotonic() > until:
-                raise InputError(f"run directory {show(str(path))} is in use by another command")
+                raise InputError(f"{named(path)} is in use by another command")
             time.sleep(0.05)
         yield lock
     finally:
@@ -322,9 +320,7 @@ def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
         seen: dict[str, Database] = {}
         for one in directories:
             if said := first.identity.difference(one.identity):
-                raise InputError(
-                    f"run directory {show(str(one.path))} {said} as {show(str(first.path))}"
-                )
+                raise InputError(f"{named(one.path)} {said} as {show(str(first.path))}")
             shard = one.identity.shard
             if shard in seen:
                 raise InputError(

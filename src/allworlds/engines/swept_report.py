@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias, TypeVar
 
 from typing_extensions import override
@@ -23,15 +22,7 @@ from allworlds.document import (
 from allworlds.engines.units import WHOLE, Portion
 from allworlds.inputs import OUTPUT, InputError, Option, Request, Taken, as_json, in_scope, show
 from allworlds.maps import Extent, source_name
-from allworlds.outcome import (
-    Completed,
-    Disagreed,
-    Ending,
-    Exit,
-    Facts,
-    Interrupted,
-    Stopped,
-)
+from allworlds.outcome import Completed, Disagreed, Ending, Exit, Facts, Interrupted, Stopped
 
 if TYPE_CHECKING:
     from allworlds.judging import Rules
@@ -171,8 +162,7 @@ def told_scope(
 SweptExit = Annotated[
     ExitCode,
     one_of(
-        *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
-        Exit.INTERRUPTED,
+        Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL, Exit.INTERRUPTED
     ),
 ]
 """The exit codes of a study that goes through worlds, and judges runs there."""
@@ -196,14 +186,10 @@ GATE: Any = computed(lambda report: report.compared)
 """The key of a report that holds its count gate."""
 
 
-STOPPED: Any = computed(lambda report: report.ending.stopped)
-"""The key of a report that says why rows are missing."""
-
-
 class SweptReport(RowsReport):
     """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
 
-    stopped: Why = STOPPED
+    stopped: Why = computed(lambda report: report.ending.stopped)
     request: Aside[Any]
     extent: Aside[Extent]
 
@@ -214,10 +200,9 @@ class SweptReport(RowsReport):
         return portion
 
     @property
-    def _lines(self) -> Sequence[Any]:
+    def _lines(self) -> Any:
         """The rows, whose type each report says by itself."""
-        rows: Sequence[Any] = getattr(self, "rows", ())
-        return rows
+        return getattr(self, "rows", ())
 
     @property
     @override
