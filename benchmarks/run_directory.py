@@ -71,10 +71,10 @@ class Meters:
 @contextmanager
 def measured() -> Iterator[Meters]:
     """The meters of what happens in this context."""
-    meters = Meters()
+    meters, kept = Meters(), records.RunDirectory
     with (
-        patch.object(records.Shelf, "result", meters.asked.around(records.Shelf.result)),
-        patch.object(records.Shelf, "keep", meters.kept.around(records.Shelf.keep)),
+        patch.object(kept, "result", meters.asked.around(kept.result)),
+        patch.object(kept, "keep", meters.kept.around(kept.keep)),
         patch.object(records, "_opened", meters.opened.around(records._opened)),  # noqa: SLF001  # looked at from inside
     ):
         yield meters

@@ -6,6 +6,7 @@ import sqlite3
 from contextlib import closing
 
 import pytest
+from msgspec import Struct
 
 from allworlds import check
 from allworlds.document import replace
@@ -22,6 +23,16 @@ JOB = Identity(
 )
 
 
+class Rows(Struct):
+    """A result."""
+
+    rows: list[int]
+
+    @property
+    def worlds(self):
+        return max(self.rows, default=1)
+
+
 def nothing(text):
     raise AssertionError(text)
 
@@ -31,7 +42,7 @@ def finished(tmp_path):
     """A run directory with some units in it."""
     with records_in(tmp_path / "run", lambda: JOB, nothing) as records:
         for number in range(9):
-            records.keep(f"2:-{number}", number, {"rows": [number] * 9})
+            records.keep(f"2:-{number}", Rows([number] * 9))
         records.note("ended", "complete")
     return tmp_path / "run"
 
@@ -154,7 +165,7 @@ def test_a_file_that_was_changed_is_refused(finished, statement, said):
 def test_rows_of_another_directory_are_refused(finished, tmp_path):
     other = replace(JOB, parameters={"edges": 3})
     with records_in(tmp_path / "other", lambda: other, nothing) as records:
-        records.keep("2:-1", 1, {"rows": []})
+        records.keep("2:-1", Rows([]))
     for name in ("run", "other"):
         with closing(sqlite3.connect(tmp_path / name / FILE)) as connection, connection:
             connection.execute("DELETE FROM units WHERE key != '2:-1'")

@@ -32,8 +32,8 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
     scopes, one judged run, the comparison of two plays, counts, tallies;
 ``compiled``, ``kernel``
     requests to compiled code, and tallies of its rows; the code itself, the only importer of numba;
-``run_directory``, ``database``, ``identity``, ``kept_form``
-    the finished units of a job, kept on disk; the file; what it is of; results as JSON;
+``run_directory``, ``database``, ``kept_form``
+    the finished units of a job, kept on disk; their file, with the identity of the job; as JSON;
 ``engine_table``
     **the** table of the engines, and the job that they get;
 ``sweep``, ``progress``, ``swept_report``
@@ -53,7 +53,11 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.engines.compiled.sizes import COMPILER as COMPILER, WALKED_FROM as WALKED_FROM
     from allworlds.engines.dask import Dask as Dask, here_or as here_or
-    from allworlds.engines.database import reading as reading
+    from allworlds.engines.database import (
+        Identity as Identity,
+        canonical as canonical,
+        reading as reading,
+    )
     from allworlds.engines.effort import (
         AskedCluster as AskedCluster,
         AskedDirectory as AskedDirectory,
@@ -76,10 +80,6 @@ if TYPE_CHECKING:
         why_not_compiled as why_not_compiled,
     )
     from allworlds.engines.here import Threads as Threads
-    from allworlds.engines.identity import (
-        Identity as Identity,
-        canonical as canonical,
-    )
     from allworlds.engines.kept_form import from_kept as from_kept
     from allworlds.engines.kernel.capabilities import COMPILING as COMPILING
     from allworlds.engines.kernel.compiling import is_compiled as is_compiled

@@ -89,20 +89,11 @@ def _seconds(about: str) -> Option:
     return Option(EFFORT, "S", about, parse=seconds_of, apart=True)
 
 
-def _loading_in_time(make: Callable[..., None]) -> Callable[..., None]:
-    """A constructor of requests in which models are imported in the time that a keyword names."""
-
-    @wraps(make)
-    def limited(request: Request, /, *values: Any, **keywords: Any) -> None:
-        seconds = _positive("start-timeout")(keywords.get("start_timeout", START_TIMEOUT))
-        with limited_loading(seconds):
-            make(request, *values, **keywords)
-
-    return limited
-
-
 class AskedPatience(Request):
-    """The part of a request that says how long explorers are waited for."""
+    """The part of a request that says how long explorers are waited for.
+
+    Models of the user's, which a request imports while it is made, are waited for as long.
+    """
 
     answer_timeout: Annotated[
         Taken[float, float],
@@ -115,7 +106,15 @@ class AskedPatience(Request):
 
     def __init_subclass__(cls, **options: Any) -> None:
         super().__init_subclass__(**options)
-        cls.__init__ = _loading_in_time(cls.__init__)  # type: ignore[method-assign]
+        make = cls.__init__
+
+        @wraps(make)
+        def limited(request: Request, /, *values: Any, **keywords: Any) -> None:
+            seconds = _positive("start-timeout")(keywords.get("start_timeout", START_TIMEOUT))
+            with limited_loading(seconds):
+                make(request, *values, **keywords)  # type: ignore[arg-type]  # of this class
+
+        cls.__init__ = limited  # type: ignore[method-assign,assignment]
 
     @property
     def patience(self) -> Limits:
@@ -152,8 +151,7 @@ class Limits(AskedTime, AskedWorkers, AskedPatience):
     """The limits of the effort of many runs.
 
     Raises:
-        InputError: for values that are not positive, for infinite ones, and for a timeout that
-            is too short to be kept.
+        InputError: for values that are not positive or not finite, and for too short a time-out.
     """
 
     memory: Annotated[

@@ -129,16 +129,11 @@ class Compiled(EngineKind):
 
 
 def players_for(job: Job) -> Transport[Any]:
-    """The transport to the place where the explorer is played: here, or a cluster's workers."""
-    if job.cluster is not None:
-        return _cluster(job, job.cluster)
-    # Code of the user's may judge the runs, or choose the worlds.
-    models = bool(job.scope.rules.files or getattr(job.scope.extent.where, "codes", ()))
-    return workers_for(job.subject, job.limits, job.deadline, models=models)
-
-
-def _cluster(job: Job, cluster: DaskCluster) -> Transport[Any]:
-    """A cluster, on each worker of which an explorer is played as it would be here."""
+    """The transport to the place where the explorer is played: here, or on workers of a cluster."""
+    if job.cluster is None:
+        # Code of the user's may judge the runs, or choose the worlds.
+        models = bool(job.scope.rules.files or getattr(job.scope.extent.where, "codes", ()))
+        return workers_for(job.subject, job.limits, job.deadline, models=models)
     from allworlds.engines.dask import Dask
 
     subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
@@ -148,7 +143,7 @@ def _cluster(job: Job, cluster: DaskCluster) -> Transport[Any]:
             "others; put it into a file of its own"
         )
     return Dask(
-        cluster,
+        job.cluster,
         job.limits.workers,
         job.deadline,
         inside=partial(workers_for, subject, limits),

@@ -131,14 +131,11 @@ class Split:
         with ExitStack() as stack:
             stack.enter_context(self._near)
             stack.enter_context(self._far)
-            stack.pop_all()
+            self._both: Any = stack.pop_all()
         return self
 
     def __exit__(self, *error: object) -> None:
-        try:
-            self._far.__exit__(*error)
-        finally:
-            self._near.__exit__(*error)
+        self._both.__exit__(*error)
 
     def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
         """Yield the parts of all units of one level, as they come."""

@@ -63,13 +63,16 @@ def _own_form(kind: Any) -> Form | None:
         said = (note for note in parts[1:] if isinstance(note, Form))
         return next(said, None) or _own_form(parts[0])
     if origin is Counter or (origin is dict and parts[0] is not str):
-        items = _items(tuple[(*parts, int)[:2]])  # type: ignore[misc]  # a type made of types
+        items = _form(list[tuple[(*parts, int)[:2]]])  # type: ignore[misc]  # a type made of types
         return Form(
             lambda table: items.write([*table.items()]),
             lambda told: origin(dict(items.read(told))),
         )
-    if origin is list and _own_form(parts[0]):
-        return _items(parts[0])
+    if origin is list and (one := _own_form(parts[0])):
+        return Form(
+            lambda values: [one.write(value) for value in values],
+            lambda told: [one.read(value) for value in taken(told, list[Any], WHAT)],
+        )
     if origin is tuple and any(map(_own_form, parts)):
         return _tuple(tuple(map(_form, parts)))
     if hasattr(kind, "from_json"):
@@ -77,17 +80,6 @@ def _own_form(kind: Any) -> Form | None:
     if is_dataclass(kind) or (isinstance(kind, type) and issubclass(kind, Struct)):
         return _by_fields(kind)
     return None
-
-
-def _items(kind: Any) -> Form:
-    """The form of a list."""
-    own = _own_form(kind)
-    if own is None:
-        return Form(plain_at_once, lambda told: taken(told, list[kind], WHAT))
-    return Form(
-        lambda values: [own.write(value) for value in values],
-        lambda told: [own.read(value) for value in taken(told, list[Any], WHAT)],
-    )
 
 
 def _tuple(forms: tuple[Form, ...]) -> Form:

@@ -15,10 +15,9 @@ from typing import Any
 from typing_extensions import override
 
 from allworlds.engines import database
-from allworlds.engines.database import Database, is_at, named
-from allworlds.engines.identity import Identity
+from allworlds.engines.database import Database, Identity, is_at, named
 from allworlds.engines.kept_form import to_kept
-from allworlds.engines.units import Sum, Unit
+from allworlds.engines.units import Sum
 from allworlds.inputs import InputError, a_path, show
 from allworlds.words import listed
 
@@ -52,6 +51,9 @@ class Records:
 
     def note(self, name: str, value: Any) -> None:
         """Note a JSON value under a name."""
+
+
+NO_RECORDS = Records()
 
 
 @dataclass(slots=True)
@@ -158,28 +160,6 @@ class Merged(Records):
         return f": give the commands of {listed(names)} again" if names else ""
 
 
-@dataclass(frozen=True, slots=True)
-class Shelf:
-    """The records, with results in place of JSON values.
-
-    Attributes:
-        records: with the JSON values.
-        read: makes a result of a JSON value.
-    """
-
-    records: Records
-    read: Callable[[Any], Sum]
-
-    def result(self, unit: Unit) -> Sum | None:
-        """The result of a finished unit; None for any other."""
-        told = self.records.result(unit.key)
-        return None if told is None else self.read(told)
-
-    def keep(self, unit: Unit, result: Sum) -> None:
-        """Keep the whole result of a unit."""
-        self.records.keep(unit.key, result)
-
-
 @contextmanager
 def records_in(
     run: str | Path | None, identity: Callable[[], Identity], notice: Callable[[str], None]
@@ -195,7 +175,7 @@ def records_in(
         InputError: if the directory is of another job, in use, damaged, or cannot be written.
     """
     if run is None:
-        yield Records()
+        yield NO_RECORDS
         return
     path = a_path("run", run)
     with ExitStack() as stack:

@@ -8,35 +8,34 @@ the report of all that was finished by then.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
 from allworlds.document import replace
+from allworlds.engines.database import Identity
 from allworlds.engines.effort import ClusterLost, TimeIsUp, deadline_after
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import ThisThread
-from allworlds.engines.identity import Identity
 from allworlds.engines.kept_form import from_kept
 from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import NOBODY, Listener
+from allworlds.engines.progress import Listener, Silent
 from allworlds.engines.python.run_counter import EnginesDisagree
-from allworlds.engines.run_directory import ENDED, Records, Shelf, records_in
+from allworlds.engines.run_directory import ENDED, NO_RECORDS, Records, records_in
 from allworlds.engines.swept_report import By
 from allworlds.engines.units import (
-    UNMERGEABLE,
     WHOLE,
     AskedShard,
-    E_contra,
     Portion,
     Shard,
     Sum,
     SweptLevel,
     Transport,
     Unit,
-    levels_of,
+    level_size,
     shards_of,
     tell_of_size,
+    units_of_level,
 )
 from allworlds.inputs import InputError, meant, remembered, without_effort
 from allworlds.maps import Extent
@@ -47,43 +46,30 @@ Answer = TypeVar("Answer")
 
 
 def gather(
-    transport: Transport[E_contra],
-    engine: E_contra,
+    transport: Transport[Any],
+    engine: Any,
     units: Iterable[Unit],
     total: Sum,
     listener: Listener,
-    kept: Shelf | None = None,
+    records: Records = NO_RECORDS,
 ) -> None:
     """Add the results of all units to ``total``; the listener is told of each part.
 
-    Kept units are not done again, and each unit is kept when it is whole.
+    The records keep each unit when it is whole.
 
     Raises:
         TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.
     """
-
-    def undone() -> Iterator[Unit]:
-        for unit in units:
-            result = kept.result(unit) if kept else None
-            if result is None:
-                yield unit
-            else:
-                total.add(result)
-                listener.progress(result.worlds)
-
     begun: dict[str, Sum] = {}
-    for part in transport.map(engine, undone()):
+    for part in transport.map(engine, units):
         key, result = part.unit.key, part.result
         total.add(result)
         listener.progress(result.worlds)
-        if key in begun:
-            begun[key].add(result)
-        else:
-            begun[key] = result
+        whole = begun.setdefault(key, result)
+        if whole is not result:
+            whole.add(result)
         if part.last:
-            whole = begun.pop(key)
-            if kept:
-                kept.keep(part.unit, whole)
+            records.keep(key, begun.pop(key))
 
 
 class Sweep(ABC, Generic[Total, Answer]):
@@ -156,7 +142,9 @@ class Sweep(ABC, Generic[Total, Answer]):
     def levels(self) -> Iterable[SweptLevel]:
         """Return its levels, in their order."""
         assert self.extent is not None
-        return levels_of(self.extent, self.portion)
+        for edges in self.extent.levels:
+            units = units_of_level(self.extent, edges, self.portion)
+            yield SweptLevel(edges, level_size(self.extent, edges), units)
 
     @abstractmethod
     def ready(self) -> ReadyEngine:
@@ -182,7 +170,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def ended(self, ending: Ending, extent: Extent | None = None) -> dict[str, Any]:
         """Return the keywords of every report; the extent where the sweep has no other."""
-        asked = replace(without_effort(self.request), listener=NOBODY)
+        asked = replace(without_effort(self.request), listener=Silent())
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
     def begin(self) -> Ending | None:
@@ -209,7 +197,9 @@ class Sweep(ABC, Generic[Total, Answer]):
             InputError: if the directory is of another job, in use, damaged, or not writable.
         """
         if run is None and isinstance(self.portion, Shard):
-            self.listener.notice(UNMERGEABLE)
+            self.listener.notice(
+                "without --run DIR the report of this shard cannot be merged with others"
+            )
         with records_in(run, self.identity, self.listener.notice) as records:
             return self._answered(records, lambda: self._guarded(self.begin) or self._swept())
 
@@ -248,8 +238,7 @@ class Sweep(ABC, Generic[Total, Answer]):
             return Stopped(str(error))
 
     def _through(self) -> Ending | None:
-        made, kept = self.ready(), Shelf(self.records, self.read)
-        shards = shards_of(self.portion)
+        made, shards = self.ready(), shards_of(self.portion)
         with made.transport as there:
             if self.extent is not None:
                 tell_of_size(self.extent, self.listener, shards)
@@ -257,10 +246,21 @@ class Sweep(ABC, Generic[Total, Answer]):
                 self.listener.level(level.edges, level.worlds // shards)
                 total = self.empty()
                 try:
-                    gather(there, made.engine, level.units, total, self.listener, kept)
+                    undone = (unit for unit in level.units if not self._is_kept(unit, total))
+                    gather(there, made.engine, undone, total, self.listener, self.records)
                 except BaseException:
                     self.leave(level, total)
                     raise
                 if ending := self.finish(level, total):
                     return ending
         return None
+
+    def _is_kept(self, unit: Unit, total: Total) -> bool:
+        """Return whether a unit was finished before; then its result is added to the total."""
+        told = self.records.result(unit.key)
+        if told is None:
+            return False
+        result = self.read(told)
+        total.add(result)
+        self.listener.progress(result.worlds)
+        return True

@@ -111,9 +111,6 @@ WHOLE = Whole()
 Portion: TypeAlias = Whole | Shard
 """The part of the units of a job that is done."""
 
-UNMERGEABLE = "without --run DIR the report of this shard cannot be merged with others"
-"""The notice to the user of a shard that cannot be merged."""
-
 
 def shards_of(portion: object) -> int:
     """The number of parts of the job to which this part belongs."""
@@ -201,8 +198,7 @@ class LevelUnit(Struct, frozen=True):
 
     def maps(self, extent: Extent) -> Iterator[CombinatorialMap]:
         """The maps, rooted at dart 0, in the order of the enumeration."""
-        bounds = (self.edges, extent.map_class, extent.vertices)
-        return rooted_maps(*bounds, self.prefix, extent.where)
+        return rooted_maps(self.edges, extent.map_class, extent.vertices, self.prefix, extent.where)
 
     def weight(self, extent: Extent) -> int:
         """The number of these maps, counted; in simple classes and under conditions at most."""
@@ -293,12 +289,6 @@ class SweptLevel(Struct, frozen=True):
     worlds: int
     units: Iterable[Unit]
     of: Any = None
-
-
-def levels_of(extent: Extent, portion: Portion = WHOLE) -> Iterator[SweptLevel]:
-    """The levels of all maps of an extent."""
-    for edges in extent.levels:
-        yield SweptLevel(edges, level_size(extent, edges), units_of_level(extent, edges, portion))
 
 
 def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
