@@ -52,7 +52,7 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.engines.compiled.sizes import COMPILER as COMPILER, WALKED_FROM as WALKED_FROM
-    from allworlds.engines.dask import Dask as Dask, here_or as here_or
+    from allworlds.engines.dask import Dask as Dask
     from allworlds.engines.database import (
         Identity as Identity,
         canonical as canonical,
@@ -79,7 +79,7 @@ if TYPE_CHECKING:
         players_for as players_for,
         why_not_compiled as why_not_compiled,
     )
-    from allworlds.engines.here import Threads as Threads
+    from allworlds.engines.here import Threads as Threads, here_or as here_or
     from allworlds.engines.kept_form import from_kept as from_kept
     from allworlds.engines.kernel.capabilities import COMPILING as COMPILING
     from allworlds.engines.kernel.compiling import is_compiled as is_compiled

@@ -182,11 +182,6 @@ class Dask:
             raise ClusterLost(f"{self._cluster} is gone") from None
 
 
-def here_or(cluster: DaskCluster | None, deadline: float | None) -> Transport[Any]:
-    """The transport in this thread, or to the cluster; a local one has a process a core."""
-    return Dask(cluster, os.cpu_count() or 1, deadline) if cluster else ThisThread(deadline)
-
-
 @lru_cache(8)
 def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa: ARG001  # each its own
     """The maker of lanes on this worker, and the engine: once for all tasks of a level."""

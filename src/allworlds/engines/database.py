@@ -280,7 +280,7 @@ def created(path: Path, identity: Identity) -> Database:
     with saying_where(path):
         for file in path.glob(f"{DRAFT}*"):
             file.unlink()
-        connection = _connected(f"file:{_quoted(draft)}?mode=rwc")
+        connection = _connected(draft, "rwc")
         try:
             connection.executescript(
                 f"BEGIN; PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {SCHEMA}; "
@@ -302,7 +302,7 @@ def opened(path: Path) -> Database:
         InputError: if it is no run directory's, of another version, or damaged.
     """
     with saying_where(path):
-        connection = _connected(f"file:{_quoted(path / FILE)}?mode=rw")
+        connection = _connected(path / FILE, "rw")
         try:
             identity = _looked_through(path, connection)
             _write_ahead(connection)
@@ -325,7 +325,7 @@ def reading(path: Path) -> Iterator[Database]:
         copies = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         stack.enter_context(saying_where(path))
         try:
-            connection = _connected(f"file:{_quoted(path / FILE)}?mode=ro")
+            connection = _connected(path / FILE, "ro")
             stack.callback(connection.close)
             connection.execute("SELECT count(*) FROM sqlite_master")
         except sqlite3.OperationalError:
@@ -333,19 +333,16 @@ def reading(path: Path) -> Iterator[Database]:
             for file in path.glob(f"{FILE}*"):
                 if not file.name.endswith("-shm"):
                     shutil.copyfile(file, copies / file.name)
-            connection = _connected(f"file:{_quoted(copies / FILE)}?mode=rw")
+            connection = _connected(copies / FILE, "rw")
             stack.callback(connection.close)
         yield Database(path, connection, _looked_through(path, connection))
 
 
-def _connected(address: str) -> sqlite3.Connection:
+def _connected(file: Path, mode: str) -> sqlite3.Connection:
+    address = f"{file.absolute().as_uri()}?mode={mode}"
     return sqlite3.connect(
         address, timeout=BUSY, isolation_level=None, uri=True, check_same_thread=False
     )
-
-
-def _quoted(path: Path) -> str:
-    return path.absolute().as_uri().removeprefix("file://")
 
 
 def _write_ahead(connection: sqlite3.Connection) -> None:

@@ -191,8 +191,7 @@ def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = N
     """
     if name == "auto":
         compiled = ENGINES["kernel"]
-        small = scope.extent.levels[-1] < COMPILED_FROM
-        small |= _is_kept_out(subject, memory)
+        small = scope.extent.levels[-1] < COMPILED_FROM or _is_kept_out(subject, memory)
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
         raise InputError(f"engine {show(name)} is not one of auto, {', '.join(ENGINES)}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
@@ -9,8 +10,18 @@ from itertools import chain, islice, takewhile
 from threading import Event
 from typing import Any, Protocol, Self
 
-from allworlds.engines.effort import POLL, TimeIsUp, check_deadline
-from allworlds.engines.units import PartialResult, R, Transport, U, UnitEngine
+from allworlds.engines.effort import POLL, DaskCluster, TimeIsUp, check_deadline
+from allworlds.engines.units import PartialResult, Transport, U, UnitEngine
+
+
+def _parts(engine: UnitEngine, unit: U) -> Iterator[PartialResult[U, Any]]:
+    """The parts of a unit's result; the last one says that it is."""
+    parts = iter(engine.parts(unit))
+    result = next(parts)
+    for following in parts:
+        yield PartialResult(unit, result, last=False)
+        result = following
+    yield PartialResult(unit, result, last=True)
 
 
 class ThisThread:
@@ -28,19 +39,18 @@ class ThisThread:
     def map(self, engine: UnitEngine, units: Iterable[U]) -> Iterator[PartialResult[U, Any]]:
         """Yield the parts of all units, in their order."""
         for unit in units:
-            for result, last in with_last(engine.parts(unit)):
-                yield PartialResult(unit, result, last)
+            for part in _parts(engine, unit):
+                yield part
                 check_deadline(self._deadline)
 
 
-def with_last(items: Iterable[R]) -> Iterator[tuple[R, bool]]:
-    """Each of at least one item with whether it is the last one."""
-    iterator = iter(items)
-    item = next(iterator)
-    for following in iterator:
-        yield item, False
-        item = following
-    yield item, True
+def here_or(cluster: DaskCluster | None, deadline: float | None) -> Transport[Any]:
+    """The transport in this thread, or to the cluster; a local one has a process a core."""
+    if cluster is None:
+        return ThisThread(deadline)
+    from allworlds.engines.dask import Dask
+
+    return Dask(cluster, os.cpu_count() or 1, deadline)
 
 
 class Haltable(UnitEngine, Protocol):
@@ -104,9 +114,9 @@ class Threads:
 def _done(engine: UnitEngine, batch: Iterable[U], ended: Event) -> list[PartialResult[U, Any]]:
     """The parts of some units; of fewer, once the context has ended."""
     return [
-        PartialResult(unit, result, last)
+        part
         for unit in takewhile(lambda _: not ended.is_set(), batch)
-        for result, last in with_last(engine.parts(unit))
+        for part in _parts(engine, unit)
     ]
 
 

@@ -217,19 +217,14 @@ SIMPLE_DEPTHS = ((4, 1), (7, 2), (inf, 5))
 units, and the errors of many units make up for each other."""
 
 
-def depth_of(extent: Extent, edges: int) -> int:
-    """The number of decisions that make a unit of a level."""
-    depths = SIMPLE_DEPTHS if extent.map_class.simple else DEPTHS
-    return next(depth for below, depth in depths if edges < below)
-
-
 def units_of_level(extent: Extent, edges: int, portion: Portion = WHOLE) -> Iterator[LevelUnit]:
     """The pieces of a level, or those of a shard; independent of the number of workers.
 
     A shard gets about as many worlds as any other: the weights are counted beforehand.
     """
-    bounds = (edges, extent.map_class, extent.vertices)
-    histories = prefixes(*bounds, depth_of(extent, edges), extent.where)
+    depths = SIMPLE_DEPTHS if extent.map_class.simple else DEPTHS
+    depth = next(depth for below, depth in depths if edges < below)
+    histories = prefixes(edges, extent.map_class, extent.vertices, depth, extent.where)
     units = (LevelUnit(edges, prefix) for prefix in histories)
     if isinstance(portion, Shard):
         every = list(units)
@@ -243,8 +238,7 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
     A piece is drawn the more often the more maps it has; pieces without a map are left out.
     """
     while True:
-        bounds = (edges, extent.map_class, extent.vertices, extent.where)
-        gluing, prefix = Gluing(*bounds), list[int]()
+        gluing, prefix = Gluing(edges, extent.map_class, extent.vertices, extent.where), list[int]()
         while not gluing.finished and (not prefix or completions(gluing) > most):
             following = [*gluing.successors()]
             weights = [completions(after) for _, after in following]
