@@ -14,12 +14,12 @@ import shutil
 import sqlite3
 import tempfile
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Annotated, Any, Self
 
 from allworlds.document import Document, Positive, ShardText, Text, about, taken
-from allworlds.engines.units import Portion, a_shard, shards_of
+from allworlds.engines.units import Portion, a_shard, shard_numbers, shards_of
 from allworlds.inputs import InputError, show
 from allworlds.version import __version__
 from allworlds.words import plural
@@ -59,8 +59,7 @@ class Identity(Document):
     @property
     def portion(self) -> Portion:
         """The part of the units that is done: the whole, or a shard."""
-        index, _, count = self.shard.partition("/")
-        return a_shard((int(index), int(count)))
+        return a_shard(shard_numbers(self.shard))
 
     @property
     def code(self) -> dict[str, str]:
@@ -162,19 +161,14 @@ def saying_where(path: Path) -> Iterator[None]:
 
 
 class Database:
-    """An open file of units.
-
-    Args:
-        path: the directory.
-        connection: to its file.
-        identity: of the job.
-    """
+    """An open file of units, in a directory, with the identity of its job."""
 
     def __init__(self, path: Path, connection: sqlite3.Connection, identity: Identity) -> None:
-        self.path, self.identity = path, identity
-        self._connection = connection
+        self.path, self.identity, self._connection = path, identity, connection
         self._seal = identity.digest
-        self._file = _seen(path / FILE)
+        self._file: os.stat_result | None = None
+        with suppress(OSError):
+            self._file = (path / FILE).stat()
 
     @property
     def is_there(self) -> bool:
@@ -215,9 +209,8 @@ class Database:
         Raises:
             sqlite3.OperationalError: if there is no room for it.
         """
-        row = (key, worlds, finished, in_order(result))
-        query = "INSERT OR REPLACE INTO units VALUES (?, ?, ?, ?, ?)"
-        self._connection.execute(query, self._sealed(*row))
+        row = self._sealed(key, worlds, finished, in_order(result))
+        self._connection.execute("INSERT OR REPLACE INTO units VALUES (?, ?, ?, ?, ?)", row)
 
     def recall(self, name: str) -> Any:
         """The value that was noted under a name; None if there is none."""
@@ -258,15 +251,10 @@ class Database:
 
 def is_at(path: Path, file: os.stat_result | None) -> bool:
     """Whether that path leads to that file, and to no other."""
-    there = _seen(path)
-    return there is not None and file is not None and os.path.samestat(there, file)
-
-
-def _seen(path: Path) -> os.stat_result | None:
     try:
-        return path.stat()
+        return file is not None and os.path.samestat(path.stat(), file)
     except OSError:
-        return None
+        return False
 
 
 def checksum(seal: str, *row: Any) -> str:

@@ -29,11 +29,8 @@ from allworlds.inputs import (
 )
 from allworlds.protocol import ANSWER_TIMEOUT, START_TIMEOUT, limited_loading
 
-LEAST_TIMEOUT = 0.1
-"""The shortest time-out in seconds; explorers are not checked more often."""
-
-POLL = LEAST_TIMEOUT
-"""Seconds between two checks of other threads and processes."""
+POLL = 0.1
+"""Seconds between two checks of other threads and processes, and the shortest time-out."""
 
 DASK_TIMEOUT = 60.0
 """Seconds of silence after which a part of a cluster is given up, unless others are named."""
@@ -74,10 +71,10 @@ def _positive(name: str) -> Callable[[Any], Any]:
         if not 0 < value < inf:
             raise InputError(f"{name} {show(value)} is not positive and finite")
         at_most(name, value, MOST[name])
-        if name == "answer-timeout" and value < LEAST_TIMEOUT:
+        if name == "answer-timeout" and value < POLL:
             raise InputError(
                 f"answer-timeout {value} s is shorter than silence is noticed; the least is "
-                f"{LEAST_TIMEOUT} s"
+                f"{POLL} s"
             )
         return value
 

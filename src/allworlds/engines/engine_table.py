@@ -8,7 +8,6 @@ from functools import partial
 from typing import Annotated, Any, TypeAlias
 
 from msgspec import Struct
-from typing_extensions import override
 
 from allworlds.document import one_of, replace
 from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER, WORTH_LOADING
@@ -77,7 +76,6 @@ class General(EngineKind):
 
     name = "python"
 
-    @override
     def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
         return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep))
@@ -113,8 +111,7 @@ class Compiled(EngineKind):
         """
         if job.subject.from_user:
             # Who asks for it by name gets it in small worlds, too.
-            worth = job.scope.extent.levels[-1] >= COMPILED_FROM
-            least = WORTH_LOADING if worth else 0
+            least = WORTH_LOADING if job.scope.extent.levels[-1] >= COMPILED_FROM else 0
             return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep, least))
         from allworlds.engines.compiled.tallies import BATCH, CompiledEngine
 
@@ -178,13 +175,9 @@ def _is_kept_out(subject: Subject, memory: int | None) -> bool:
 
 
 def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> EngineKind:
-    """The engine that is used.
+    """The engine of that name; of ``auto`` the one that suits the check.
 
-    Args:
-        name: ``auto``, or one of :data:`ENGINES`.
-        scope: the scope of the check.
-        subject: the explorer.
-        memory: MB that the explorer may have, compiled code included.
+    A limit of ``memory``, in MB, is one of the compiled code, too.
 
     Raises:
         InputError: for an unknown name, or for an engine that cannot do the check.

@@ -8,7 +8,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
 from itertools import chain, islice, takewhile
 from threading import Event
-from typing import Any, Protocol, Self
+from typing import Any, Self
 
 from allworlds.engines.effort import POLL, DaskCluster, TimeIsUp, check_deadline
 from allworlds.engines.units import PartialResult, Transport, U, UnitEngine
@@ -53,15 +53,8 @@ def here_or(cluster: DaskCluster | None, deadline: float | None) -> Transport[An
     return Dask(cluster, os.cpu_count() or 1, deadline)
 
 
-class Haltable(UnitEngine, Protocol):
-    """An engine for threads: its work can be ended before its time."""
-
-    def halt(self) -> None:
-        """Cancel the work of every thread; its results are no longer needed."""
-
-
 class Threads:
-    """A pool of threads; leaving the context cancels the work that is running.
+    """A pool of threads; leaving the context has the engine ``halt()`` the work that is running.
 
     Args:
         workers: the number of threads.
@@ -73,7 +66,7 @@ class Threads:
         self._workers, self._deadline, self._batch = workers, deadline, batch
         self._pool = ThreadPoolExecutor(workers)
         self._ended = Event()
-        self._engine: Haltable | None = None
+        self._engine: Any = None
 
     def __enter__(self) -> Self:
         return self
@@ -88,7 +81,7 @@ class Threads:
         patient = isinstance(error, Exception | None) and not isinstance(error, TimeIsUp)
         self._pool.shutdown(wait=patient, cancel_futures=True)
 
-    def map(self, engine: Haltable, units: Iterable[U]) -> Iterator[PartialResult[U, Any]]:
+    def map(self, engine: Any, units: Iterable[U]) -> Iterator[PartialResult[U, Any]]:
         """Yield the parts of all units, in the order in which their batches are done.
 
         Raises:

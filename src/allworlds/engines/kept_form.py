@@ -60,8 +60,7 @@ def _own_form(kind: Any) -> Form | None:
     """The form of a type that msgspec cannot read and write by itself; None where it can."""
     origin, parts = get_origin(kind), get_args(kind)
     if origin is Annotated:
-        said = (note for note in parts[1:] if isinstance(note, Form))
-        return next(said, None) or _own_form(parts[0])
+        return next((note for note in parts if isinstance(note, Form)), None) or _own_form(parts[0])
     if origin is Counter or (origin is dict and parts[0] is not str):
         items = _form(list[tuple[(*parts, int)[:2]]])  # type: ignore[misc]  # a type made of types
         return Form(

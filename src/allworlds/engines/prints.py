@@ -8,15 +8,11 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from typing import Any, TextIO
 
-from typing_extensions import override
-
 KEPT = 4096
 """The largest number of bytes of the text; of longer prints it has the beginning and the end."""
 
 SIGN = "\n[... {} bytes more ...]\n"
-"""The line between the two; the number has at most :data:`DIGITS` digits."""
-
-DIGITS = 15
+"""The line between the two; the number has at most 15 digits."""
 
 
 class Silence:
@@ -32,7 +28,6 @@ class Prints(Silence):
     def __init__(self) -> None:
         self._first, self._last, self._size = bytearray(), bytearray(), 0
 
-    @override
     def add(self, printed: bytes) -> None:
         """Add bytes to the record; drop bytes from its middle if it is full."""
         self._size += len(printed)
@@ -48,7 +43,7 @@ class Prints(Silence):
             whole = "".join(shown for _, shown in _letters(self._first))
             if len(whole.encode()) <= KEPT:
                 return whole
-        room = (KEPT - len(SIGN.format("9" * DIGITS))) // 2
+        room = (KEPT - len(SIGN.format("9" * 15))) // 2
         end = (self._first + self._last)[-KEPT:]
         first, before = _fitting(_letters(self._first), room)
         last, after = _fitting(reversed(list(_letters(end))), room)

@@ -68,8 +68,7 @@ class InNotebook(Listener):
     def _show(self) -> None:
         self._shown = self._bar.done
         if self._display is None:
-            show: Any = sys.modules["IPython"].display.display
-            self._display = show(self._bar, display_id=True)
+            self._display = sys.modules["IPython"].display.display(self._bar, display_id=True)
         elif self._display:
             self._display.update(self._bar)
 

@@ -21,13 +21,11 @@ from allworlds.engines.units import Sum
 from allworlds.inputs import InputError, a_path, show
 from allworlds.words import listed
 
-LOCK = "lock"
+LOCK, OPENED = "lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC
+"""The name of the file that is locked, and how it is opened: it is made where it is missing."""
 
 ENDED = "complete"
 """The value that is noted under ``ended`` when the job is complete."""
-
-MOST_NAMED = 9
-"""The largest number of missing shards that are named."""
 
 PATIENCE = 3.0
 """Seconds to wait for a command that is about to end, before another one is refused."""
@@ -208,18 +206,10 @@ def _opened(path: Path, identity: Identity) -> Database:
 
 
 class Lock:
-    """The lock of a directory: who holds it is the only one who adds to it.
-
-    Args:
-        path: of its file, which is made where it is missing.
-
-    Raises:
-        OSError: if it cannot be.
-    """
+    """The lock of a directory: who holds it is the only one who adds to it."""
 
     def __init__(self, path: Path) -> None:
-        self._path = path
-        self._file = self._opened()
+        self._path, self._file = path, os.open(path, OPENED, 0o666)
 
     def take(self) -> bool:
         """Take the lock; return whether nobody else has it."""
@@ -237,7 +227,7 @@ class Lock:
         """
         with suppress(OSError):  # a directory in which no file can be made has no other command
             if not is_at(self._path, os.fstat(self._file)):
-                another = self._opened()
+                another = os.open(self._path, OPENED, 0o666)
                 self.close()
                 self._file = another
                 return self.take()
@@ -246,9 +236,6 @@ class Lock:
     def close(self) -> None:
         """Release the lock."""
         os.close(self._file)
-
-    def _opened(self) -> int:
-        return os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
 
 
 @contextmanager
@@ -302,19 +289,18 @@ def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
             if said := first.identity.difference(one.identity):
                 raise InputError(f"{named(one.path)} {said} as {show(str(first.path))}")
             shard = one.identity.shard
-            if shard in seen:
+            if (other := seen.setdefault(shard, one)) is not one:
                 raise InputError(
-                    f"run directories overlap: {show(str(seen[shard].path))} and "
-                    f"{show(str(one.path))} are both shard {shard}"
+                    f"run directories overlap: {show(str(other.path))} and {show(str(one.path))} "
+                    f"are both shard {shard}"
                 )
-            seen[shard] = one
         shards = first.identity.shards
         missing = [f"{k}/{shards}" for k in range(shards) if f"{k}/{shards}" not in seen]
         if missing:
-            more = f" and {len(missing) - MOST_NAMED} more" if len(missing) > MOST_NAMED else ""
+            more = f" and {len(missing) - 9} more" if len(missing) > 9 else ""
             noun, verb = ("shard", "is") if len(missing) == 1 else ("shards", "are")
             raise Gap(
-                f"{noun} {', '.join(missing[:MOST_NAMED])}{more} {verb} missing: "
+                f"{noun} {', '.join(missing[:9])}{more} {verb} missing: "
                 "give the run directory of each shard"
             )
         yield first.identity, Merged(directories)

@@ -209,8 +209,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         Raises:
             Gap: if a unit is missing.
         """
-        nothing_left = ReadyEngine(ThisThread(), None)
-        self.ready = lambda: nothing_left  # type: ignore[method-assign]  # whatever it would be
+        self.ready = lambda: ReadyEngine(ThisThread(), None)  # type: ignore[method-assign]  # none
         return self._answered(records, self._swept)
 
     def _answered(self, records: Records, swept: Callable[[], Ending]) -> Answer:

@@ -200,14 +200,9 @@ class SweptReport(RowsReport):
         return portion
 
     @property
-    def _lines(self) -> Any:
-        """The rows, whose type each report says by itself."""
-        return getattr(self, "rows", ())
-
-    @property
     @override
     def empty(self) -> bool:
-        return not self._lines
+        return not getattr(self, "rows", ())
 
     @property
     def source(self) -> str:
@@ -217,5 +212,6 @@ class SweptReport(RowsReport):
     @property
     def compared(self) -> Gate | None:
         """The count gate, if there is anything to compare."""
-        some = self.source and (self._lines or not self.agrees)
+        rows: Any = getattr(self, "rows", ())
+        some = self.source and (rows or not self.agrees)
         return Gate(source=self.source, agrees=self.agrees) if some else None

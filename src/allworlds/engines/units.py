@@ -294,7 +294,6 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
     source = source_of(extent) or source_for(extent.map_class)
     worlds = counted = 0
     for edges in extent.levels:
-        everywhere = sum(source.cells(edges).values())
         counted, worlds = edges, worlds + level_size(extent, edges)
         if worlds // shards > MANY_WORLDS:
             listener.notice(
@@ -302,7 +301,7 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
                 f"asked for: {_LONG}"
             )
             return
-        if everywhere > min(MANY_WORLDS * shards, COUNTABLE_WORLDS):
+        if sum(source.cells(edges).values()) > min(MANY_WORLDS * shards, COUNTABLE_WORLDS):
             break
     if counted < last:
         listener.notice(f"all levels up to {last} edges are asked for: {_LONG}")
