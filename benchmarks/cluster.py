@@ -21,7 +21,7 @@ from typing import Any
 import psutil
 
 from allworlds import check
-from allworlds.engines.transports.dask import local_cluster
+from allworlds.engines.dask import local_cluster
 
 WORKERS = 2
 

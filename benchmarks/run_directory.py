@@ -23,7 +23,7 @@ from typing import Any
 from unittest.mock import patch
 
 from allworlds import check
-from allworlds.engines.run_directory import finished_units as records
+from allworlds.engines import run_directory as records
 
 
 @dataclass(slots=True)
@@ -71,10 +71,10 @@ class Meters:
 @contextmanager
 def measured() -> Iterator[Meters]:
     """The meters of what happens in this context."""
-    meters = Meters()
+    meters, kept = Meters(), records.RunDirectory
     with (
-        patch.object(records.Shelf, "result", meters.asked.around(records.Shelf.result)),
-        patch.object(records.Shelf, "keep", meters.kept.around(records.Shelf.keep)),
+        patch.object(kept, "result", meters.asked.around(kept.result)),
+        patch.object(kept, "keep", meters.kept.around(kept.keep)),
         patch.object(records, "_opened", meters.opened.around(records._opened)),  # noqa: SLF001  # looked at from inside
     ):
         yield meters

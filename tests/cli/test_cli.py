@@ -316,18 +316,14 @@ def test_a_terminal_without_the_characters_is_no_error(start):
 
 
 def test_an_internal_error_has_its_own_exit_code(cli, monkeypatch):
-    from allworlds.engines.units import levels
-
-    monkeypatch.setattr(levels, "rooted_maps", lambda *_: 1 // 0)
+    monkeypatch.setattr("allworlds.engines.units.rooted_maps", lambda *_: 1 // 0)
     code, out, err = cli("count", "--edges", "1")
     assert (code, out) == (70, "")
     assert "internal error" in err
 
 
 def test_a_count_that_its_source_contradicts_is_an_internal_error(cli, monkeypatch):
-    from allworlds.engines.units import levels
-
-    monkeypatch.setattr(levels, "rooted_maps", lambda *_: iter(()))
+    monkeypatch.setattr("allworlds.engines.units.rooted_maps", lambda *_: iter(()))
     code, out, _ = cli("count", "--edges", "1")
     assert code == 70
     assert "MISMATCH" in out

@@ -7,7 +7,7 @@ import pytest
 
 from allworlds.cli.output import LONGEST, complain
 from allworlds.engines import Silent
-from allworlds.engines.units.levels import tell_of_size
+from allworlds.engines.units import tell_of_size
 from allworlds.inputs import InputError, show
 from allworlds.maps import Extent, MapClass
 from allworlds.studies.count import count

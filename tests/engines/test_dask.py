@@ -16,11 +16,10 @@ import pytest
 
 import processes
 from allworlds import check, count, worst
-from allworlds.engines import ClusterLost, Dask, Silent
+from allworlds.engines import ClusterLost, Dask, Silent, dask as cluster
 from allworlds.engines.compiled import tallies as compiled
-from allworlds.engines.transports import dask as cluster
-from allworlds.engines.transports.inline import ThisThread
-from allworlds.engines.units.effort import DaskCluster
+from allworlds.engines.effort import DaskCluster
+from allworlds.engines.here import ThisThread
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError
 from allworlds.version import __version__
@@ -56,7 +55,7 @@ def test_small_levels_are_not_sent(here, monkeypatch):
                 sent.add(part.unit.edges)
                 yield part
 
-    monkeypatch.setattr("allworlds.engines.transports.dask.Dask", Noted)
+    monkeypatch.setattr("allworlds.engines.dask.Dask", Noted)
     monkeypatch.setattr(compiled, "SOON", 100)
     monkeypatch.setattr(compiled, "SOON_WALKED", 200_000)
     assert check(edges=6, engine="kernel", dask=here).worlds == 119_364

@@ -6,13 +6,13 @@ import sqlite3
 from contextlib import closing
 
 import pytest
+from msgspec import Struct
 
 from allworlds import check
 from allworlds.document import replace
-from allworlds.engines import Identity, Silent, reading
-from allworlds.engines.run_directory import database
-from allworlds.engines.run_directory.database import FILE, SCHEMA, checksum
-from allworlds.engines.run_directory.finished_units import records_in
+from allworlds.engines import Identity, Silent, database, reading
+from allworlds.engines.database import FILE, SCHEMA, checksum
+from allworlds.engines.run_directory import records_in
 from allworlds.inputs import InputError
 
 JOB = Identity(
@@ -21,6 +21,16 @@ JOB = Identity(
     explorer={"name": "a", "digest": "1"},
     shard="0/1",
 )
+
+
+class Rows(Struct):
+    """A result."""
+
+    rows: list[int]
+
+    @property
+    def worlds(self):
+        return max(self.rows, default=1)
 
 
 def nothing(text):
@@ -32,7 +42,7 @@ def finished(tmp_path):
     """A run directory with some units in it."""
     with records_in(tmp_path / "run", lambda: JOB, nothing) as records:
         for number in range(9):
-            records.keep(f"2:-{number}", number, {"rows": [number] * 9})
+            records.keep(f"2:-{number}", Rows([number] * 9))
         records.note("ended", "complete")
     return tmp_path / "run"
 
@@ -108,7 +118,7 @@ def test_a_directory_that_nobody_can_write_is_refused():
 
 
 def test_a_directory_in_use_is_refused(finished, monkeypatch):
-    monkeypatch.setattr("allworlds.engines.run_directory.finished_units.PATIENCE", 0.1)
+    monkeypatch.setattr("allworlds.engines.run_directory.PATIENCE", 0.1)
     with (
         records_in(finished, lambda: JOB, nothing),
         pytest.raises(InputError, match="is in use by another command"),
@@ -155,7 +165,7 @@ def test_a_file_that_was_changed_is_refused(finished, statement, said):
 def test_rows_of_another_directory_are_refused(finished, tmp_path):
     other = replace(JOB, parameters={"edges": 3})
     with records_in(tmp_path / "other", lambda: other, nothing) as records:
-        records.keep("2:-1", 1, {"rows": []})
+        records.keep("2:-1", Rows([]))
     for name in ("run", "other"):
         with closing(sqlite3.connect(tmp_path / name / FILE)) as connection, connection:
             connection.execute("DELETE FROM units WHERE key != '2:-1'")

@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds.engines import LevelUnit, by_vertices_and_faces
-from allworlds.engines.units.levels import units_of_level
+from allworlds.engines.units import units_of_level
 from allworlds.maps import Extent, MapClass, prefixes
 from allworlds.maps.counting.any_genus import rooted_of_genus
 from allworlds.studies.count import counter

@@ -7,7 +7,6 @@ import pytest
 
 from allworlds import ambiguity, check, worst
 from allworlds.engines import Silent, Tally
-from allworlds.engines.units import levels
 from small import long
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("compiled")]
@@ -38,7 +37,7 @@ class Watches(Silent):
 
 @pytest.fixture(autouse=True)
 def _many_units(monkeypatch):
-    monkeypatch.setattr(levels, "DEPTHS", ((9, 5),))
+    monkeypatch.setattr("allworlds.engines.units.DEPTHS", ((9, 5),))
 
 
 CHECKS = {

@@ -14,9 +14,8 @@ import pytest
 
 import processes
 from allworlds import ambiguity, check, worst
-from allworlds.engines import Silent
+from allworlds.engines import Silent, run_directory
 from allworlds.engines.judge import PythonJudge
-from allworlds.engines.run_directory import finished_units
 from allworlds.inputs import InputError
 from allworlds.studies.worst.compiled_engine import ScheduleSearch
 from kept_jobs import EXPLORERS, stable
@@ -122,7 +121,7 @@ def test_a_command_says_that_another_one_adds_to_its_directory(tmp_path):
 
         def remove():
             (run / "lock").unlink()
-            another.enter_context(finished_units._locked(run))
+            another.enter_context(run_directory._locked(run))
 
         listener = Once(remove)
         assert job(run=run, listener=listener).to_json() == whole
@@ -133,7 +132,7 @@ def test_a_command_says_that_another_one_adds_to_its_directory(tmp_path):
 
 @pytest.mark.usefixtures("without_workers")
 def test_a_lock_that_is_removed_is_made_anew(tmp_path, monkeypatch):
-    monkeypatch.setattr(finished_units, "PATIENCE", 0.1)
+    monkeypatch.setattr("allworlds.engines.run_directory.PATIENCE", 0.1)
     job, run = VERBS["own"], tmp_path / "run"
     refused = []
 

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds.engines import LevelUnit, Shard, level_size
-from allworlds.engines.units.levels import units_of_level
+from allworlds.engines.units import units_of_level
 from allworlds.maps import Extent, Gluing, MapClass, completions, prefixes, rooted_maps
 
 

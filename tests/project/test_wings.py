@@ -56,8 +56,8 @@ BESIDE = {"corpus", "schemas", "py.typed"}
 
 # The only homes of each library that does not come with Python.
 HOMES = {
-    "dask": ["engines.transports.dask"],
-    "distributed": ["engines.transports"],
+    "dask": ["engines.dask"],
+    "distributed": ["engines.dask"],
     "hypothesis": ["strategies"],
     "llvmlite": ["engines.kernel"],
     # Structs: in every wing, but not in what is loaded by "import allworlds".
@@ -74,7 +74,7 @@ HOMES = {
     ],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
-    "psutil": ["engines.transports.dask"],
+    "psutil": ["engines.dask"],
     "pyarrow": ["reports.formats.csv"],
     "pysat": ["studies.ambiguity.smt"],
     "rich": ["cli", "reports"],

@@ -330,7 +330,7 @@ def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, vi
                 yield map_
 
     target = list(rooted_maps(3))[victim]
-    monkeypatch.setattr("allworlds.engines.units.levels.rooted_maps", tampered)
+    monkeypatch.setattr("allworlds.engines.units.rooted_maps", tampered)
     report = check(explorers("right"), edges=4)
     assert (report.verdict, report.exit_code, report.levels) == (Verdict.ERROR, 70, (1, 2, 3))
     assert "count gate" in report.ending.reason
@@ -340,7 +340,7 @@ def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, vi
 
 def test_the_gate_notices_a_class_that_is_mixed_up(explorers, monkeypatch):
     monkeypatch.setattr(
-        "allworlds.engines.units.levels.rooted_maps",
+        "allworlds.engines.units.rooted_maps",
         lambda edges, _class, *rest: rooted_maps(edges, MapClass.MAPS, *rest),
     )
     assert check(explorers("right"), edges=4, map_class="planar").exit_code == 70

@@ -164,7 +164,7 @@ def test_the_listener_hears_every_rooted_map():
 
 
 def test_a_class_without_worlds_is_vacuous(monkeypatch):
-    monkeypatch.setattr("allworlds.engines.units.levels.rooted_maps", lambda *_: iter(()))
+    monkeypatch.setattr("allworlds.engines.units.rooted_maps", lambda *_: iter(()))
     found = census(edges=1)
     assert not found.gate.agrees
     assert found.exit_code == 70
@@ -176,7 +176,7 @@ def test_a_forgotten_world_is_noticed(monkeypatch):
     def plane(*scope):
         return (map_ for map_ in rooted_maps(*scope) if map_.is_planar)
 
-    monkeypatch.setattr("allworlds.engines.units.levels.rooted_maps", plane)
+    monkeypatch.setattr("allworlds.engines.units.rooted_maps", plane)
     with pytest.raises(Disagreement, match="1 worlds were met of a class of 2"):
         census(edges=2)
 

@@ -152,9 +152,7 @@ def test_a_merge_of_nothing_is_refused():
 def test_units_that_are_in_two_directories_are_refused(report, tmp_path, monkeypatch):
     """Were the shards dealt out in another way, they would overlap."""
     report("worst --edges 2", "--shard", "0/2", "--run", str(tmp_path / "a"))
-    monkeypatch.setattr(
-        "allworlds.engines.units.levels.dealt", lambda weights, _: range(len(weights))
-    )
+    monkeypatch.setattr("allworlds.engines.units.dealt", lambda weights, _: range(len(weights)))
     report("worst --edges 2", "--shard", "1/2", "--run", str(tmp_path / "b"))
     with pytest.raises(InputError, match=r"overlap: unit .* is in"):
         allworlds.merge(tmp_path / "a", tmp_path / "b")
@@ -163,7 +161,7 @@ def test_units_that_are_in_two_directories_are_refused(report, tmp_path, monkeyp
 def test_the_gate_stands_over_the_union(report, tmp_path, monkeypatch):
     """A world that is missing in a shard is missed by the merge."""
     monkeypatch.setattr(
-        "allworlds.engines.units.levels.prefixes", lambda *_: iter([(-1,), (-2,)]), raising=True
+        "allworlds.engines.units.prefixes", lambda *_: iter([(-1,), (-2,)]), raising=True
     )
     runs, codes = sharded(report, "worst --edges 2", tmp_path, 2)
     assert codes == {0}

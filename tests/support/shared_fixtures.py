@@ -102,7 +102,7 @@ def clock(monkeypatch, tmp_path):
     clock = Clock(hung)
     for module in (
         "engines.players",
-        "engines.units.effort",
+        "engines.effort",
         "studies.check.confirmation",
     ):
         monkeypatch.setattr(f"allworlds.{module}.time", clock)

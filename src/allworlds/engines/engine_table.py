@@ -1,24 +1,45 @@
-"""The table of the engines: a new one is an entry."""
+"""The job of an engine, and the table of the engines: a new one is an entry."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Any, Protocol, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 from msgspec import Struct
 
 from allworlds.document import one_of, replace
 from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER, WORTH_LOADING
-from allworlds.engines.job import Job
+from allworlds.engines.effort import DaskCluster, Limits
+from allworlds.engines.here import Split, Threads
 from allworlds.engines.lanes import in_any_order, workers_for
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.transports.split import Split
-from allworlds.engines.transports.threads import Threads
-from allworlds.engines.units.effort import DaskCluster
-from allworlds.engines.units.unit import Transport
+from allworlds.engines.units import Transport
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError, lack_of, show
+
+
+class Job(Struct, frozen=True):
+    """A check as an engine gets it.
+
+    Attributes:
+        scope, subject: of the check.
+        limits: of workers and of time.
+        keep: the number of findings that are kept.
+        deadline: on the monotonic clock, or None.
+        notice: takes a text that the user reads at once.
+        cluster: that is to do the work; None for work on this machine without Dask.
+    """
+
+    scope: Scope
+    subject: Subject
+    limits: Limits
+    keep: int
+    deadline: float | None
+    notice: Callable[[str], None]
+    cluster: DaskCluster | None = None
 
 
 class ReadyEngine(Struct, frozen=True):
@@ -28,17 +49,20 @@ class ReadyEngine(Struct, frozen=True):
     engine: Any  # what the transport takes; None where every unit is kept
 
 
-class EngineKind(Protocol):
-    """A kind of engine, as the table of the engines needs it."""
+class EngineKind(ABC):
+    """A kind of engine; by default it can do every check, and plays each run."""
 
     name: str
 
-    def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """The reason why one run may be counted for several; empty if each run is played."""
+    def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
+        """Return the reason why one run may be counted for several; empty if each is played."""
+        return ""
 
-    def obstacle(self, scope: Scope, subject: Subject) -> str:
+    def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # none
         """Return the reason why it cannot do a check; empty if it can."""
+        return ""
 
+    @abstractmethod
     def ready(self, job: Job) -> ReadyEngine:
         """Return the engine for this job.
 
@@ -47,25 +71,17 @@ class EngineKind(Protocol):
         """
 
 
-class General:
+class General(EngineKind):
     """The Python engine: every explorer, every option, generators in worker processes."""
 
     name = "python"
-
-    def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
-        """The empty text: each run is played."""
-        return ""
-
-    def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # it can do all
-        """Return the empty text: it can do every check."""
-        return ""
 
     def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
         return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep))
 
 
-class Compiled:
+class Compiled(EngineKind):
     """The judge in compiled code: built-in explorers in threads, users' ones in processes."""
 
     name = "kernel"
@@ -95,8 +111,7 @@ class Compiled:
         """
         if job.subject.from_user:
             # Who asks for it by name gets it in small worlds, too.
-            worth = job.scope.extent.levels[-1] >= COMPILED_FROM
-            least = WORTH_LOADING if worth else 0
+            least = WORTH_LOADING if job.scope.extent.levels[-1] >= COMPILED_FROM else 0
             return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep, least))
         from allworlds.engines.compiled.tallies import BATCH, CompiledEngine
 
@@ -104,28 +119,19 @@ class Compiled:
         near = Threads(workers, job.deadline, BATCH)
         if job.cluster is None:
             return ReadyEngine(near, engine)
-        from allworlds.engines.transports.dask import Dask
+        from allworlds.engines.dask import Dask
 
         far = Dask(job.cluster, workers, job.deadline)
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
 
 
-def has_models(scope: Scope) -> bool:
-    """Whether code of the user's judges the runs, or chooses the worlds."""
-    where = scope.extent.where
-    return bool(scope.rules.files or getattr(where, "codes", ()))
-
-
 def players_for(job: Job) -> Transport[Any]:
-    """The transport to the place where the explorer is played: here, or a cluster's workers."""
+    """The transport to the place where the explorer is played: here, or on workers of a cluster."""
     if job.cluster is None:
-        return workers_for(job.subject, job.limits, job.deadline, models=has_models(job.scope))
-    return _cluster(job, job.cluster)
-
-
-def _cluster(job: Job, cluster: DaskCluster) -> Transport[Any]:
-    """A cluster, on each worker of which an explorer is played as it would be here."""
-    from allworlds.engines.transports.dask import Dask
+        # Code of the user's may judge the runs, or choose the worlds.
+        models = bool(job.scope.rules.files or getattr(job.scope.extent.where, "codes", ()))
+        return workers_for(job.subject, job.limits, job.deadline, models=models)
+    from allworlds.engines.dask import Dask
 
     subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
     if subject.from_user and not subject.importable:
@@ -134,7 +140,7 @@ def _cluster(job: Job, cluster: DaskCluster) -> Transport[Any]:
             "others; put it into a file of its own"
         )
     return Dask(
-        cluster,
+        job.cluster,
         job.limits.workers,
         job.deadline,
         inside=partial(workers_for, subject, limits),
@@ -169,21 +175,16 @@ def _is_kept_out(subject: Subject, memory: int | None) -> bool:
 
 
 def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> EngineKind:
-    """The engine that is used.
+    """The engine of that name; of ``auto`` the one that suits the check.
 
-    Args:
-        name: ``auto``, or one of :data:`ENGINES`.
-        scope: the scope of the check.
-        subject: the explorer.
-        memory: MB that the explorer may have, compiled code included.
+    A limit of ``memory``, in MB, is one of the compiled code, too.
 
     Raises:
         InputError: for an unknown name, or for an engine that cannot do the check.
     """
     if name == "auto":
         compiled = ENGINES["kernel"]
-        small = scope.extent.levels[-1] < COMPILED_FROM
-        small |= _is_kept_out(subject, memory)
+        small = scope.extent.levels[-1] < COMPILED_FROM or _is_kept_out(subject, memory)
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
         raise InputError(f"engine {show(name)} is not one of auto, {', '.join(ENGINES)}")

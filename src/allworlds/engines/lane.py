@@ -24,6 +24,7 @@ from typing import Any, NamedTuple
 
 from allworlds import log as entries
 from allworlds.document import replace
+from allworlds.engines.effort import POLL, Limits
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
@@ -44,9 +45,7 @@ from allworlds.engines.python.comparison import (
 from allworlds.engines.python.examiner import Outcome
 from allworlds.engines.python.run_counter import REPORT_EVERY, RunCounter
 from allworlds.engines.python.runs_of_unit import LevelRuns, UnitOfRuns
-from allworlds.engines.units.effort import POLL, Limits
-from allworlds.engines.units.levels import level_size
-from allworlds.engines.units.unit import PartialResult
+from allworlds.engines.units import PartialResult, level_size
 from allworlds.explorers import Subject
 from allworlds.judging import Log
 from allworlds.protocol import AN_ACTION

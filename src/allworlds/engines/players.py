@@ -26,9 +26,9 @@ from typing import Any, NamedTuple
 from msgspec import Struct
 
 from allworlds.engines import linux
+from allworlds.engines.effort import Limits
 from allworlds.engines.player import FAILURE, LOGS, NO_ROOM, NO_RUN, PART, READY, REFUSAL
 from allworlds.engines.prints import Prints, Silence, printing_to
-from allworlds.engines.units.effort import Limits
 from allworlds.explorers import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs import InputError, show
 from allworlds.protocol import Player as Explorer, play_run

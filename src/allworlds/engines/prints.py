@@ -1,29 +1,28 @@
-"""The prints of an explorer, escaped and limited: for one run, and never for a verdict."""
+"""Prints of explorers, escaped and limited, and a stderr that may be lost: never for a verdict."""
 
 from __future__ import annotations
 
 import io
+import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
-from typing import Any, Protocol
+from typing import Any, TextIO
 
 KEPT = 4096
 """The largest number of bytes of the text; of longer prints it has the beginning and the end."""
 
 SIGN = "\n[... {} bytes more ...]\n"
-"""The line between the two; the number has at most :data:`DIGITS` digits."""
-
-DIGITS = 15
+"""The line between the two; the number has at most 15 digits."""
 
 
-class Sink(Protocol):
-    """A receiver of bytes."""
+class Silence:
+    """A sink of bytes that drops everything."""
 
     def add(self, printed: bytes) -> None:
-        """Take bytes."""
+        """Drop the bytes."""
 
 
-class Prints:
+class Prints(Silence):
     """A record of bytes of limited size, and its text."""
 
     def __init__(self) -> None:
@@ -44,7 +43,7 @@ class Prints:
             whole = "".join(shown for _, shown in _letters(self._first))
             if len(whole.encode()) <= KEPT:
                 return whole
-        room = (KEPT - len(SIGN.format("9" * DIGITS))) // 2
+        room = (KEPT - len(SIGN.format("9" * 15))) // 2
         end = (self._first + self._last)[-KEPT:]
         first, before = _fitting(_letters(self._first), room)
         last, after = _fitting(reversed(list(_letters(end))), room)
@@ -76,19 +75,12 @@ def _fitting(letters: Iterable[tuple[int, str]], room: int) -> tuple[list[str], 
     return fitting, made_of
 
 
-class Silence:
-    """A sink that drops everything."""
-
-    def add(self, _: bytes) -> None:
-        """Drop the bytes."""
-
-
 class _PrintStream(io.BufferedIOBase):
     """A stream of bytes that ends in a sink."""
 
     name = "<the explorer's prints>"
 
-    def __init__(self, sink: Sink) -> None:
+    def __init__(self, sink: Silence) -> None:
         self._sink = sink
 
     def writable(self) -> bool:
@@ -103,10 +95,35 @@ class _PrintStream(io.BufferedIOBase):
 
 
 @contextmanager
-def printing_to(sink: Sink) -> Iterator[None]:
+def printing_to(sink: Silence) -> Iterator[None]:
     """Send what Python prints in this process to a sink; other prints go where they did."""
     written = io.TextIOWrapper(
         _PrintStream(sink), "utf-8", "backslashreplace", newline="", write_through=True
     )
     with redirect_stdout(written), redirect_stderr(written):
         yield
+
+
+def patient_stderr() -> TextIO:
+    """Stderr as a text stream that drops texts which cannot be written, if it is full or unread.
+
+    Otherwise ``print`` would raise in the code that calls it: an explorer would be refuted, or
+    bad input have the exit code of an internal error.
+    """
+    return io.TextIOWrapper(
+        io.BufferedWriter(_Patient(2, "w", closefd=False)),
+        encoding=sys.stderr.encoding if sys.stderr else "utf-8",
+        errors="backslashreplace",
+        line_buffering=True,
+    )
+
+
+class _Patient(io.FileIO):
+    """A file whose writing never fails."""
+
+    def write(self, data: Any) -> int:
+        """Write, and report the whole length as written."""
+        try:
+            return super().write(data)
+        except OSError:
+            return len(data)

@@ -26,10 +26,6 @@ class Silent(Listener):
     """The listener that ignores all events."""
 
 
-NOBODY = Silent()
-"""The listener of a job of which nobody hears any more."""
-
-
 class Once(Silent):
     """A listener that hands on notices alone, and each of them once."""
 
@@ -47,9 +43,8 @@ class InNotebook(Listener):
     """A listener that shows a bar below the cell of a notebook, and notices as lines."""
 
     def __init__(self) -> None:
-        self._bar: Any = None
-        self._name, self._of, self._total, self._done = "", "", 0, 0
-        self._shown = 0
+        self._bar, self._shown = _Bar("", 0, 0, ""), 0
+        self._display: Any = None
 
     def level(self, edges: int, worlds: int) -> None:
         """Begin the bar of a level."""
@@ -57,14 +52,13 @@ class InNotebook(Listener):
 
     def stage(self, name: str, total: int, of: str) -> None:
         """Begin a bar."""
-        self._name, self._of, self._total, self._done = name, of, total, 0
+        self._bar = _Bar(name, 0, total, of)
         self._show()
 
     def progress(self, count: int) -> None:
         """Move the bar on, by a hundredth at least, and to its end."""
-        self._done += count
-        moved = 100 * (self._done - self._shown) >= self._total
-        if moved or self._shown < self._total <= self._done:
+        bar = self._bar = self._bar._replace(done=self._bar.done + count)
+        if 100 * (bar.done - self._shown) >= bar.total or self._shown < bar.total <= bar.done:
             self._show()
 
     def notice(self, text: str) -> None:
@@ -72,13 +66,11 @@ class InNotebook(Listener):
         print(text)  # noqa: T201  # below the cell
 
     def _show(self) -> None:
-        self._shown = self._done
-        bar = _Bar(self._name, self._done, self._total, self._of)
-        if self._bar is None:
-            show: Any = sys.modules["IPython"].display.display
-            self._bar = show(bar, display_id=True)
-        elif self._bar:
-            self._bar.update(bar)
+        self._shown = self._bar.done
+        if self._display is None:
+            self._display = sys.modules["IPython"].display.display(self._bar, display_id=True)
+        elif self._display:
+            self._display.update(self._bar)
 
 
 class _Bar(NamedTuple):

@@ -10,6 +10,7 @@ from typing_extensions import override
 
 from allworlds import log as entries
 from allworlds.document import replace
+from allworlds.engines.effort import Limits
 from allworlds.engines.judge import Due, PythonJudge, Recorded
 from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
 from allworlds.engines.players import Lost, Setup
@@ -20,7 +21,6 @@ from allworlds.engines.python.runs_of_unit import GivenWorlds
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.run_report import SingleRun
-from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 from allworlds.inputs import InputError
 from allworlds.judging import (

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from allworlds.document import replace
+from allworlds.engines.effort import Limits
 from allworlds.engines.players import PlayerProcess, Setup
-from allworlds.engines.units.effort import Limits
 from allworlds.explorers import (
     BUILT_IN,
     Program,

@@ -13,20 +13,30 @@ from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
 from allworlds.document import replace
+from allworlds.engines.database import Identity
+from allworlds.engines.effort import ClusterLost, TimeIsUp, deadline_after
 from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.here import ThisThread
+from allworlds.engines.kept_form import from_kept
 from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import NOBODY, Listener
+from allworlds.engines.progress import Listener, Silent
 from allworlds.engines.python.run_counter import EnginesDisagree
-from allworlds.engines.run_directory.finished_units import ENDED, Records, records_in, shelf
-from allworlds.engines.run_directory.identity import Identity
-from allworlds.engines.transports.inline import ThisThread
-from allworlds.engines.units.effort import ClusterLost, TimeIsUp, deadline_after
-from allworlds.engines.units.gather import gather
-from allworlds.engines.units.kept_form import from_kept
-from allworlds.engines.units.levels import SweptLevel, levels_of, tell_of_size
-from allworlds.engines.units.listing import By
-from allworlds.engines.units.shards import UNMERGEABLE, WHOLE, AskedShard, Portion, Shard, shards_of
-from allworlds.engines.units.unit import Sum
+from allworlds.engines.run_directory import ENDED, NO_RECORDS, Records, records_in
+from allworlds.engines.swept_report import By
+from allworlds.engines.units import (
+    WHOLE,
+    AskedShard,
+    Portion,
+    Shard,
+    Sum,
+    SweptLevel,
+    Transport,
+    Unit,
+    level_size,
+    shards_of,
+    tell_of_size,
+    units_of_level,
+)
 from allworlds.inputs import InputError, meant, remembered, without_effort
 from allworlds.maps import Extent
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended
@@ -35,9 +45,31 @@ Total = TypeVar("Total", bound=Sum)
 Answer = TypeVar("Answer")
 
 
-def _nothing_left() -> ReadyEngine:
-    """The engine of a job in which every unit is kept."""
-    return ReadyEngine(ThisThread(), None)
+def gather(
+    transport: Transport[Any],
+    engine: Any,
+    units: Iterable[Unit],
+    total: Sum,
+    listener: Listener,
+    records: Records = NO_RECORDS,
+) -> None:
+    """Add the results of all units to ``total``; the listener is told of each part.
+
+    The records keep each unit when it is whole.
+
+    Raises:
+        TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.
+    """
+    begun: dict[str, Sum] = {}
+    for part in transport.map(engine, units):
+        key, result = part.unit.key, part.result
+        total.add(result)
+        listener.progress(result.worlds)
+        whole = begun.setdefault(key, result)
+        if whole is not result:
+            whole.add(result)
+        if part.last:
+            records.keep(key, begun.pop(key))
 
 
 class Sweep(ABC, Generic[Total, Answer]):
@@ -110,7 +142,9 @@ class Sweep(ABC, Generic[Total, Answer]):
     def levels(self) -> Iterable[SweptLevel]:
         """Return its levels, in their order."""
         assert self.extent is not None
-        return levels_of(self.extent, self.portion)
+        for edges in self.extent.levels:
+            units = units_of_level(self.extent, edges, self.portion)
+            yield SweptLevel(edges, level_size(self.extent, edges), units)
 
     @abstractmethod
     def ready(self) -> ReadyEngine:
@@ -136,7 +170,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def ended(self, ending: Ending, extent: Extent | None = None) -> dict[str, Any]:
         """Return the keywords of every report; the extent where the sweep has no other."""
-        asked = replace(without_effort(self.request), listener=NOBODY)
+        asked = replace(without_effort(self.request), listener=Silent())
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
     def begin(self) -> Ending | None:
@@ -163,7 +197,9 @@ class Sweep(ABC, Generic[Total, Answer]):
             InputError: if the directory is of another job, in use, damaged, or not writable.
         """
         if run is None and isinstance(self.portion, Shard):
-            self.listener.notice(UNMERGEABLE)
+            self.listener.notice(
+                "without --run DIR the report of this shard cannot be merged with others"
+            )
         with records_in(run, self.identity, self.listener.notice) as records:
             return self._answered(records, lambda: self._guarded(self.begin) or self._swept())
 
@@ -173,7 +209,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         Raises:
             Gap: if a unit is missing.
         """
-        self.ready = _nothing_left  # type: ignore[method-assign]  # whatever it would be
+        self.ready = lambda: ReadyEngine(ThisThread(), None)  # type: ignore[method-assign]  # none
         return self._answered(records, self._swept)
 
     def _answered(self, records: Records, swept: Callable[[], Ending]) -> Answer:
@@ -201,8 +237,7 @@ class Sweep(ABC, Generic[Total, Answer]):
             return Stopped(str(error))
 
     def _through(self) -> Ending | None:
-        made, kept = self.ready(), shelf(self.records, self.read)
-        shards = shards_of(self.portion)
+        made, shards = self.ready(), shards_of(self.portion)
         with made.transport as there:
             if self.extent is not None:
                 tell_of_size(self.extent, self.listener, shards)
@@ -210,10 +245,21 @@ class Sweep(ABC, Generic[Total, Answer]):
                 self.listener.level(level.edges, level.worlds // shards)
                 total = self.empty()
                 try:
-                    gather(there, made.engine, level.units, total, self.listener, kept)
+                    undone = (unit for unit in level.units if not self._is_kept(unit, total))
+                    gather(there, made.engine, undone, total, self.listener, self.records)
                 except BaseException:
                     self.leave(level, total)
                     raise
                 if ending := self.finish(level, total):
                     return ending
         return None
+
+    def _is_kept(self, unit: Unit, total: Total) -> bool:
+        """Return whether a unit was finished before; then its result is added to the total."""
+        told = self.records.result(unit.key)
+        if told is None:
+            return False
+        result = self.read(told)
+        total.add(result)
+        self.listener.progress(result.worlds)
+        return True

@@ -1,32 +1,131 @@
-"""Reports of studies that go through worlds, with their scope."""
+"""Reports of jobs that may end early, and of those that go through worlds."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated, Any, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias, TypeVar
 
 from typing_extensions import override
 
 from allworlds.document import (
+    AllRows,
     Aside,
     Document,
     ExitCode,
     IfAny,
+    Report,
     Text,
     Why,
     about,
     computed,
     one_of,
 )
-from allworlds.engines.ended_report import RowsReport
-from allworlds.engines.units.shards import Portion
-from allworlds.inputs import as_json, in_scope
-from allworlds.judging import Rules
+from allworlds.engines.units import WHOLE, Portion
+from allworlds.inputs import OUTPUT, InputError, Option, Request, Taken, as_json, in_scope, show
 from allworlds.maps import Extent, source_name
-from allworlds.outcome import (
-    Exit,
-)
-from allworlds.world import LighthouseKind
+from allworlds.outcome import Completed, Disagreed, Ending, Exit, Facts, Interrupted, Stopped
+
+if TYPE_CHECKING:
+    from allworlds.judging import Rules
+    from allworlds.world import LighthouseKind
+
+
+class EndedReport(Report):
+    """A report of what was finished when a job came to its ``ending``."""
+
+    ending: Aside[Ending]
+
+    @property
+    def portion(self) -> Portion:
+        """The part of the job that was to be done."""
+        return WHOLE
+
+    @property
+    def whole(self) -> bool:
+        """Whether it is about all of the job, and not a shard of it."""
+        return self.portion == WHOLE
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the numbers agree with what they were compared with."""
+        return True
+
+    @property
+    def refuted(self) -> bool:
+        """Whether a law is broken, or something is not as it should be."""
+        return False
+
+    @property
+    def undecided(self) -> bool:
+        """Whether something was left undone by which the answer could be another one."""
+        return isinstance(self.ending, Stopped)
+
+    @property
+    def empty(self) -> bool:
+        """Whether there was nothing to be answered."""
+        return False
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether the user interrupted the job."""
+        return isinstance(self.ending, Interrupted)
+
+    def uninterrupted(self) -> Self:
+        """Return this report, for callers that can do nothing with a part of it.
+
+        Raises:
+            KeyboardInterrupt: if it was interrupted; who made it has kept that to itself.
+        """
+        if self.interrupted:
+            raise KeyboardInterrupt
+        return self
+
+    @property
+    @override
+    def facts(self) -> Facts:
+        return Facts(
+            disagrees=not self.agrees or isinstance(self.ending, Disagreed),
+            interrupted=self.interrupted,
+            refuted=self.refuted,
+            undecided=self.undecided,
+            vacuous=self.whole and self.empty,
+        )
+
+
+class RowsReport(EndedReport):
+    """A report with rows of all that was finished."""
+
+    complete: AllRows = computed(lambda report: isinstance(report.ending, Completed | Disagreed))
+
+
+By: TypeAlias = Literal["size", "world", "run"]
+"""Rows for programs: one for each size, each world, or each run, and explorer."""
+
+
+def by_named(given: str | None) -> By | None:
+    """The word, or None.
+
+    Raises:
+        InputError: naming another word.
+    """
+    if given in (None, "size", "world", "run"):
+        return given  # type: ignore[return-value]  # one of these
+    raise InputError(f"by {show(given)} is not one of size, world, run")
+
+
+class AskedRows(Request):
+    """The part of a request that says for what there are rows."""
+
+    by: Annotated[
+        Taken[str | None, By | None],
+        Option(
+            OUTPUT,
+            "size|world|run",
+            "Rows of --csv: one for each size, world, or run, and explorer [default: size; of "
+            "worlds that grow: run].",
+            apart=True,
+        ),
+    ] = Taken(by_named, None)
+
 
 TriedPlaces = Annotated[
     IfAny[Text | None],
@@ -63,8 +162,7 @@ def told_scope(
 SweptExit = Annotated[
     ExitCode,
     one_of(
-        *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
-        Exit.INTERRUPTED,
+        Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL, Exit.INTERRUPTED
     ),
 ]
 """The exit codes of a study that goes through worlds, and judges runs there."""
@@ -88,14 +186,10 @@ GATE: Any = computed(lambda report: report.compared)
 """The key of a report that holds its count gate."""
 
 
-STOPPED: Any = computed(lambda report: report.ending.stopped)
-"""The key of a report that says why rows are missing."""
-
-
 class SweptReport(RowsReport):
     """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
 
-    stopped: Why = STOPPED
+    stopped: Why = computed(lambda report: report.ending.stopped)
     request: Aside[Any]
     extent: Aside[Extent]
 
@@ -106,15 +200,9 @@ class SweptReport(RowsReport):
         return portion
 
     @property
-    def _lines(self) -> Sequence[Any]:
-        """The rows, whose type each report says by itself."""
-        rows: Sequence[Any] = getattr(self, "rows", ())
-        return rows
-
-    @property
     @override
     def empty(self) -> bool:
-        return not self._lines
+        return not getattr(self, "rows", ())
 
     @property
     def source(self) -> str:
@@ -124,5 +212,6 @@ class SweptReport(RowsReport):
     @property
     def compared(self) -> Gate | None:
         """The count gate, if there is anything to compare."""
-        some = self.source and (self._lines or not self.agrees)
+        rows: Any = getattr(self, "rows", ())
+        some = self.source and (rows or not self.agrees)
         return Gate(source=self.source, agrees=self.agrees) if some else None

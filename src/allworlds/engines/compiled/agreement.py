@@ -21,8 +21,7 @@ from allworlds.engines.python.examiner import Examiner
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns, NumberedRun, UnitOfRuns, numbered_runs
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.units.levels import cells_of_level
-from allworlds.engines.units.shards import Whole
+from allworlds.engines.units import Whole, cells_of_level
 from allworlds.explorers import Subject
 from allworlds.maps import Code, prefixes, rooted_code
 from allworlds.protocol import Move, Transcript

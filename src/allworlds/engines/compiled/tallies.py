@@ -21,7 +21,7 @@ from allworlds.engines.compiled.agreement import AGREEMENT_EDGES, compare_engine
 from allworlds.engines.compiled.obstacles import walks
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.sizes import WALKED_FROM
-from allworlds.engines.job import Job
+from allworlds.engines.engine_table import Job
 from allworlds.engines.kernel import engine as kernel
 from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.engines.kernel.compiling import is_compiled
@@ -32,7 +32,7 @@ from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.tally import AtRun, Row, Tally
-from allworlds.engines.units.levels import level_size
+from allworlds.engines.units import level_size
 from allworlds.explorers import Subject
 from allworlds.maps import CombinatorialMap, InvalidMap
 from allworlds.world import World

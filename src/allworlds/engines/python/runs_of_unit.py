@@ -7,7 +7,7 @@ from typing import Protocol, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.engines.units.levels import LevelUnit
+from allworlds.engines.units import LevelUnit
 from allworlds.maps import CombinatorialMap, Extent
 from allworlds.world import Lighthouse, World
 

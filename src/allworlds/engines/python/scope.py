@@ -9,8 +9,15 @@ from msgspec import Struct
 from msgspec.structs import force_setattr
 
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns
-from allworlds.engines.units.levels import SweptLevel, level_size, units_of_level
-from allworlds.engines.units.shards import WHOLE, Portion, Shard, Whole
+from allworlds.engines.units import (
+    WHOLE,
+    Portion,
+    Shard,
+    SweptLevel,
+    Whole,
+    level_size,
+    units_of_level,
+)
 from allworlds.inputs import InputError, an_integer, at_most, show
 from allworlds.judging import Rules
 from allworlds.maps import Extent

@@ -11,7 +11,7 @@ from typing import Annotated, Any, NamedTuple, Self
 from msgspec.structs import asdict
 
 from allworlds.document import replace
-from allworlds.engines.units.kept_form import Form
+from allworlds.engines.kept_form import Form
 from allworlds.judging import Chirality, Finding, Misreading, Rules
 
 

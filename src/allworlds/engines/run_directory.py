@@ -10,25 +10,22 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from typing_extensions import override
 
-from allworlds.engines.run_directory import database
-from allworlds.engines.run_directory.database import Database, is_at
-from allworlds.engines.run_directory.identity import Identity
-from allworlds.engines.units.kept_form import to_kept
-from allworlds.engines.units.unit import NOTHING_KEPT, KeptUnits, Sum, Unit
+from allworlds.engines import database
+from allworlds.engines.database import Database, Identity, is_at, named
+from allworlds.engines.kept_form import to_kept
+from allworlds.engines.units import Sum
 from allworlds.inputs import InputError, a_path, show
 from allworlds.words import listed
 
-LOCK = "lock"
+LOCK, OPENED = "lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC
+"""The name of the file that is locked, and how it is opened: it is made where it is missing."""
 
 ENDED = "complete"
 """The value that is noted under ``ended`` when the job is complete."""
-
-MOST_NAMED = 9
-"""The largest number of missing shards that are named."""
 
 PATIENCE = 3.0
 """Seconds to wait for a command that is about to end, before another one is refused."""
@@ -38,14 +35,14 @@ class Gap(Exception):
     """Raised if parts of a whole are missing."""
 
 
-class Records(Protocol):
-    """The records of a job."""
+class Records:
+    """The records of a job; by default nothing is kept."""
 
     def result(self, key: str) -> Any:
         """Return the JSON value of a finished unit; None for any other."""
 
-    def keep(self, key: str, worlds: int, result: Any) -> None:
-        """Take in a finished unit."""
+    def keep(self, key: str, result: Sum) -> None:
+        """Take in a finished unit with its whole result."""
 
     def recall(self, name: str) -> Any:
         """Return the value that was noted under a name; None if there is none."""
@@ -54,24 +51,7 @@ class Records(Protocol):
         """Note a JSON value under a name."""
 
 
-class NoRecords(Records):
-    """Records that keep no units."""
-
-    @override
-    def result(self, key: str) -> None:
-        pass
-
-    @override
-    def keep(self, key: str, worlds: int, result: Any) -> None:
-        pass
-
-    @override
-    def recall(self, name: str) -> None:
-        pass
-
-    @override
-    def note(self, name: str, value: Any) -> None:
-        pass
+NO_RECORDS = Records()
 
 
 @dataclass(slots=True)
@@ -101,8 +81,9 @@ class RunDirectory(Records):
         return self.database.result(key) if key in self.found else None
 
     @override
-    def keep(self, key: str, worlds: int, result: Any) -> None:
-        self._write(lambda: self.database.keep(key, worlds, time.time(), result))
+    def keep(self, key: str, result: Sum) -> None:
+        kept = to_kept(result)
+        self._write(lambda: self.database.keep(key, result.worlds, time.time(), kept))
 
     @override
     def recall(self, name: str) -> Any:
@@ -115,15 +96,15 @@ class RunDirectory(Records):
     def _write(self, write: Callable[[], None]) -> None:
         if self._full:
             return
-        named = f"run directory {show(str(self.database.path))}"
+        where = named(self.database.path)
         if not self.database.is_there:
             self._full = True
-            self.notice(f"{named} was removed; the job goes on without it, and keeps nothing")
+            self.notice(f"{where} was removed; the job goes on without it, and keeps nothing")
             return
         if self._alone and not self.lock.is_held:
             self._alone = False
             self.notice(
-                f"{named} is in use by another command, too, since its file {LOCK} was removed; "
+                f"{where} is in use by another command, too, since its file {LOCK} was removed; "
                 "both go on"
             )
         try:
@@ -131,7 +112,7 @@ class RunDirectory(Records):
         except sqlite3.OperationalError as error:
             self._full = True
             self.notice(
-                f"{named} takes no more: {error}; what it holds is kept, and the job goes on "
+                f"{where} takes no more: {error}; what it holds is kept, and the job goes on "
                 "without it"
             )
 
@@ -157,9 +138,6 @@ class Merged(Records):
             raise Gap(f"unit {key} is not finished{self._unfinished()}")
         return found[0][1]
 
-    def keep(self, key: str, worlds: int, result: Any) -> None:
-        """Do nothing: in a merge no unit is done."""
-
     def recall(self, name: str) -> Any:
         """The value that one of the directories has noted under a name.
 
@@ -171,10 +149,6 @@ class Merged(Records):
                 return told
         raise Gap(f"a finding has not been confirmed yet{self._unfinished()}")
 
-    @override
-    def note(self, name: str, value: Any) -> None:
-        pass
-
     def _unfinished(self) -> str:
         names = [
             f"{show(str(directory.path))} (shard {directory.identity.shard})"
@@ -182,33 +156,6 @@ class Merged(Records):
             if directory.recall("ended") != ENDED
         ]
         return f": give the commands of {listed(names)} again" if names else ""
-
-
-@dataclass(frozen=True, slots=True)
-class Shelf:
-    """The records, with results in place of JSON values.
-
-    Attributes:
-        records: with the JSON values.
-        read: makes a result of a JSON value.
-    """
-
-    records: Records
-    read: Callable[[Any], Sum]
-
-    def result(self, unit: Unit) -> Sum | None:
-        """The result of a finished unit; None for any other."""
-        told = self.records.result(unit.key)
-        return None if told is None else self.read(told)
-
-    def keep(self, unit: Unit, result: Sum) -> None:
-        """Keep the whole result of a unit."""
-        self.records.keep(unit.key, result.worlds, to_kept(result))
-
-
-def shelf(records: Records, read: Callable[[Any], Sum]) -> KeptUnits:
-    """The shelf of these records; ``read`` makes a result of its JSON value."""
-    return NOTHING_KEPT if isinstance(records, NoRecords) else Shelf(records, read)
 
 
 @contextmanager
@@ -226,7 +173,7 @@ def records_in(
         InputError: if the directory is of another job, in use, damaged, or cannot be written.
     """
     if run is None:
-        yield NoRecords()
+        yield NO_RECORDS
         return
     path = a_path("run", run)
     with ExitStack() as stack:
@@ -243,8 +190,8 @@ def _opened(path: Path, identity: Identity) -> Database:
         others = sorted(n for n in names if n != LOCK and not n.startswith(database.DRAFT))
         if others:
             raise InputError(
-                f"run directory {show(str(path))} holds {show(others[0])}, which is not ours; "
-                "give a new or an empty one"
+                f"{named(path)} holds {show(others[0])}, which is not ours; give a new or an empty "
+                "one"
             )
         return database.created(path, identity)
     opened = database.opened(path)
@@ -254,23 +201,15 @@ def _opened(path: Path, identity: Identity) -> Database:
         said = f"is of shard {its.shard}, not {identity.shard}"
     if said:
         opened.close()
-        raise InputError(f"run directory {show(str(path))} {said}")
+        raise InputError(f"{named(path)} {said}")
     return opened
 
 
 class Lock:
-    """The lock of a directory: who holds it is the only one who adds to it.
-
-    Args:
-        path: of its file, which is made where it is missing.
-
-    Raises:
-        OSError: if it cannot be.
-    """
+    """The lock of a directory: who holds it is the only one who adds to it."""
 
     def __init__(self, path: Path) -> None:
-        self._path = path
-        self._file = self._opened()
+        self._path, self._file = path, os.open(path, OPENED, 0o666)
 
     def take(self) -> bool:
         """Take the lock; return whether nobody else has it."""
@@ -288,7 +227,7 @@ class Lock:
         """
         with suppress(OSError):  # a directory in which no file can be made has no other command
             if not is_at(self._path, os.fstat(self._file)):
-                another = self._opened()
+                another = os.open(self._path, OPENED, 0o666)
                 self.close()
                 self._file = another
                 return self.take()
@@ -298,9 +237,6 @@ class Lock:
         """Release the lock."""
         os.close(self._file)
 
-    def _opened(self) -> int:
-        return os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
-
 
 @contextmanager
 def _locked(path: Path) -> Iterator[Lock]:
@@ -309,14 +245,12 @@ def _locked(path: Path) -> Iterator[Lock]:
         path.mkdir(parents=True, exist_ok=True)
         lock = Lock(path / LOCK)
     except OSError as error:
-        raise InputError(
-            f"run directory {show(str(path))} cannot be written: {error.strerror}"
-        ) from None
+        raise InputError(f"{named(path)} cannot be written: {error.strerror}") from None
     try:
         until = time.monotonic() + PATIENCE
         while not lock.take():
             if time.monotonic() > until:
-                raise InputError(f"run directory {show(str(path))} is in use by another command")
+                raise InputError(f"{named(path)} is in use by another command")
             time.sleep(0.05)
         yield lock
     finally:
@@ -353,23 +287,20 @@ def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
         seen: dict[str, Database] = {}
         for one in directories:
             if said := first.identity.difference(one.identity):
-                raise InputError(
-                    f"run directory {show(str(one.path))} {said} as {show(str(first.path))}"
-                )
+                raise InputError(f"{named(one.path)} {said} as {show(str(first.path))}")
             shard = one.identity.shard
-            if shard in seen:
+            if (other := seen.setdefault(shard, one)) is not one:
                 raise InputError(
-                    f"run directories overlap: {show(str(seen[shard].path))} and "
-                    f"{show(str(one.path))} are both shard {shard}"
+                    f"run directories overlap: {show(str(other.path))} and {show(str(one.path))} "
+                    f"are both shard {shard}"
                 )
-            seen[shard] = one
         shards = first.identity.shards
         missing = [f"{k}/{shards}" for k in range(shards) if f"{k}/{shards}" not in seen]
         if missing:
-            more = f" and {len(missing) - MOST_NAMED} more" if len(missing) > MOST_NAMED else ""
+            more = f" and {len(missing) - 9} more" if len(missing) > 9 else ""
             noun, verb = ("shard", "is") if len(missing) == 1 else ("shards", "are")
             raise Gap(
-                f"{noun} {', '.join(missing[:MOST_NAMED])}{more} {verb} missing: "
+                f"{noun} {', '.join(missing[:9])}{more} {verb} missing: "
                 "give the run directory of each shard"
             )
         yield first.identity, Merged(directories)

@@ -23,9 +23,9 @@ from time import monotonic, perf_counter
 from typing import Any, NoReturn, Self
 from uuid import uuid4
 
-from allworlds.engines.transports.inline import ThisThread
-from allworlds.engines.units.effort import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
-from allworlds.engines.units.unit import PartialResult, Sum, Transport
+from allworlds.engines.effort import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
+from allworlds.engines.here import ThisThread
+from allworlds.engines.units import PartialResult, Sum, Transport
 from allworlds.inputs import InputError, ensure_installed, show
 from allworlds.version import __version__
 
@@ -180,11 +180,6 @@ class Dask:
             raise ClusterLost(f"Dask workers were lost over the same units: {error}") from None
         except self._distributed.CancelledError:
             raise ClusterLost(f"{self._cluster} is gone") from None
-
-
-def here_or(cluster: DaskCluster | None, deadline: float | None) -> Transport[Any]:
-    """The transport in this thread, or to the cluster; a local one has a process a core."""
-    return Dask(cluster, os.cpu_count() or 1, deadline) if cluster else ThisThread(deadline)
 
 
 @lru_cache(8)

@@ -1,7 +1,8 @@
-"""The file of a run directory: finished units in SQLite, each with a checksum.
+"""The file of a run directory: a job's identity, and finished units, each with a checksum.
 
-The file holds JSON texts, and no code.  Each unit is one transaction: a killed process loses the
-unit that it was at, and nothing else.  Every row is checked when it is read.
+Results are put together only if their identities are equal.  The file, of SQLite, holds JSON texts,
+and no code.  Each unit is one transaction: a killed process loses the unit that it was at, and
+nothing else.  Every row is checked when it is read.
 """
 
 from __future__ import annotations
@@ -13,13 +14,107 @@ import shutil
 import sqlite3
 import tempfile
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Self
 
-from allworlds.engines.run_directory.identity import FORMAT, Identity, in_order
+from allworlds.document import Document, Positive, ShardText, Text, about, taken
+from allworlds.engines.units import Portion, a_shard, shard_numbers, shards_of
 from allworlds.inputs import InputError, show
 from allworlds.version import __version__
+from allworlds.words import plural
+
+FORMAT = 3
+"""The format of identities and of what is kept under them: raised whenever either changes."""
+
+
+class Identity(Document):
+    """A verb, with everything that its result depends on."""
+
+    verb: Annotated[Text, about("its name")]
+    parameters: Annotated[dict[str, Any], about("by their names, as JSON values")]
+    explorer: Annotated[
+        dict[str, Any],
+        about("the name, and what else is to be known of it without loading it; its digest"),
+    ]
+    shard: Annotated[ShardText, about("which part of the units is done")]
+    version: Annotated[Text, about("of this program")] = __version__
+    format: Annotated[Positive, about("of what is kept: a number that `FORMAT` has had")] = FORMAT
+
+    @property
+    def text(self) -> str:
+        """Canonical JSON, the same for equal identities."""
+        return canonical(self.to_json())
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of the text, in hexadecimal."""
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
+    @classmethod
+    def of_text(cls, text: str) -> Self:
+        """The identity of :attr:`text`."""
+        return taken({"format": 1} | json.loads(text), cls, "identity")
+
+    @property
+    def portion(self) -> Portion:
+        """The part of the units that is done: the whole, or a shard."""
+        return a_shard(shard_numbers(self.shard))
+
+    @property
+    def code(self) -> dict[str, str]:
+        """The user's code that it needs, as it was recorded: see ``as_recorded``."""
+        code: dict[str, str] = self.parameters.get("code", {})
+        return code
+
+    @property
+    def shards(self) -> int:
+        """The number of shards into which the job is cut."""
+        return shards_of(self.portion)
+
+    def difference(self, other: Identity) -> str:
+        """The difference of the other one, as a clause about the other; empty if there is none.
+
+        The number of a shard makes no difference here; the number of all shards does.
+        """
+        if other.format != self.format:
+            return f"is of format {other.format}, not {self.format}"
+        if other.version != self.version:
+            return f"is of version {show(other.version)}, not {show(self.version)}"
+        if other.verb != self.verb:
+            return f"is of {show(other.verb)}, not {show(self.verb)}"
+        for name in sorted({*self.parameters, *other.parameters}):
+            mine, its = self.parameters.get(name), other.parameters.get(name)
+            if mine != its and isinstance(mine, dict) and isinstance(its, dict):
+                changed = sorted(code for code in mine if mine[code] != its.get(code))
+                return f"is of another text of {', '.join(map(show, changed or its))}"
+            if mine != its:
+                said = name.replace("_", "-")
+                return f"is of {said} = {_in_words(its)}, not {_in_words(mine)}"
+        mine, its = self.explorer["name"], other.explorer["name"]
+        if mine != its:
+            return f"is of the explorer {show(its)}, not {show(mine)}"
+        if other.explorer != self.explorer:
+            return f"is of another text of the explorer {show(mine)}, or of its program"
+        if other.shards != self.shards:
+            part = f"shard {other.shard}" if other.shards > 1 else "the whole job"
+            return f"is of {part}, and not of a job in {plural(self.shards, 'part')}"
+        return ""
+
+
+def _in_words(value: Any) -> str:
+    """A parameter as the command line has it: without a value the default, a list with commas."""
+    if value is None:
+        return "the default"
+    return ",".join(map(str, value)) if isinstance(value, list | tuple) else show(value)
+
+
+canonical = json.JSONEncoder(sort_keys=True, separators=(",", ":")).encode
+"""The canonical text of a JSON value, equal for equal values."""
+
+in_order = json.JSONEncoder(separators=(",", ":")).encode
+"""A JSON value as a text that keeps the order of keys, in which a report tells them."""
+
 
 FILE, DRAFT = "units.sqlite", "draft.sqlite"
 
@@ -42,11 +137,15 @@ BUSY = 10.0
 """Seconds to wait for a reader."""
 
 
+def named(path: Path) -> str:
+    """A run directory, as messages name it."""
+    return f"run directory {show(str(path))}"
+
+
 def damaged(path: Path, how: str) -> InputError:
     """The error for a run directory that is not as it was written."""
     return InputError(
-        f"run directory {show(str(path))} is damaged: {how}; remove it and begin again, or bring "
-        "it back from a copy"
+        f"{named(path)} is damaged: {how}; remove it and begin again, or bring it back from a copy"
     )
 
 
@@ -56,25 +155,20 @@ def saying_where(path: Path) -> Iterator[None]:
     try:
         yield
     except sqlite3.OperationalError as error:
-        raise InputError(f"run directory {show(str(path))} cannot be used: {error}") from None
+        raise InputError(f"{named(path)} cannot be used: {error}") from None
     except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
         raise damaged(path, str(error)) from None
 
 
 class Database:
-    """An open file of units.
-
-    Args:
-        path: the directory.
-        connection: to its file.
-        identity: of the job.
-    """
+    """An open file of units, in a directory, with the identity of its job."""
 
     def __init__(self, path: Path, connection: sqlite3.Connection, identity: Identity) -> None:
-        self.path, self.identity = path, identity
-        self._connection = connection
+        self.path, self.identity, self._connection = path, identity, connection
         self._seal = identity.digest
-        self._file = _seen(path / FILE)
+        self._file: os.stat_result | None = None
+        with suppress(OSError):
+            self._file = (path / FILE).stat()
 
     @property
     def is_there(self) -> bool:
@@ -91,8 +185,7 @@ class Database:
         Raises:
             InputError: if it is not as it was written.
         """
-        with saying_where(self.path):
-            row = self._connection.execute("SELECT * FROM units WHERE key = ?", (key,)).fetchone()
+        row = self._first("SELECT * FROM units WHERE key = ?", key)
         return None if row is None else json.loads(self._sound(f"unit {key}", *row)[3])
 
     def keys(self) -> list[str]:
@@ -116,15 +209,12 @@ class Database:
         Raises:
             sqlite3.OperationalError: if there is no room for it.
         """
-        row = (key, worlds, finished, in_order(result))
-        query = "INSERT OR REPLACE INTO units VALUES (?, ?, ?, ?, ?)"
-        self._connection.execute(query, self._sealed(*row))
+        row = self._sealed(key, worlds, finished, in_order(result))
+        self._connection.execute("INSERT OR REPLACE INTO units VALUES (?, ?, ?, ?, ?)", row)
 
     def recall(self, name: str) -> Any:
         """The value that was noted under a name; None if there is none."""
-        with saying_where(self.path):
-            query = "SELECT * FROM meta WHERE name = ?"
-            row = self._connection.execute(query, (name,)).fetchone()
+        row = self._first("SELECT * FROM meta WHERE name = ?", name)
         return None if row is None else json.loads(self._sound(f"its {name}", *row)[1])
 
     def note(self, name: str, value: Any) -> None:
@@ -138,14 +228,17 @@ class Database:
 
     def begin_session(self, now: float) -> None:
         """Note the time at which a process begins to add to it."""
-        with saying_where(self.path):
-            self._connection.execute("INSERT INTO sessions VALUES (?)", (now,))
+        self._first("INSERT INTO sessions VALUES (?)", now)
 
     def last_session(self) -> float:
         """The time at which a process last began to add to it."""
-        with saying_where(self.path):
-            (started,) = self._connection.execute("SELECT max(started) FROM sessions").fetchone()
+        (started,) = self._first("SELECT max(started) FROM sessions")
         return float(started or 0)
+
+    def _first(self, query: str, *values: Any) -> Any:
+        """The first row of the answer; None if there is none."""
+        with saying_where(self.path):
+            return self._connection.execute(query, values).fetchone()
 
     def _sealed(self, *row: Any) -> tuple[Any, ...]:
         return (*row, checksum(self._seal, *row))
@@ -158,15 +251,10 @@ class Database:
 
 def is_at(path: Path, file: os.stat_result | None) -> bool:
     """Whether that path leads to that file, and to no other."""
-    there = _seen(path)
-    return there is not None and file is not None and os.path.samestat(there, file)
-
-
-def _seen(path: Path) -> os.stat_result | None:
     try:
-        return path.stat()
+        return file is not None and os.path.samestat(path.stat(), file)
     except OSError:
-        return None
+        return False
 
 
 def checksum(seal: str, *row: Any) -> str:
@@ -180,7 +268,7 @@ def created(path: Path, identity: Identity) -> Database:
     with saying_where(path):
         for file in path.glob(f"{DRAFT}*"):
             file.unlink()
-        connection = _connected(f"file:{_quoted(draft)}?mode=rwc")
+        connection = _connected(draft, "rwc")
         try:
             connection.executescript(
                 f"BEGIN; PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {SCHEMA}; "
@@ -202,7 +290,7 @@ def opened(path: Path) -> Database:
         InputError: if it is no run directory's, of another version, or damaged.
     """
     with saying_where(path):
-        connection = _connected(f"file:{_quoted(path / FILE)}?mode=rw")
+        connection = _connected(path / FILE, "rw")
         try:
             identity = _looked_through(path, connection)
             _write_ahead(connection)
@@ -225,7 +313,7 @@ def reading(path: Path) -> Iterator[Database]:
         copies = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         stack.enter_context(saying_where(path))
         try:
-            connection = _connected(f"file:{_quoted(path / FILE)}?mode=ro")
+            connection = _connected(path / FILE, "ro")
             stack.callback(connection.close)
             connection.execute("SELECT count(*) FROM sqlite_master")
         except sqlite3.OperationalError:
@@ -233,19 +321,16 @@ def reading(path: Path) -> Iterator[Database]:
             for file in path.glob(f"{FILE}*"):
                 if not file.name.endswith("-shm"):
                     shutil.copyfile(file, copies / file.name)
-            connection = _connected(f"file:{_quoted(copies / FILE)}?mode=rw")
+            connection = _connected(copies / FILE, "rw")
             stack.callback(connection.close)
         yield Database(path, connection, _looked_through(path, connection))
 
 
-def _connected(address: str) -> sqlite3.Connection:
+def _connected(file: Path, mode: str) -> sqlite3.Connection:
+    address = f"{file.absolute().as_uri()}?mode={mode}"
     return sqlite3.connect(
         address, timeout=BUSY, isolation_level=None, uri=True, check_same_thread=False
     )
-
-
-def _quoted(path: Path) -> str:
-    return path.absolute().as_uri().removeprefix("file://")
 
 
 def _write_ahead(connection: sqlite3.Connection) -> None:
@@ -261,9 +346,7 @@ def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
         raise InputError(f"{show(str(path))} is no run directory: its {FILE} is somebody else's")
     (schema,) = connection.execute("PRAGMA user_version").fetchone()
     if schema != SCHEMA:
-        raise InputError(
-            f"run directory {show(str(path))} is of schema {schema}; this program reads {SCHEMA}"
-        )
+        raise InputError(f"{named(path)} is of schema {schema}; this program reads {SCHEMA}")
     for (said,) in connection.execute("PRAGMA integrity_check"):
         if said != "ok":
             raise damaged(path, str(said).splitlines()[0])
@@ -273,7 +356,7 @@ def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
     identity = Identity.of_text(row[1])
     if identity.format != FORMAT:
         raise InputError(
-            f"run directory {show(str(path))} is of format {identity.format}, written by version "
-            f"{identity.version}; this version, {__version__}, reads format {FORMAT}"
+            f"{named(path)} is of format {identity.format}, written by version {identity.version}; "
+            f"this version, {__version__}, reads format {FORMAT}"
         )
     return identity

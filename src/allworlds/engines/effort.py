@@ -29,11 +29,8 @@ from allworlds.inputs import (
 )
 from allworlds.protocol import ANSWER_TIMEOUT, START_TIMEOUT, limited_loading
 
-LEAST_TIMEOUT = 0.1
-"""The shortest time-out in seconds; explorers are not checked more often."""
-
-POLL = LEAST_TIMEOUT
-"""Seconds between two checks of other threads and processes."""
+POLL = 0.1
+"""Seconds between two checks of other threads and processes, and the shortest time-out."""
 
 DASK_TIMEOUT = 60.0
 """Seconds of silence after which a part of a cluster is given up, unless others are named."""
@@ -74,30 +71,26 @@ def _positive(name: str) -> Callable[[Any], Any]:
         if not 0 < value < inf:
             raise InputError(f"{name} {show(value)} is not positive and finite")
         at_most(name, value, MOST[name])
-        if name == "answer-timeout" and value < LEAST_TIMEOUT:
+        if name == "answer-timeout" and value < POLL:
             raise InputError(
                 f"answer-timeout {value} s is shorter than silence is noticed; the least is "
-                f"{LEAST_TIMEOUT} s"
+                f"{POLL} s"
             )
         return value
 
     return limit
 
 
-def _loading_in_time(make: Callable[..., None]) -> Callable[..., None]:
-    """A constructor of requests in which models are imported in the time that a keyword names."""
-
-    @wraps(make)
-    def limited(request: Request, /, *values: Any, **keywords: Any) -> None:
-        seconds = _positive("start-timeout")(keywords.get("start_timeout", START_TIMEOUT))
-        with limited_loading(seconds):
-            make(request, *values, **keywords)
-
-    return limited
+def _seconds(about: str) -> Option:
+    """An option of a time that does not change what a job means."""
+    return Option(EFFORT, "S", about, parse=seconds_of, apart=True)
 
 
 class AskedPatience(Request):
-    """The part of a request that says how long explorers are waited for."""
+    """The part of a request that says how long explorers are waited for.
+
+    Models of the user's, which a request imports while it is made, are waited for as long.
+    """
 
     answer_timeout: Annotated[
         Taken[float, float],
@@ -105,18 +98,20 @@ class AskedPatience(Request):
     ] = Taken(_positive("answer-timeout"), ANSWER_TIMEOUT)
     start_timeout: Annotated[
         Taken[float, float],
-        Option(
-            EFFORT,
-            "S",
-            "Seconds in which code of yours must be imported, or a library loaded.",
-            parse=seconds_of,
-            apart=True,
-        ),
+        _seconds("Seconds in which code of yours must be imported, or a library loaded."),
     ] = Taken(_positive("start-timeout"), START_TIMEOUT)
 
     def __init_subclass__(cls, **options: Any) -> None:
         super().__init_subclass__(**options)
-        cls.__init__ = _loading_in_time(cls.__init__)  # type: ignore[method-assign]
+        make = cls.__init__
+
+        @wraps(make)
+        def limited(request: Request, /, *values: Any, **keywords: Any) -> None:
+            seconds = _positive("start-timeout")(keywords.get("start_timeout", START_TIMEOUT))
+            with limited_loading(seconds):
+                make(request, *values, **keywords)  # type: ignore[arg-type]  # of this class
+
+        cls.__init__ = limited  # type: ignore[method-assign,assignment]
 
     @property
     def patience(self) -> Limits:
@@ -145,13 +140,7 @@ class AskedTime(Request):
 
     time_limit: Annotated[
         Taken[float | None, float | None],
-        Option(
-            EFFORT,
-            "S",
-            "Stop after S seconds, and report what is finished.",
-            parse=seconds_of,
-            apart=True,
-        ),
+        _seconds("Stop after S seconds, and report what is finished."),
     ] = Taken(_positive("time-limit"), None)
 
 
@@ -159,8 +148,7 @@ class Limits(AskedTime, AskedWorkers, AskedPatience):
     """The limits of the effort of many runs.
 
     Raises:
-        InputError: for values that are not positive, for infinite ones, and for a timeout that
-            is too short to be kept.
+        InputError: for values that are not positive or not finite, and for too short a time-out.
     """
 
     memory: Annotated[
@@ -247,13 +235,7 @@ class AskedCluster(Request):
     ] = Taken(_scheduler, None)
     dask_timeout: Annotated[
         Taken[float, float],
-        Option(
-            EFFORT,
-            "S",
-            "Give up a Dask worker or scheduler that is silent for S seconds.",
-            parse=seconds_of,
-            apart=True,
-        ),
+        _seconds("Give up a Dask worker or scheduler that is silent for S seconds."),
     ] = Taken(_positive("dask-timeout"), DASK_TIMEOUT)
 
     @property

@@ -10,12 +10,11 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import is_dataclass
 from functools import cache
-from types import NoneType, UnionType
-from typing import Annotated, Any, NamedTuple, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
 
 from msgspec import Struct
 
-from allworlds.document import Document, keys_of, names_of, plain, plain_at_once, taken
+from allworlds.document import names_of, plain, plain_at_once, taken
 from allworlds.inputs import InputError, show
 
 T = TypeVar("T")
@@ -61,40 +60,25 @@ def _own_form(kind: Any) -> Form | None:
     """The form of a type that msgspec cannot read and write by itself; None where it can."""
     origin, parts = get_origin(kind), get_args(kind)
     if origin is Annotated:
-        said = (note for note in parts[1:] if isinstance(note, Form))
-        return next(said, None) or _own_form(parts[0])
+        return next((note for note in parts if isinstance(note, Form)), None) or _own_form(parts[0])
     if origin is Counter or (origin is dict and parts[0] is not str):
-        items = _items(tuple[(*parts, int)[:2]])  # type: ignore[misc]  # a type made of types
+        items = _form(list[tuple[(*parts, int)[:2]]])  # type: ignore[misc]  # a type made of types
         return Form(
             lambda table: items.write([*table.items()]),
             lambda told: origin(dict(items.read(told))),
         )
-    if origin is list or (origin is tuple and parts[1:] == (...,)):
-        if _own_form(parts[0]) is None:
-            return None
-        items = _items(parts[0])
-        return Form(items.write, lambda told: origin(items.read(told)))
+    if origin is list and (one := _own_form(parts[0])):
+        return Form(
+            lambda values: [one.write(value) for value in values],
+            lambda told: [one.read(value) for value in taken(told, list[Any], WHAT)],
+        )
     if origin is tuple and any(map(_own_form, parts)):
         return _tuple(tuple(map(_form, parts)))
-    if origin is Union or origin is UnionType:
-        return _union([part for part in parts if part is not NoneType])
     if hasattr(kind, "from_json"):
         return Form(plain, kind.from_json)
     if is_dataclass(kind) or (isinstance(kind, type) and issubclass(kind, Struct)):
         return _by_fields(kind)
     return None
-
-
-def _items(kind: Any) -> Form:
-    """The form of a list."""
-    own = _own_form(kind)
-    if own is None:
-        return Form(plain_at_once, lambda told: taken(told, list[kind], WHAT))
-    write, read = own
-    return Form(
-        lambda values: [write(value) for value in values],
-        lambda told: [read(value) for value in taken(told, list[Any], WHAT)],
-    )
 
 
 def _tuple(forms: tuple[Form, ...]) -> Form:
@@ -109,48 +93,18 @@ def _tuple(forms: tuple[Form, ...]) -> Form:
     )
 
 
-def _union(kinds: list[Any]) -> Form | None:
-    """The form of an alternative between classes, which their keys tell apart, and None."""
-    if len(kinds) == 1 and _own_form(kinds[0]) is None:
-        return None
-    if not all(isinstance(kind, type) and issubclass(kind, Document) for kind in kinds):
-        return None
-
-    def read(told: object) -> Any:
-        if told is None:
-            return None
-        keys = {*taken(told, dict[str, Any], WHAT)}
-        for kind in kinds:
-            if keys == {key.name for key in keys_of(kind)}:
-                return _form(kind).read(told)
-        raise InputError(f"{WHAT}: the keys of {show(told)} are not those of any alternative")
-
-    return Form(plain, read)
-
-
 def _by_fields(kind: Any) -> Form | None:
     hints = get_type_hints(kind, include_extras=True)
-    document = issubclass(kind, Document)
-    names = [key.name for key in keys_of(kind)] if document else names_of(kind)
-    if not any(_own_form(hints[name]) for name in names):
+    if not any(_own_form(hints[name]) for name in names_of(kind)):
         return None
-    forms = {name: _form(hints[name]) for name in names}
+    forms = {name: _form(hints[name]) for name in names_of(kind)}
 
     def read(told: object) -> Any:
         values = taken(told, dict[str, Any], WHAT)
         if values.keys() != forms.keys():
             raise InputError(f"{WHAT}: the keys are {', '.join(forms)}, not {show([*values])}")
-        given = {name: form.read(values[name]) for name, form in forms.items()}
-        if document:
-            given = {
-                key.attribute: given[key.name]
-                for key in keys_of(kind)
-                if key.attribute in kind.__struct_fields__
-            }
-        return kind(**given)
+        return kind(**{name: form.read(values[name]) for name, form in forms.items()})
 
-    if document:
-        return Form(plain, read)
     return Form(
         lambda value: {name: form.write(getattr(value, name)) for name, form in forms.items()}, read
     )
