@@ -149,7 +149,8 @@ def _episode(handed, asked, shared, run, again, at, due):
     else:
         sensed = address_of(shared.worlds) + run * shared.worlds.shape[1] + stretch.DEGREE
     _sense(sensed + place, handed.percept)
-    _begin(explorer, action, asked, head, handed.beat)
+    handed.beat[0], handed.beat[1] = run, 1
+    _begin(explorer, action, asked, head)
     while True:
         turn += 1
         handed.beat[1] = turn
@@ -209,9 +210,8 @@ def _arrival(sensed, place, motion, degree):
 
 
 @inlined
-def _begin(explorer, action, asked, head, beat):
+def _begin(explorer, action, asked, head):
     """Let the explorer take the first step of an episode."""
-    beat[0], beat[1] = head[stretch.RUN_NUMBER], 1
     asked.wrong = 0
     if explorer[CHOOSE]:
         call_choose(explorer[CHOOSE], explorer[STATE], explorer[PICK], explorer[CONTEXT])
