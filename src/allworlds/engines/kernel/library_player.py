@@ -82,7 +82,8 @@ class LibraryPlayer:
 
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
         functions = [*explorer.library.addresses().values(), explorer.state()]
-        self._handed, self._asked = _handed(functions, explorer.handed(), beat)
+        self._memory = explorer.handed()  # it is the explorer's for good
+        self._handed, self._asked = _handed(functions, self._memory, beat)
         self._memories: dict[int, Stretch] = {}
         self._threads = threads_now()
 
