@@ -1,6 +1,6 @@
 /* A native explorer that is played and nothing else: no log, no clock, no judge.
  *
- * Worlds are laid out as allworlds.engines.kernel.native has them: for each dart the first dart of its
+ * Worlds are laid out as allworlds.engines.kernel.batches has them: for each dart the first dart of its
  * vertex, its partner, and degree, marks and bearing + 1 on arriving by it, a byte each.
  */
 #include <allworlds.h>

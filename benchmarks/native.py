@@ -30,7 +30,7 @@ from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
 from allworlds.engines.judge import PythonJudge, Work
 from allworlds.engines.kernel.batches import load_native
 from allworlds.engines.kernel.library_player import LibraryPlayer
-from allworlds.engines.kernel.stretch import LONGEST_STRETCH, RUN_TOLD
+from allworlds.engines.kernel.records import LONGEST_STRETCH, RUN_TOLD
 from allworlds.engines.players import logs_of
 from allworlds.explorers import NativeExplorer, load
 from allworlds.explorers.shared_library.library import ROOM, Library

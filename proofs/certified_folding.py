@@ -22,7 +22,7 @@ from allworlds.corpus.explorers import (
     WRONG_EXPLORERS,
     WrongExplorer,
 )
-from allworlds.engines.kernel.folding import folds
+from allworlds.engines.kernel.laws import folds
 from allworlds.engines.kernel.records import FOLD, LOG, WORLD
 from allworlds.explorers import Algorithm1, in_process_subject, load
 from allworlds.judging import fold, paper_bound, play

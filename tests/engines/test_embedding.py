@@ -7,8 +7,13 @@ import pytest
 from numba import njit
 
 from allworlds.document import replace
-from allworlds.engines.kernel.law_numbers import INVARIANT_1, INVARIANT_2, VARIANT
-from allworlds.engines.kernel.published import answer_law, look_at
+from allworlds.engines.kernel.laws import (
+    INVARIANT_1,
+    INVARIANT_2,
+    VARIANT,
+    answer_law,
+    look_at,
+)
 from allworlds.engines.kernel.records import ANSWER, JUDGED, WORLD, new
 from allworlds.judging import LAWS, Case
 from allworlds.maps import random_map, rooted_maps

@@ -6,8 +6,7 @@ import pytest
 
 from allworlds.document import replace
 from allworlds.engines.kernel.batches import UnitJudge, any_level
-from allworlds.engines.kernel.memory_arrays import StretchArrays
-from allworlds.engines.kernel.stretch import Stretch
+from allworlds.engines.kernel.records import Stretch
 from allworlds.engines.python.comparison import difference_of
 from allworlds.judging import Log
 from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, span
@@ -31,7 +30,7 @@ def judged(log):
     """The judge of the one run, its rows, and whether the log could be judged."""
     level = replace(any_level(), budgets=(9, 9, 9), laws=("map", "pose"))
     first, second = (
-        StretchArrays(mmap.mmap(-1, Stretch.size(level.edges)), level.edges) for _ in range(2)
+        Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges) for _ in range(2)
     )
     judge = UnitJudge(level, (-1,), 1, first, second)
     batch = judge.lay_out(10)

@@ -8,8 +8,7 @@ from allworlds.engines import EnginesDisagree, Limits, Scope
 from allworlds.engines.compiled import requests as questions, tallies as compiled
 from allworlds.engines.compiled.agreement import AGREED, compare_engines
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.kernel.rows import LevelBounds
-from allworlds.engines.kernel.tables import tables
+from allworlds.engines.kernel.rows import LevelBounds, tables
 from allworlds.explorers import load
 from allworlds.judging import Rules
 from allworlds.maps import CombinatorialMap, Extent, MapClass, prefixes, rooted_maps, unrooted_code

@@ -21,7 +21,7 @@ from allworlds.engines import (
     Scope,
     engine_table as engines,
 )
-from allworlds.engines.kernel.law_numbers import CHECKED
+from allworlds.engines.kernel.capabilities import CHECKED
 from allworlds.explorers import BUILT_IN, LANGUAGES, builtin as explorers, load
 from allworlds.inputs import InputError, fields_of
 from allworlds.judging import LAWS, PRECEDENCE, AskedRules, RecordedRules, Rules, bound_named

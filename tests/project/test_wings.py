@@ -123,9 +123,9 @@ COMPARED = [
         "engines.kernel.demand_driven",
         "engines.kernel.runs",
         {
-            *("engines.kernel.bits", "engines.kernel.calls", "engines.kernel.capabilities"),
+            *("engines.kernel.instructions", "engines.kernel.capabilities"),
             "engines.kernel.code",
-            *("engines.kernel.compiling", "engines.kernel.names", "engines.kernel.records"),
+            *("engines.kernel.compiling", "engines.kernel.records"),
         },
     ),
     ("judging.laws.second_opinion", "maps.canonical", {"maps.combinatorial", *INPUTS, *DOORS}),

@@ -83,15 +83,13 @@ if TYPE_CHECKING:
     from allworlds.engines.kept_form import from_kept as from_kept
     from allworlds.engines.kernel.capabilities import COMPILING as COMPILING
     from allworlds.engines.kernel.compiling import is_compiled as is_compiled
-    from allworlds.engines.kernel.engine import (
-        by_vertices_and_faces as by_vertices_and_faces,
-        flag as flag,
-    )
-    from allworlds.engines.kernel.schedule_costs import (
+    from allworlds.engines.kernel.counting import by_vertices_and_faces as by_vertices_and_faces
+    from allworlds.engines.kernel.engine import flag as flag
+    from allworlds.engines.kernel.schedules import (
         ScheduleCosts as ScheduleCosts,
         schedule_costs_of_unit as schedule_costs_of_unit,
+        search as search,
     )
-    from allworlds.engines.kernel.schedules import search as search
     from allworlds.engines.lane import GOES_BY_HASHES as GOES_BY_HASHES
     from allworlds.engines.lanes import workers_for as workers_for
     from allworlds.engines.other_worlds import (

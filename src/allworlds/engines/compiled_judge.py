@@ -17,9 +17,14 @@ from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
 from allworlds.engines.judge import Due, Judged, PythonJudge, Recorded, RunBatch, Work
 from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge
-from allworlds.engines.kernel.memory_arrays import StretchArrays
+from allworlds.engines.kernel.records import (
+    RUN_BUDGET,
+    RUN_NUMBER,
+    RUN_TOLD,
+    Stretch,
+    Stretch as StretchArrays,
+)
 from allworlds.engines.kernel.rows import Rows
-from allworlds.engines.kernel.stretch import RUN_BUDGET, RUN_NUMBER, RUN_TOLD, Stretch
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns
 from allworlds.engines.python.tally import Tally

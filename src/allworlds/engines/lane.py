@@ -177,7 +177,7 @@ class Lane:
 
     def _is_compiled(self) -> bool:
         """Whether compiled code is kept; if not, another process compiles, and this one goes on."""
-        from allworlds.engines.kernel.users import compile_apart, is_kept
+        from allworlds.engines.kernel.batches import compile_apart, is_kept
 
         if is_kept():
             return True

@@ -5,8 +5,13 @@ from __future__ import annotations
 import os
 
 from allworlds.engines.compiled.sizes import WALKED_FROM
-from allworlds.engines.kernel.capabilities import EXPLORERS, LIGHTHOUSES, MOST_BUDGET, MOST_EDGES
-from allworlds.engines.kernel.law_numbers import CHECKED
+from allworlds.engines.kernel.capabilities import (
+    CHECKED,
+    EXPLORERS,
+    LIGHTHOUSES,
+    MOST_BUDGET,
+    MOST_EDGES,
+)
 from allworlds.engines.python.scope import Given, Scope
 from allworlds.explorers import Subject
 from allworlds.inputs import show

@@ -6,8 +6,7 @@ from functools import cache
 
 from allworlds.engines.compiled.obstacles import kind_of
 from allworlds.engines.kernel import engine as kernel
-from allworlds.engines.kernel.rows import Level, LevelBounds
-from allworlds.engines.kernel.tables import Tables, tables
+from allworlds.engines.kernel.rows import Level, LevelBounds, Tables, tables
 from allworlds.inputs import InputError
 from allworlds.judging import Rules
 from allworlds.maps import Extent

@@ -5,32 +5,22 @@ lock only to start and to end, so that threads share the work.
 
 ``engine``, ``rows``
     the door: plain numbers in, plain rows out;
-``runs``, ``published``, ``folding``
-    the judge: every run of every map of a class, played, judged and tallied;
-``gluing``, ``worlds``, ``lighthouses``
-    the worlds: maps, finished one after the other, with every lighthouse;
+``runs``, ``laws``, ``code``
+    every run of a unit, played or read from its log, judged and tallied; the least of them;
+``gluing``, ``worlds``, ``counting``
+    maps, finished one after the other, with every lighthouse; or only their numbers;
 ``algorithm1``
     explorers, each behind the C interface of all explorers;
-``batches``, ``logs``
-    users' explorers: runs laid out, their logs judged, many at a time;
-``native``
-    libraries, played in worlds and against records;
-``stretch``, ``memory_arrays``
-    the memory of a batch, plain and as arrays;
-``library_player``, ``users``
-    a library that plays batches; the compiling of what judges, in another process;
+``batches``, ``library_player``
+    the runs of users' explorers, many at a time: laid out and judged; played by a library;
 ``demand_driven``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
-``schedules``, ``schedule_costs``
-    the worst and the best cost of a world over all schedules, and its door;
-``counting``
-    the numbers of maps, by vertices and faces;
+``schedules``
+    the worst and the best cost of a world over all schedules;
 ``capabilities``
-    the explorers and lighthouses that it knows, and the sizes that it has room for;
-``records``, ``tables``, ``names``, ``law_numbers``
-    the records in memory, the tables, and the names of small numbers;
-``compiling``, ``calls``, ``bits``, ``code``
-    compilation, C functions called by their addresses, sets as bit masks, codes.
+    what it knows and has room for, without compiled code;
+``records``, ``compiling``, ``instructions``
+    the records in memory, compilation, calls by address.
 
 This package is imported where it is used: the first use compiles for some seconds, later ones
 load what was compiled.

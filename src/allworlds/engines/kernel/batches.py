@@ -1,33 +1,27 @@
-"""Runs of a native explorer, many at a time: laid out and judged here, played in other processes.
+"""Batches of runs of a user's explorer: laid out and judged here, played in other processes.
 
-:class:`~allworlds.engines.kernel.stretch.Stretch` is memory that two processes see.
-:class:`UnitJudge` lays out and judges, and has no explorer; :class:`NativePlayer` is the explorer's
-side.  Memory that is shared with users' code is copied before it is read.
+The runs are laid out first, so that a player needs no enumeration, and can take the runs in any
+order.  A library plays in :mod:`allworlds.engines.kernel.library_player`.
 """
 
 from __future__ import annotations
 
-import ctypes
 import mmap
 from collections.abc import Sequence
-from typing import Any
 
 from msgspec import Struct
-from numpy import arange, array, asarray, frombuffer, int32, int64, uint8, zeros
 
-from allworlds.engines.kernel import logs, native, runs, stretch as stretches
-from allworlds.engines.kernel.compiling import uncollected
-from allworlds.engines.kernel.engine import flag, rows_of, set_up, unit_of
-from allworlds.engines.kernel.memory_arrays import StretchArrays
-from allworlds.engines.kernel.names import POLICIES
-from allworlds.engines.kernel.records import ASKED, JOB, READER, ROBOT, new
-from allworlds.engines.kernel.rows import Level, LevelBounds, Rows
-from allworlds.engines.kernel.stretch import LOG_BYTES, LONGEST_STRETCH, ROWS, Stretch
-from allworlds.engines.kernel.tables import tables
+from allworlds.engines.kernel import engine, library_player, records as layout, runs
+from allworlds.engines.kernel.compiling import entry, is_compiled, uncollected
+from allworlds.engines.kernel.gluing import advance
+from allworlds.engines.kernel.instructions import call
+from allworlds.engines.kernel.records import JOB, LOG_BYTES, NONE, READER, ROBOT, Stretch, new
+from allworlds.engines.kernel.rows import Level, LevelBounds, Rows, tables
+from allworlds.engines.kernel.worlds import settle
 
 
 class LaidOutRuns(Struct, frozen=True):
-    """A stretch that has been laid out.
+    """A batch that has been laid out.
 
     Attributes:
         runs: the number of runs.
@@ -42,13 +36,13 @@ class LaidOutRuns(Struct, frozen=True):
 
 
 class UnitJudge:
-    """The maps of a unit, laid out and judged stretch by stretch.
+    """The maps of a unit, laid out and judged batch by batch.
 
     Args:
         level: as for :func:`allworlds.engines.kernel.engine.judge`.
         prefix: as for :func:`allworlds.engines.kernel.engine.judge`.
-        keep: the number of broken runs that are kept of each stretch.
-        stretch: for the first play.
+        keep: the number of broken runs that are kept of each batch.
+        stretch: the memory for the first play.
         records: for the second.
     """
 
@@ -58,26 +52,23 @@ class UnitJudge:
         self._stretch, self._records, self.noted = stretch, records, 0
         self._ahead, self._job, self._robot = new(JOB), new(JOB), new(ROBOT)
         for job in (self._ahead, self._job):
-            set_up(job, self._robot, level)
-        self._unit = unit_of(level, prefix, keep)
+            engine.set_up(job, self._robot, level)
+        self._unit = engine.unit_of(level, prefix, keep)
         self._reader = reader = new(READER)
-        reader.logs, reader.percepts = _FIRST_LOGS.ctypes.data, _PERCEPTS.ctypes.data
-        reader.begins, reader.ends, reader.starts = (
-            each.ctypes.data for each in (_BEGINS, _ENDS, _STARTS)
-        )
-        reader.room = LOG_BYTES
+        reader.logs, reader.begins = stretch.logs.ctypes.data, stretch.begins.ctypes.data
+        reader.percepts, reader.starts = records.percepts.ctypes.data, records.starts.ctypes.data
 
     def lay_out(self, most: int) -> LaidOutRuns:
-        """Write the next stretch, of about that many runs, to the memory; return its bounds."""
+        """Write the next batch, of about that many runs, to the memory; return its bounds."""
         ahead, stretch = self._ahead, self._stretch
         first = int(ahead.number)
-        ahead.until = first + min(most, LONGEST_STRETCH)
-        placed = native.lay_out(ahead, self._unit, stretch.heads, stretch.worlds)
+        ahead.until = first + min(most, layout.LONGEST_STRETCH)
+        placed = lay_out(ahead, self._unit, stretch.heads, stretch.worlds)
         self.heads = stretch.heads[:placed].copy()
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
 
     def skip(self, batch: LaidOutRuns) -> None:
-        """Go on behind a stretch that is judged elsewhere, without its results."""
+        """Go on behind a batch that is judged elsewhere, without its results."""
         if self._job.number < batch.until:
             self.judge(batch, 0)
 
@@ -87,106 +78,77 @@ class UnitJudge:
         The percepts for the second play are written to its memory.
 
         Args:
-            batch: the stretch.
+            batch: that these are the logs of.
             size: of the logs, in bytes.
         """
         reader, job, unit, count = self._reader, self._job, self._unit, batch.runs
-        size = max(0, min(size, LOG_BYTES))
-        _FIRST_LOGS[:size] = self._stretch.logs[:size]
-        _BEGINS[:count] = self._stretch.begins[:count]
-        reader.size = size
+        reader.size = max(0, min(size, LOG_BYTES))
         reader.noted = reader.run = reader.strange = 0
         job.until = batch.until
         for results in (unit.met, unit.counts, unit.kept.most_expensive, unit.kept.least):
             results[:] = 0
-        runs.examine(job, reader, unit, flag())
-        _STARTS[count] = reader.noted
-        self.heads[:, stretches.RUN_MOTIONS] = (_STARTS[1 : count + 1] - _STARTS[:count]) // 3 - 1
-        self._hand_over()
-        self.noted = int(reader.noted)
+        runs.examine(job, reader, unit, engine.flag())
+        starts, heads = self._records.starts, self._records.heads[:count]
+        starts[count] = self.noted = int(reader.noted)
+        self.heads[:, layout.RUN_MOTIONS] = (starts[1 : count + 1] - starts[:count]) // 3 - 1
+        heads[:] = self.heads
+        heads[:, layout.RUN_NUMBER] = 0  # who plays again is not to know which runs these are
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
-        return rows_of(unit, job, self._robot), good
-
-    def _hand_over(self) -> None:
-        """Hand the percepts of these runs to the second player."""
-        records, count = self._records, len(self.heads)
-        end = min(int(_STARTS[count]), LOG_BYTES)
-        records.percepts[:end] = _PERCEPTS[:end]
-        records.starts[:count] = _STARTS[:count]
-        records.heads[:count] = self.heads
-        # Who plays again is not to know which runs these are.
-        records.heads[:count, stretches.RUN_NUMBER] = 0
+        return engine.rows_of(unit, job, self._robot), good
 
 
-_FIRST_LOGS = zeros(LOG_BYTES + logs.SLACK, uint8)
-"""This process's copy of the logs of a stretch."""
+@entry
+def lay_out(job, unit, heads, worlds):
+    """Lay out runs up to ``job.until``, or till there is no more room; return their number.
 
-_PERCEPTS = zeros(LOG_BYTES, uint8)
-"""The percepts on the walks of the first logs."""
-
-_BEGINS, _ENDS, _STARTS = zeros((3, ROWS + 1), int32)
-"""Where each of the first logs begins and ends, and where the percepts of its run begin."""
-
-
-class NativePlayer:
-    """A native explorer that plays stretches.
-
-    Args:
-        addresses: of ``start``, ``step``, ``answer`` and ``choose`` (0: none), by name.
-        state: the address of its state.
-        arrays: percept, action, here, and twice sigma and alpha, which are handed to it.
-        beat: the number of the current run, and the explorer's turns in it.
+    The first two are as for :func:`allworlds.engines.kernel.runs.examine`; ``job.number`` becomes
+    the number of the next run, and ``job.until`` 0 behind the last.  ``heads`` and ``worlds`` are
+    written, a row for each run.
     """
-
-    def __init__(
-        self, addresses: dict[str, int], state: int, arrays: Sequence[Any], beat: Any
-    ) -> None:
-        self._asked = new(ASKED)
-        self._memory = arrays  # what is handed to the explorer must stay
-        percept, action, here, *rooms = (_view(each) for each in arrays)
-        self._asked.room = len(rooms[0])
-        pointers = (
-            *(addresses[name] for name in ("start", "step", "answer", "choose")),
-            *(state, percept.ctypes.data, action.ctypes.data, here.ctypes.data),
-            *(native.pick_address(), asarray(self._asked).ctypes.data),
-            *(each.ctypes.data for each in rooms),
-        )
-        beat = frombuffer(beat, int64)
-        self._handed = native.Handed(array(pointers, int64), percept, action, here, beat)
-
-    def play(self, stretch: Stretch, count: int, order: int, policy: str, *, again: bool) -> int:
-        """Play runs; return the number of bytes of their logs, or -1 if there is no room for them.
-
-        Args:
-            stretch: in shared memory.
-            count: of the runs.
-            order: seed of the order in which they are played.
-            policy: answers its choices.
-            again: whether they are played against records.
-        """
-        rows = arange(count)
-        native.shuffle(rows, order)
-        self._asked.policy = POLICIES[policy]
-        shared = native.Shared(*(getattr(stretch, part) for part in native.Shared._fields))
-        return int(native.play(self._handed, self._asked, shared, rows, again))
-
-
-def _view(memory: Any) -> Any:
-    """An array of C's integers as one of numpy."""
-    address, length = ctypes.addressof(memory), ctypes.sizeof(memory) // 4
-    array_of: Any = (ctypes.c_int32 * length).from_address(address)
-    return frombuffer(array_of, int32)
+    g, world, placed = job.gluing, job.world, 0
+    while job.number < job.until and placed <= len(heads) - 2 * layout.MOST_PLACES:
+        if not advance(g, unit.prefix, unit.viable):
+            job.until = 0
+            break
+        settle(world, g)
+        call(job.lighthouse, (world,))
+        if world.place == NONE:
+            job.number += 1
+        while world.place != NONE:
+            head, row = heads[placed], worlds[placed]
+            head[layout.RUN_BUDGET] = unit.budgets[world.vertices]
+            head[layout.RUN_TOLD], head[layout.RUN_NUMBER] = world.told, job.number
+            for dart in range(world.darts):
+                at = layout.WIDE * dart
+                row[at + layout.FIRST] = world.first[dart]
+                row[at + layout.PARTNER] = world.alpha[dart]
+                row[at + layout.DEGREE] = world.degree[dart]
+                row[at + layout.MARKS] = world.marks[dart]
+                row[at + layout.BEARING] = world.bearing[dart] + 1
+            placed += 1
+            job.number += 1
+            call(job.lighthouse, (world,))
+    return placed
 
 
 def load_native() -> None:
     """Load or compile the code that native explorers need, but for the lighthouses."""
     level = any_level()
     with uncollected():
-        stretch = StretchArrays(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
+        stretch = Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
         unit = UnitJudge(level, (-1,), 1, stretch, stretch)
-        batch = unit.lay_out(0)
-        unit.judge(batch, 0)
-        no_player().play(stretch, 0, 0, "fifo", again=False)
+        unit.judge(unit.lay_out(0), 0)
+        library_player.load_player()
+
+
+def is_kept() -> bool:
+    """Whether this code has been compiled before."""
+    return all(map(is_compiled, (library_player.play, runs.examine)))
+
+
+def compile_apart() -> None:
+    """Let another process compile it, which is not waited for."""
+    engine.in_another_process(f"from {__name__} import load_native; load_native()")
 
 
 def any_level() -> Level:
@@ -204,10 +166,3 @@ def any_level() -> Level:
         budgets=(0, 0, 0),
         tables=tables(1, 0),
     )
-
-
-def no_player() -> NativePlayer:
-    """A player without an explorer, which can play no run."""
-    nothing = dict.fromkeys(("start", "step", "answer", "choose"), 0)
-    handed = [(ctypes.c_int32 * length)() for length in (3, 2, 1, 1, 1, 1, 1)]
-    return NativePlayer(nothing, 0, handed, bytearray(16))

@@ -1,4 +1,4 @@
-"""The names that the kernel knows, and the sizes that it has room for.
+"""The names and numbers that the kernel knows, and the sizes that it has room for.
 
 No compiled code is loaded here, so that a process can ask what the kernel could do.
 """
@@ -17,6 +17,20 @@ LIGHTHOUSES = frozenset(
 )
 """The lighthouses by the names of their kinds; a new one is an entry, and a function of that name
 in ``lighthouses``, with ``_`` for ``-``."""
+
+CHECKED = frozenset({"map", "pose", "invariant-1", "invariant-2", "variant", "folding", "bound"})
+"""The laws that can be chosen, and that the judge checks."""
+
+FIFO, LIFO, NEAREST = range(3)
+
+POLICIES = {"fifo": FIFO, "lifo": LIFO, "nearest": NEAREST}
+
+# What an explorer does next; see allworlds.h.
+MOVE, DROP, PICK, CHECKPOINT, ANSWER_READY, AMBIGUOUS = range(1, 7)
+
+# The events of Algorithm 1, as an explorer counts them.
+CASE_1, CASE_2, CASE_3, AT_V0, EMPTY_H, LOOP, NON_LOOP = range(7)
+EVENTS = ("case-1", "case-2", "case-3", "v0-hypothesis", "empty-H", "loop", "non-loop")
 
 MOST_EDGES = 12
 """The largest number of edges for which every packed number has its room."""

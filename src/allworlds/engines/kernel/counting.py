@@ -6,8 +6,31 @@ boundary of its faces is kept.
 
 from __future__ import annotations
 
-from allworlds.engines.kernel.bits import lowest, size
+from collections.abc import Sequence
+
+from numpy import array, int64, zeros
+
 from allworlds.engines.kernel.compiling import entry, inner
+from allworlds.engines.kernel.instructions import lowest, size
+from allworlds.engines.kernel.records import COUNTING, new
+from allworlds.engines.kernel.rows import gluing_rule
+
+
+def by_vertices_and_faces(
+    edges: int, limit: int, prefix: Sequence[int]
+) -> dict[tuple[int, int], int]:
+    """The number of maps whose gluing begins with ``prefix``, by (vertices, faces).
+
+    Cost: less than 100 ns a map; constant memory.
+    """
+    counts = zeros((edges + 2, edges + 3), int64)
+    c = new(COUNTING)
+    c.edges, c.limit = edges, limit
+    # Compiled code begins with a first decision, which is the degree of the root.
+    for begun in [prefix] if prefix else [(-degree,) for degree in range(1, 2 * edges + 1)]:
+        count(c, array(begun, int64), gluing_rule(edges), counts)
+    rows = counts.tolist()
+    return {(n, f): times for n, row in enumerate(rows) for f, times in enumerate(row) if times}
 
 
 @entry

@@ -20,11 +20,10 @@ Source: Algorithm 1, Sections IV and V.
 
 from __future__ import annotations
 
-from allworlds.engines.kernel.bits import highest, lowest, size
-from allworlds.engines.kernel.calls import copy
+from allworlds.engines.kernel.capabilities import FIFO, LIFO
 from allworlds.engines.kernel.code import blame, is_less, note
 from allworlds.engines.kernel.compiling import entry, inlined, inner
-from allworlds.engines.kernel.names import FIFO, LIFO
+from allworlds.engines.kernel.instructions import copy, highest, lowest, size
 
 # One number holds the cost and the counters of a walk, so that a decision saves one number.
 COST = 0xFFFFF

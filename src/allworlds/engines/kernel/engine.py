@@ -17,16 +17,13 @@ from typing import Any
 from numpy import argwhere, array, asarray, full, int8, int64, maximum, zeros
 
 from allworlds.engines.kernel import demand_driven as walks, runs
-from allworlds.engines.kernel.capabilities import EXPLORERS
+from allworlds.engines.kernel.capabilities import EVENTS, EXPLORERS, POLICIES
 from allworlds.engines.kernel.compiling import uncollected
-from allworlds.engines.kernel.counting import count
 from allworlds.engines.kernel.gluing import rule_address
-from allworlds.engines.kernel.law_numbers import LAWS
-from allworlds.engines.kernel.lighthouses import lighthouse_address
-from allworlds.engines.kernel.names import EVENTS, POLICIES
-from allworlds.engines.kernel.records import COUNTING, JOB, ROBOT, WALK, Kept, new
-from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows
-from allworlds.engines.kernel.tables import gluing_rule, packed
+from allworlds.engines.kernel.laws import LAWS
+from allworlds.engines.kernel.records import JOB, ROBOT, WALK, Kept, new
+from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows, packed
+from allworlds.engines.kernel.worlds import lighthouse_address
 from allworlds.lazy import loaded
 
 EVERY = 1 << 62
@@ -113,16 +110,19 @@ def compile_apart(explorer: str) -> None:
 
     Without a cache that can be written to, this has no effect.
     """
-    command = [sys.executable, "-c", _APART, json.dumps(sys.path), explorer]
+    in_another_process(f"from {__name__} import explorer_addresses as a; a({explorer!r})").wait()
+
+
+def in_another_process(code: str) -> subprocess.Popen[bytes]:
+    """The process, which runs the code; it finds the same modules, and its prints are dropped."""
+    program = f"import json, sys; sys.path[:] = json.loads(sys.argv[1]); {code}"
     nothing = subprocess.DEVNULL
-    subprocess.run(command, stdin=nothing, stdout=nothing, stderr=nothing, check=False)  # noqa: S603  # ours
-
-
-_APART = (
-    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
-    "from allworlds.engines.kernel.engine import explorer_addresses; "
-    "explorer_addresses(sys.argv[2])"
-)
+    return subprocess.Popen(  # noqa: S603  # ours
+        [sys.executable, "-c", program, json.dumps(sys.path)],
+        stdin=nothing,
+        stdout=nothing,
+        stderr=nothing,
+    )
 
 
 def _room() -> tuple[Any, Any]:
@@ -140,7 +140,6 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
     job.lighthouse = lighthouse_address(level.lighthouse)
     job.laws = sum(1 << LAWS.index(law) for law in level.laws)
     job.number, job.until, job.undefined = 0, EVERY, 0
-    job.log.watched = 1
     gluing = job.gluing
     gluing.edges, gluing.limit = level.edges, level.limit
     gluing.simple, gluing.planar = level.simple, level.planar
@@ -279,20 +278,3 @@ def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, 
 def flag() -> Any:
     """An array with one entry, 0: the flag by which work in threads is given up."""
     return zeros(1, int64)
-
-
-def by_vertices_and_faces(
-    edges: int, limit: int, prefix: Sequence[int]
-) -> dict[tuple[int, int], int]:
-    """The number of maps whose gluing begins with ``prefix``, by (vertices, faces).
-
-    Cost: less than 100 ns a map; constant memory.
-    """
-    counts = zeros((edges + 2, edges + 3), int64)
-    c = new(COUNTING)
-    c.edges, c.limit = edges, limit
-    # Compiled code begins with a first decision, which is the degree of the root.
-    for begun in [prefix] if prefix else [(-degree,) for degree in range(1, 2 * edges + 1)]:
-        count(c, array(begun, int64), gluing_rule(edges), counts)
-    rows = counts.tolist()
-    return {(n, f): times for n, row in enumerate(rows) for f, times in enumerate(row) if times}

@@ -13,9 +13,8 @@ from functools import cache
 
 from numba import types
 
-from allworlds.engines.kernel.bits import lowest, size
-from allworlds.engines.kernel.calls import call_with
 from allworlds.engines.kernel.compiling import RECORD, callback, inlined, inner
+from allworlds.engines.kernel.instructions import call, lowest, size
 from allworlds.engines.kernel.records import GLUING, NONE
 
 
@@ -89,7 +88,7 @@ def _decide(g, viable):
         if viable[owed, size(g.open)] and (owed == 0 or g.vertices < g.limit):
             g.possible = 1
             if g.rule:
-                call_with(g.rule, g)
+                call(g.rule, (g,))
             if g.possible:
                 return True
         _take_back(g)

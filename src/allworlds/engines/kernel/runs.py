@@ -13,17 +13,17 @@ from typing import Any, NamedTuple
 
 from numba import int32
 from numba.extending import overload
+from numpy import int64
 
-from allworlds.engines.kernel import law_numbers as laws
-from allworlds.engines.kernel.calls import call_answer, call_start, call_step, call_with
+from allworlds import log as codes
+from allworlds.engines.kernel import laws
+from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
 from allworlds.engines.kernel.code import blame, is_less, note
 from allworlds.engines.kernel.compiling import RECORD, entry, inlined, inner
-from allworlds.engines.kernel.folding import folds
 from allworlds.engines.kernel.gluing import advance
-from allworlds.engines.kernel.logs import follow
-from allworlds.engines.kernel.names import ANSWER_READY, CHECKPOINT, MOVE
-from allworlds.engines.kernel.published import answer_law, look_at, variant_at_the_end
-from allworlds.engines.kernel.records import NONE, READER, Kept
+from allworlds.engines.kernel.instructions import address_of, byte_of, call, entry_of, put_entry
+from allworlds.engines.kernel.laws import answer_law, folds, look_at, variant_at_the_end
+from allworlds.engines.kernel.records import LOG_BYTES, NONE, READER, Kept
 from allworlds.engines.kernel.worlds import arrival, doubled, settle
 
 # The columns of the tally, by vertices.
@@ -81,7 +81,7 @@ def examine(job, player, unit, halt):
         settle(world, g)
         n = world.vertices
         _count_world(world, counts)
-        call_with(job.lighthouse, world)
+        call(job.lighthouse, (world,))
         if world.place == NONE:
             counts[n, LEFT_OUT] += 1
             job.number += 1
@@ -99,7 +99,7 @@ def examine(job, player, unit, halt):
             if job.number < len(unit.kept.listed):
                 _list(world, job.log, law, unit.kept.listed[job.number])
             job.number += 1
-            call_with(job.lighthouse, world)
+            call(job.lighthouse, (world,))
     return False
 
 
@@ -183,13 +183,7 @@ def _judged_run(job, player, budget, bound, beat):
 def play(world: Any, player: Any, budget: int, beat: Any, log: Any, judged: Any) -> int:
     """The law that ended the episode, or 0 where there is an answer; ``log`` holds the walk.
 
-    Args:
-        world: of the robot.
-        player: of one of the two kinds.
-        budget: the largest legal number of traversals; one checkpoint more is legal.
-        beat: ``beat[1]`` grows at each turn of an explorer, as a heartbeat.
-        log: is begun anew; the answer is written to it.
-        judged: the verdict on the checkpoints, if ``log.watched``.
+    The budget is the largest legal number of traversals; one checkpoint more is legal.
     """
     raise NotImplementedError
 
@@ -200,7 +194,7 @@ def _play(world, player, budget, beat, log, judged):
         return _meet(world, player, budget, beat, log, judged)
 
     def read(world, player, budget, beat, log, judged):
-        return follow(world, player, budget, log, judged)
+        return _follow(world, player, budget, log, judged)
 
     return read if player == RECORD(READER) else met
 
@@ -216,7 +210,7 @@ def _meet(world, explorer, budget, beat, log, judged):
     action.kind = 0
     turn = 1
     beat[1] = turn
-    call_start(explorer.start, explorer.state, percept, int32(world.told), action)
+    call(explorer.start, (explorer.state, percept, int32(world.told), action))
     while True:
         turn += 1
         beat[1] = turn
@@ -232,17 +226,16 @@ def _meet(world, explorer, budget, beat, log, judged):
             if log.checkpoints > budget:
                 return laws.BUDGET
             log.checkpoints += 1
-            if log.watched:
-                call_answer(explorer.answer, explorer.state, log.published)
-                look_at(judged, log.published, world, dart, log.walked)
+            call(explorer.answer, (explorer.state, log.published))
+            look_at(judged, log.published, world, dart, log.walked)
         elif action.kind == ANSWER_READY:
             log.dart = dart
-            call_answer(explorer.answer, explorer.state, log.published)
+            call(explorer.answer, (explorer.state, log.published))
             return 0
         else:
             return laws.ILLEGAL_ACTION
         action.kind = 0
-        call_step(explorer.step, explorer.state, percept, action)
+        call(explorer.step, (explorer.state, percept, action))
 
 
 @inlined
@@ -259,3 +252,80 @@ def _reduced(motion, degree):
     if 0 <= motion < degree:
         return motion
     return motion % degree
+
+
+span = inlined(codes.span)
+
+
+@inner
+def _follow(world, reader, budget, log, judged):
+    """Follow the next log through the world; note the percepts on the way for the second play.
+
+    Bytes that are no log are counted as strange, in addition to the result here.
+    """
+    logs, size, published = reader.logs, reader.size, log.published
+    run, noted = reader.run, reader.noted
+    reader.run = run + 1
+    put_entry(reader.starts, run, noted)
+    at = entry_of(reader.begins, run)
+    if at < 0:
+        at = size
+    cost = shown = walked = 0
+    dart, law = 0, NONE
+    _note(reader, noted, world, dart)
+    while law == NONE:
+        code = byte_of(logs, at) if at < size else int64(codes.BEYOND)
+        at += 1
+        if code < world.degree[dart] and cost < budget:
+            dart = arrival(world, dart, code)
+            noted += 3
+            _note(reader, noted, world, dart)
+            log.arrived[cost] = dart
+            cost += 1
+            walked |= 1 << dart | 1 << world.alpha[dart]
+        elif code == codes.SHOWN and shown <= budget and _find_map(reader, at, published):
+            at += 2 + span(published.darts)
+            shown += 1
+            look_at(judged, published, world, dart, walked)
+        elif code == codes.ANSWERED and _find_map(reader, at, published):
+            at += 2 + span(published.darts)
+            law = 0
+        elif code == codes.CHOICE:
+            at += 2
+        elif (code == codes.OVER_BUDGET and cost == budget) or (
+            code == codes.SHOWN_TOO_OFTEN and shown > budget
+        ):
+            law = laws.BUDGET
+        else:
+            law = laws.ILLEGAL_ACTION
+            reader.strange += code != codes.FAULT
+    log.cost, log.checkpoints, log.dart, log.walked = cost, shown, dart, walked
+    reader.noted = noted + 3
+    return law
+
+
+@inlined
+def _note(reader, at, world, dart):
+    """Note the percept on arriving by the dart: three bytes, and one without meaning."""
+    if at + 4 > LOG_BYTES:
+        reader.strange += 1
+    else:
+        put_entry(reader.percepts + at, 0, percept_of(world, dart))
+
+
+@inlined
+def percept_of(world, dart):
+    """The percept on arriving by the dart, in three bytes."""
+    return world.degree[dart] | world.marks[dart] << 8 | (world.bearing[dart] + 1) << 16
+
+
+@inlined
+def _find_map(reader, at, published):
+    """Whether there is a published map in the log."""
+    darts = 0
+    if at + 2 <= reader.size:
+        darts = byte_of(reader.logs, at)
+        published.darts, published.here = darts, byte_of(reader.logs, at + 1)
+    published.bytes = reader.logs + at + 2
+    published.sigma, published.alpha = address_of(reader.sigma), address_of(reader.alpha)
+    return 1 <= darts <= codes.MOST_DARTS and at + 2 + span(darts) <= reader.size

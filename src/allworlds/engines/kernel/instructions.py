@@ -1,7 +1,7 @@
-"""Calls of an explorer's C functions by their addresses, from compiled code.
+"""Instructions for compiled code: calls by address, bytes in memory, sets as bit masks.
 
-Arguments are pointers (a record, or an address as an integer) and 32-bit integers, and nothing or
-a 32-bit integer is returned: that is called alike on every platform.
+The arguments of a C function are pointers (a record, or an address as an integer) and 32-bit
+integers, and nothing or a 32-bit integer is returned: that is called alike on every platform.
 """
 
 from __future__ import annotations
@@ -12,14 +12,16 @@ from typing import Any
 
 from llvmlite import ir
 from numba import extending, types
-from numba.core.cgutils import raw_memcpy
-
-from allworlds.engines.kernel.names import LANES
+from numba.core.cgutils import raw_memcpy, unpack_tuple
 
 intrinsic: Any = extending.intrinsic
 
 _BYTE, _INT, _LONG = (ir.IntType(bits) for bits in (8, 32, 64))
 _POINTER = _BYTE.as_pointer()
+_NOT_EMPTY = ir.Constant(ir.IntType(1), 0)
+
+LANES = 16
+"""The number of entries that are turned into bytes, or back, at a time."""
 
 
 def _lowered(builder: Any, kind: Any, value: Any) -> Any:
@@ -33,11 +35,11 @@ def _lowered(builder: Any, kind: Any, value: Any) -> Any:
 
 
 def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
-    """The code of a call of the address that is the first value."""
-    address, *values = values
+    """The code of a call of the address that is the first value, with the tuple behind it."""
+    address, arguments = values
     lowered = [
         _lowered(builder, kind, value)
-        for kind, value in zip(signature.args[1:], values, strict=True)
+        for kind, value in zip(signature.args[1], unpack_tuple(builder, arguments), strict=True)
     ]
     answers = signature.return_type == types.int32
     shape = ir.FunctionType(_INT if answers else ir.VoidType(), [value.type for value in lowered])
@@ -46,39 +48,15 @@ def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> 
 
 
 @intrinsic
-def call_with(_context, address, record):
-    """Call ``function(&record)``."""
-    return types.void(address, record), _call
+def call(_context, address, arguments):
+    """Call the function at the address with a tuple of arguments; it returns nothing."""
+    return types.void(address, arguments), _call
 
 
 @intrinsic
-def call_start(_context, address, state, percept, told, action):
-    """Call ``start(state, &percept, told, &action)``."""
-    return types.void(address, state, percept, told, action), _call
-
-
-@intrinsic
-def call_step(_context, address, state, percept, action):
-    """Call ``step(state, &percept, &action)``."""
-    return types.void(address, state, percept, action), _call
-
-
-@intrinsic
-def call_answer(_context, address, state, answer):
-    """Call ``answer(state, &answer)``."""
-    return types.void(address, state, answer), _call
-
-
-@intrinsic
-def call_choose(_context, address, state, pick, context):
-    """Call ``choose(state, pick, context)``."""
-    return types.void(address, state, pick, context), _call
-
-
-@intrinsic
-def ask_answer(_context, address, state, capacity, sigma, alpha, here):
-    """Call ``answer(state, capacity, sigma, alpha, &here)``; return the number of darts."""
-    return types.int32(address, state, capacity, sigma, alpha, here), _call
+def ask(_context, address, arguments):
+    """Call the function at the address with a tuple of arguments; return its 32-bit integer."""
+    return types.int32(address, arguments), _call
 
 
 def _instructions(result: Any, function: Callable[..., Any]) -> Any:
@@ -105,6 +83,24 @@ statement: Any = partial(_instructions, types.void)
 def number(value: int) -> Any:
     """The constant."""
     return ir.Constant(_LONG, value)
+
+
+@expression
+def lowest(builder, mask):
+    """The least element of a set of numbers below 63 that is not empty."""
+    return builder.cttz(mask, _NOT_EMPTY)
+
+
+@expression
+def highest(builder, mask):
+    """The greatest element of a set that is not empty."""
+    return builder.sub(number(63), builder.ctlz(mask, _NOT_EMPTY))
+
+
+@expression
+def size(builder, mask):
+    """The number of elements."""
+    return builder.ctpop(mask)
 
 
 def _at(builder: Any, address: Any, index: Any, kind: Any) -> Any:

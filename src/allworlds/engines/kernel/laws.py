@@ -1,13 +1,18 @@
-"""Published maps against the world: I-1, I-2 and the variant of Section V, and the answer.
+"""The laws, by number: published maps against the world, the answer, and the folded log.
 
 A published S is embedded into the world by its own data: its ``here`` goes to the robot's true
-dart, and all else follows along sigma and the explored edges.
+dart, and all else follows along sigma and the explored edges.  An embedded S is remembered; of the
+next one only the new part is checked.  An S that Algorithm 1 would not publish (other names,
+several vertices at a time, a dart with another partner than before) is embedded anew, which also
+names the broken law.
 
-An embedded S is remembered; of the next one only the new part is checked.  An S that Algorithm 1
-would not publish (other names, several vertices at a time, a dart with another partner than
-before) is embedded anew, which also names the broken law.
+For the folded log a tree of fresh nodes is walked as the log says; on each arrival at v0 the node
+is merged with v0, aligned by the bearing, and merging goes on where one dart would lead to two
+places.  Merged nodes are one vertex of the true map, since the log is a walk in it: so each node is
+known to be a copy of a vertex there, and its darts have that vertex's names.  Dart d of node v is
+the number ``v << NODE | d``; of each node it is known which of its darts have a known other end.
 
-The twins are :mod:`allworlds.judging.laws.invariants`, :mod:`allworlds.judging.laws.case` and
+The twins are :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.
 """
 
@@ -15,22 +20,40 @@ from __future__ import annotations
 
 from numpy import int64
 
-from allworlds.engines.kernel import law_numbers as laws
-from allworlds.engines.kernel.bits import lowest, size as size_of
-from allworlds.engines.kernel.calls import (
+from allworlds.engines.kernel.capabilities import LONG
+from allworlds.engines.kernel.compiling import inlined, inner
+from allworlds.engines.kernel.instructions import (
+    LANES,
     address_of,
     byte_of,
     copy_bytes,
     entry_of,
+    lowest,
     moved,
     narrow,
     put_entry,
+    size as size_of,
     unlike,
 )
-from allworlds.engines.kernel.capabilities import LONG
-from allworlds.engines.kernel.compiling import inlined, inner
-from allworlds.engines.kernel.names import LANES
-from allworlds.engines.kernel.records import NONE
+from allworlds.engines.kernel.records import DARTS, NONE
+from allworlds.judging import PRECEDENCE
+
+LAWS = ("", *PRECEDENCE)
+"""The laws by their numbers, in their order of precedence; 0: none is broken."""
+
+ILLEGAL_ACTION = LAWS.index("illegal-action")
+NO_ESTIMATE = LAWS.index("no-estimate")
+BUDGET = LAWS.index("budget")
+POSE = LAWS.index("pose")
+MAP = LAWS.index("map")
+INVARIANT_1 = LAWS.index("invariant-1")
+INVARIANT_2 = LAWS.index("invariant-2")
+VARIANT = LAWS.index("variant")
+FOLDING = LAWS.index("folding")
+BOUND = LAWS.index("bound")
+
+NODE = DARTS.bit_length() - 1
+"""The bits of a dart's number within its node."""
 
 
 @inner
@@ -51,7 +74,7 @@ def look_at(judged, published, world, dart, walked):
         explored = _look_anew(judged, published, world, dart, walked)
     t = world.darts // 2 - (explored + 1) // 2
     if judged.shown and t >= judged.t:
-        judged.broken |= 1 << laws.VARIANT
+        judged.broken |= 1 << VARIANT
     judged.t, judged.shown = t, 1
 
 
@@ -65,12 +88,12 @@ def _look_anew(judged, published, world, dart, walked):
         if e != d:
             explored += 1
             if 0 <= e < darts and entry_of(alpha, e) == e:
-                judged.broken |= 1 << laws.INVARIANT_2
+                judged.broken |= 1 << INVARIANT_2
                 mutual = False
-    if not judged.broken >> laws.INVARIANT_1 & 1:
+    if not judged.broken >> INVARIANT_1 & 1:
         taken = _explored_part(judged, published, world, dart, walked)
         if taken == 0:
-            judged.broken |= 1 << laws.INVARIANT_1
+            judged.broken |= 1 << INVARIANT_1
         elif mutual:
             judged.known, judged.explored, judged.taken = darts, explored, taken
             for d in range(darts):
@@ -82,7 +105,7 @@ def _look_anew(judged, published, world, dart, walked):
 def variant_at_the_end(judged):
     """Check that the variant has ended at 0, if S was ever published."""
     if judged.shown and judged.t != 0:
-        judged.broken |= 1 << laws.VARIANT
+        judged.broken |= 1 << VARIANT
 
 
 @inner
@@ -101,14 +124,14 @@ def answer_law(published, world, dart, judged):
         return 0  # the last published S has become the whole world
     _spell_out(published)
     if here < 0 or here >= size or not _is_map(published, judged):
-        return laws.NO_ESTIMATE
+        return NO_ESTIMATE
     if fits:
         if _explored_part(judged, published, world, dart, -1):
             return 0
         for other in range(world.darts):
             if _explored_part(judged, published, world, other, -1):
-                return laws.POSE
-    return laws.MAP
+                return POSE
+    return MAP
 
 
 @inner
@@ -287,3 +310,100 @@ def _is_map(published, judged):
                 known += 1
             y = entry_of(alpha, x)
     return known == size
+
+
+@inner
+def folds(world, log, fold):
+    """Whether no dart of the folded log is open; the log is that of a directional lighthouse."""
+    _begin(world, fold)
+    for step in range(log.cost):
+        _step(world, fold, log.arrived[step])
+        if fold.open == 0:
+            return True
+    return False
+
+
+@inlined
+def _begin(world, fold):
+    """Begin with the node of v0 alone."""
+    fold.parent[0] = fold.linked[0] = fold.node = 0
+    fold.open = world.degree[0]
+    fold.nodes = 1
+
+
+@inlined
+def _step(world, fold, entered):
+    """Fold one step more: the robot arrives by the dart, along an edge that has been decided.
+
+    There must be an open dart; else all is known, and a log is not folded any further.
+    """
+    leaving, at = world.alpha[entered], fold.node
+    if fold.linked[at] >> leaving & 1:
+        to = _root(fold, fold.link[at << NODE | leaving])
+        if to and world.marks[entered]:
+            _merge(world, fold, to, 0)
+            to = 0
+    elif not world.marks[entered]:
+        to = fold.nodes
+        fold.nodes += 1
+        fold.parent[to], fold.linked[to] = to, 0
+        fold.open += world.degree[entered]
+        _lead(fold, at, leaving, to, entered)
+    else:
+        to = 0
+        if fold.linked[0] >> entered & 1:
+            fold.link[at << NODE | leaving] = 0
+            fold.linked[at] |= 1 << leaving
+            fold.open -= 1
+            _merge(world, fold, at, fold.link[entered])
+        else:
+            _lead(fold, at, leaving, 0, entered)
+    fold.node = to
+
+
+@inlined
+def _lead(fold, v, leaving, w, entered):
+    """Join two darts whose other ends were unknown."""
+    fold.link[v << NODE | leaving], fold.link[w << NODE | entered] = w, v
+    fold.linked[v] |= 1 << leaving
+    fold.linked[w] |= 1 << entered
+    fold.open -= 2
+
+
+@inlined
+def _root(fold, v):
+    """The node that this one has become a part of."""
+    while fold.parent[v] != v:
+        v = fold.parent[v]
+    return v
+
+
+@inner
+def _merge(world, fold, v, w):
+    """Merge two nodes, and the nodes behind equal darts."""
+    waiting = 0
+    while True:
+        v, w = _root(fold, v), _root(fold, w)
+        if v < w:
+            # The older node stays, so that v0 is always a root.
+            v, w = w, v
+        if v != w:
+            fold.parent[v] = w
+            both = fold.linked[v] & fold.linked[w]
+            more = fold.linked[v] & ~both
+            fold.open -= world.degree[lowest(fold.linked[v])] - size_of(both)
+            fold.linked[w] |= more
+            while more:
+                dart = lowest(more)
+                more &= more - 1
+                fold.link[w << NODE | dart] = fold.link[v << NODE | dart]
+            while both:
+                dart = lowest(both)
+                both &= both - 1
+                fold.todo[2 * waiting] = fold.link[v << NODE | dart]
+                fold.todo[2 * waiting + 1] = fold.link[w << NODE | dart]
+                waiting += 1
+        if waiting == 0:
+            return
+        waiting -= 1
+        v, w = fold.todo[2 * waiting], fold.todo[2 * waiting + 1]
