@@ -10,7 +10,7 @@ from allworlds.cli import output
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WRONG_LEARNERS
 from allworlds.document import replace
 from allworlds.engines import Scope, engine_table as engines, lane, players
-from allworlds.engines.compiled.agreement import AGREEMENT_EDGES
+from allworlds.engines.compiled_engine import AGREEMENT_EDGES
 from allworlds.engines.kernel import capabilities
 from allworlds.explorers import load, program
 from allworlds.explorers.program_lines import SAYINGS

@@ -10,18 +10,17 @@ import pytest
 
 from allworlds import check
 from allworlds.document import replace
-from allworlds.engines import Examiner, LevelRuns, Scope
-from allworlds.engines.compiled import agreement
-from allworlds.engines.compiled.agreement import (
+from allworlds.engines import Examiner, LevelRuns, Scope, compiled_engine as agreement
+from allworlds.engines.compiled_engine import (
     AGREED,
     compare_engines,
     compared_to,
     rotation,
     walk_costs,
 )
-from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.python.runs_of_unit import numbered_runs
+from allworlds.engines.questions import level_of
+from allworlds.engines.scope import numbered_runs
 from allworlds.explorers import load
 from allworlds.judging import AskedRules, Rules
 from allworlds.maps import Extent, Gluing, MapClass, prefixes, rooted_code, rooted_maps

@@ -14,7 +14,7 @@ from allworlds.engines import (
     subject_of,
     why_not_compiled,
 )
-from allworlds.engines.compiled.agreement import AGREED
+from allworlds.engines.compiled_engine import AGREED
 from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.explorers import Subject, load
 from allworlds.inputs import InputError
@@ -123,8 +123,7 @@ def test_what_plays_slowly_is_worth_a_guess_whoever_judges(subject, worth):
 
 @pytest.mark.parametrize("kept", [False, True])
 def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, kept):
-    for module in ("agreement", "tallies"):
-        monkeypatch.setattr(f"allworlds.engines.compiled.{module}.is_compiled", lambda _: kept)
+    monkeypatch.setattr("allworlds.engines.compiled_engine.is_compiled", lambda _: kept)
     apart = []
     monkeypatch.setattr("allworlds.engines.kernel.engine.compile_apart", apart.append)
     listener = Stopper()

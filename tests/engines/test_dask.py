@@ -16,8 +16,13 @@ import pytest
 
 import processes
 from allworlds import check, count, worst
-from allworlds.engines import ClusterLost, Dask, Silent, dask as cluster
-from allworlds.engines.compiled import tallies as compiled
+from allworlds.engines import (
+    ClusterLost,
+    Dask,
+    Silent,
+    compiled_engine as compiled,
+    dask as cluster,
+)
 from allworlds.engines.effort import DaskCluster
 from allworlds.engines.here import ThisThread
 from allworlds.explorers import Subject, content_digest, not_alike, with_content

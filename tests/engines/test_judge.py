@@ -8,13 +8,13 @@ from numba import cfunc, from_dtype, types
 from allworlds import CombinatorialMap, Estimate, Move
 from allworlds.document import replace
 from allworlds.engines import LevelRuns, Scope
-from allworlds.engines.compiled.agreement import listed_runs
-from allworlds.engines.compiled.requests import level_of
+from allworlds.engines.compiled_engine import listed_runs
 from allworlds.engines.kernel.algorithm1 import algorithm1_addresses
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
 from allworlds.engines.kernel.engine import judge
 from allworlds.engines.kernel.instructions import address_of
 from allworlds.engines.kernel.records import ACTION, ANSWER, PERCEPT, ROBOT
+from allworlds.engines.questions import level_of
 from allworlds.explorers import algorithm1, in_process_subject
 from allworlds.judging import LAWS, Rules
 from allworlds.maps import Extent, MapClass, prefixes

@@ -9,7 +9,7 @@ from allworlds import check
 from allworlds.document import replace
 from allworlds.engines import CostTally, Tally
 from allworlds.engines.kept_form import from_kept, to_kept
-from allworlds.engines.python.tally import AtRun, Row
+from allworlds.engines.tally import AtRun, Row
 from allworlds.inputs import InputError
 from allworlds.maps import Quotient
 from allworlds.protocol import Percept

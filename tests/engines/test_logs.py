@@ -5,9 +5,9 @@ import mmap
 import pytest
 
 from allworlds.document import replace
+from allworlds.engines.comparison import difference_of
 from allworlds.engines.kernel.batches import UnitJudge, any_level
 from allworlds.engines.kernel.records import Stretch
-from allworlds.engines.python.comparison import difference_of
 from allworlds.judging import Log
 from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, span
 

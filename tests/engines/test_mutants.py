@@ -4,9 +4,8 @@ import pytest
 
 from allworlds import check
 from allworlds.document import replace
-from allworlds.engines import EnginesDisagree, Limits, Scope
-from allworlds.engines.compiled import requests as questions, tallies as compiled
-from allworlds.engines.compiled.agreement import AGREED, compare_engines
+from allworlds.engines import EnginesDisagree, Limits, Scope, compiled_engine as compiled, questions
+from allworlds.engines.compiled_engine import AGREED, compare_engines
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.rows import LevelBounds, tables
 from allworlds.explorers import load

@@ -3,8 +3,8 @@
 import pytest
 
 from allworlds.engines import AtRun, Examiner, Row
-from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.kernel.engine import judge, reached_in, walk
+from allworlds.engines.questions import level_of
 from allworlds.explorers import load
 from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass, prefixes, rooted_code, rooted_maps

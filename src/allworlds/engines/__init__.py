@@ -24,24 +24,21 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
     a judge with its two players: batches, losses, plays that differ, other hash seeds;
 ``players``, ``player``
     a player from outside, started and heard, perhaps lost; and the program that it is;
-``library_player``
-    the batches of a shared library, played in compiled code;
 ``judge``, ``compiled_judge``
     the judge of every law, and its twin for the laws that the kernel knows: the same bytes;
-``python``
-    scopes, one judged run, the comparison of two plays, counts, tallies;
-``compiled``, ``kernel``
-    requests to compiled code, and tallies of its rows; the code itself, the only importer of numba;
+``scope``, ``examiner``, ``comparison``, ``tally``
+    the scope of a check; one judged run; the comparison of two plays; what is counted and found;
+``obstacles``, ``compiled_engine``, ``questions``, ``kernel``
+    what compiled code cannot do; the engine in it, for built-in explorers; what it is asked; the
+    code itself, the only importer of numba;
 ``run_directory``, ``database``, ``kept_form``
     the finished units of a job, kept on disk; their file, with the identity of the job; as JSON;
 ``engine_table``
     **the** table of the engines, and the job that they get;
 ``sweep``, ``progress``, ``swept_report``
     **the** loop over units, and through the levels of a study; its listeners, and its reports;
-``single``, ``run_report``
-    single runs, findings that are played again, by the same players; the report of one;
-``other_worlds``, ``subject_probe``
-    the explorer of a finding in other worlds; what a player tells of an explorer;
+``single``, ``other_worlds``
+    single runs, and findings that are played again, by the same players; and that in other worlds;
 ``prints``, ``linux``
     prints of explorers, escaped and limited, and a stderr that may be lost; what is Linux's alone.
 """
@@ -51,7 +48,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.engines.compiled.sizes import COMPILER as COMPILER, WALKED_FROM as WALKED_FROM
+    from allworlds.engines.comparison import nondeterministic as nondeterministic
     from allworlds.engines.dask import Dask as Dask
     from allworlds.engines.database import (
         Identity as Identity,
@@ -79,6 +76,11 @@ if TYPE_CHECKING:
         players_for as players_for,
         why_not_compiled as why_not_compiled,
     )
+    from allworlds.engines.examiner import (
+        LOST as LOST,
+        Examiner as Examiner,
+        Referee as Referee,
+    )
     from allworlds.engines.here import Threads as Threads, here_or as here_or
     from allworlds.engines.kept_form import from_kept as from_kept
     from allworlds.engines.kernel.capabilities import COMPILING as COMPILING
@@ -92,6 +94,7 @@ if TYPE_CHECKING:
     )
     from allworlds.engines.lane import GOES_BY_HASHES as GOES_BY_HASHES
     from allworlds.engines.lanes import workers_for as workers_for
+    from allworlds.engines.obstacles import COMPILER as COMPILER, WALKED_FROM as WALKED_FROM
     from allworlds.engines.other_worlds import (
         confirmed as confirmed,
         played_elsewhere as played_elsewhere,
@@ -99,36 +102,6 @@ if TYPE_CHECKING:
     from allworlds.engines.players import Unsettled as Unsettled
     from allworlds.engines.prints import patient_stderr as patient_stderr
     from allworlds.engines.progress import Listener as Listener, Once as Once, Silent as Silent
-    from allworlds.engines.python.comparison import nondeterministic as nondeterministic
-    from allworlds.engines.python.costs import (
-        CostEngine as CostEngine,
-        CostTally as CostTally,
-        MapKey as MapKey,
-        key_of as key_of,
-    )
-    from allworlds.engines.python.examiner import (
-        LOST as LOST,
-        Examiner as Examiner,
-        Referee as Referee,
-    )
-    from allworlds.engines.python.run_counter import (
-        EnginesDisagree as EnginesDisagree,
-        RunCounter as RunCounter,
-    )
-    from allworlds.engines.python.runs_of_unit import (
-        GivenWorlds as GivenWorlds,
-        LevelRuns as LevelRuns,
-        Placed as Placed,
-        UnitOfRuns as UnitOfRuns,
-    )
-    from allworlds.engines.python.scope import Given as Given, Sample as Sample, Scope as Scope
-    from allworlds.engines.python.tally import (
-        AtRun as AtRun,
-        Row as Row,
-        Tally as Tally,
-        finding_from_record as finding_from_record,
-        finding_to_record as finding_to_record,
-    )
     from allworlds.engines.run_directory import (
         ENDED as ENDED,
         Gap as Gap,
@@ -136,9 +109,21 @@ if TYPE_CHECKING:
         in_use as in_use,
         merged as merged,
     )
-    from allworlds.engines.run_report import SingleRun as SingleRun, unused_choice as unused_choice
-    from allworlds.engines.single import single_run as single_run
-    from allworlds.engines.subject_probe import subject_of as subject_of
+    from allworlds.engines.scope import (
+        Given as Given,
+        GivenWorlds as GivenWorlds,
+        LevelRuns as LevelRuns,
+        Placed as Placed,
+        Sample as Sample,
+        Scope as Scope,
+        UnitOfRuns as UnitOfRuns,
+    )
+    from allworlds.engines.single import (
+        SingleRun as SingleRun,
+        single_run as single_run,
+        subject_of as subject_of,
+        unused_choice as unused_choice,
+    )
     from allworlds.engines.sweep import Sweep as Sweep, gather as gather
     from allworlds.engines.swept_report import (
         GATE as GATE,
@@ -153,6 +138,19 @@ if TYPE_CHECKING:
         by_named as by_named,
         told_scope as told_scope,
         tried_places as tried_places,
+    )
+    from allworlds.engines.tally import (
+        AtRun as AtRun,
+        CostEngine as CostEngine,
+        CostTally as CostTally,
+        EnginesDisagree as EnginesDisagree,
+        MapKey as MapKey,
+        Row as Row,
+        RunCounter as RunCounter,
+        Tally as Tally,
+        finding_from_record as finding_from_record,
+        finding_to_record as finding_to_record,
+        key_of as key_of,
     )
     from allworlds.engines.units import (
         WHOLE as WHOLE,

@@ -13,8 +13,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
 from typing import Any
 
-from allworlds.engines.compiled.requests import level_of
-from allworlds.engines.compiled.tallies import tally_of
 from allworlds.engines.judge import Due, Judged, PythonJudge, Recorded, RunBatch, Work
 from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge
 from allworlds.engines.kernel.records import (
@@ -25,9 +23,9 @@ from allworlds.engines.kernel.records import (
     Stretch as StretchArrays,
 )
 from allworlds.engines.kernel.rows import Rows
-from allworlds.engines.python.run_counter import EnginesDisagree
-from allworlds.engines.python.runs_of_unit import LevelRuns
-from allworlds.engines.python.tally import Tally
+from allworlds.engines.questions import level_of, tally_of
+from allworlds.engines.scope import LevelRuns
+from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.maps import Code, rooted_code
 from allworlds.protocol import Percept, numbers_of, percept_of
 

@@ -10,12 +10,12 @@ from typing import Annotated, Any, TypeAlias
 from msgspec import Struct
 
 from allworlds.document import one_of, replace
-from allworlds.engines.compiled.sizes import COMPILED_FROM, COMPILER, WORTH_LOADING
 from allworlds.engines.effort import DaskCluster, Limits
 from allworlds.engines.here import Split, Threads
 from allworlds.engines.lanes import in_any_order, workers_for
-from allworlds.engines.python.run_counter import RunCounter
-from allworlds.engines.python.scope import Scope
+from allworlds.engines.obstacles import COMPILED_FROM, COMPILER, WORTH_LOADING
+from allworlds.engines.scope import Scope
+from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Transport
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError, lack_of, show
@@ -88,11 +88,11 @@ class Compiled(EngineKind):
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
         """The reason why in large maps one walk is counted for all bearings."""
-        from allworlds.engines.compiled.obstacles import walks
+        from allworlds.engines.obstacles import walks
 
         if not walks(scope, subject, scope.extent.levels[-1]):
             return ""
-        from allworlds.engines.compiled.tallies import SYMMETRY
+        from allworlds.engines.compiled_engine import SYMMETRY
 
         return SYMMETRY
 
@@ -100,7 +100,7 @@ class Compiled(EngineKind):
         """Return the first option that it does not know, in a sentence; else what it lacks."""
         if subject.from_user and not subject.importable and subject.native is None:
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
-        from allworlds.engines.compiled.obstacles import obstacle
+        from allworlds.engines.obstacles import obstacle
 
         return obstacle(scope, subject) or lack_of(*COMPILER)
 
@@ -113,7 +113,7 @@ class Compiled(EngineKind):
             # Who asks for it by name gets it in small worlds, too.
             least = WORTH_LOADING if job.scope.extent.levels[-1] >= COMPILED_FROM else 0
             return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep, least))
-        from allworlds.engines.compiled.tallies import BATCH, CompiledEngine
+        from allworlds.engines.compiled_engine import BATCH, CompiledEngine
 
         engine, workers = CompiledEngine.ready(job), job.limits.workers
         near = Threads(workers, job.deadline, BATCH)

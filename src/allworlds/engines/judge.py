@@ -12,10 +12,9 @@ from dataclasses import dataclass, field
 from random import Random
 from typing import Any, NamedTuple
 
-from allworlds.engines.python.examiner import LOST, Outcome, Referee, name_run
-from allworlds.engines.python.run_counter import RunCounter
-from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
-from allworlds.engines.python.tally import Tally
+from allworlds.engines.examiner import LOST, Outcome, Referee, name_run
+from allworlds.engines.scope import NumberedRun, UnitOfRuns
+from allworlds.engines.tally import RunCounter, Tally
 from allworlds.inputs import InputError, show
 from allworlds.judging import Episode, Fault, Log, Over, followed
 from allworlds.maps import CombinatorialMap

@@ -24,7 +24,15 @@ from typing import Any, NamedTuple
 
 from allworlds import log as entries
 from allworlds.document import replace
+from allworlds.engines.comparison import (
+    difference_of,
+    ending_in_words,
+    may_be_the_machine,
+    nondeterministic,
+    overruled,
+)
 from allworlds.engines.effort import POLL, Limits
+from allworlds.engines.examiner import Outcome
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
@@ -35,16 +43,8 @@ from allworlds.engines.judge import (
     with_one_again,
 )
 from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup, Unsettled, wait
-from allworlds.engines.python.comparison import (
-    difference_of,
-    ending_in_words,
-    may_be_the_machine,
-    nondeterministic,
-    overruled,
-)
-from allworlds.engines.python.examiner import Outcome
-from allworlds.engines.python.run_counter import REPORT_EVERY, RunCounter
-from allworlds.engines.python.runs_of_unit import LevelRuns, UnitOfRuns
+from allworlds.engines.scope import LevelRuns, UnitOfRuns
+from allworlds.engines.tally import REPORT_EVERY, RunCounter
 from allworlds.engines.units import PartialResult, level_size
 from allworlds.explorers import Subject
 from allworlds.judging import Log

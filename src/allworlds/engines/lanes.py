@@ -30,8 +30,8 @@ from allworlds.engines.effort import POLL, Limits, check_deadline
 from allworlds.engines.lane import Lane
 from allworlds.engines.linux import descendants, end_with_parent, limit_memory
 from allworlds.engines.players import HarnessError, Unsettled, child_path
-from allworlds.engines.python.run_counter import EnginesDisagree, RunCounter
-from allworlds.engines.python.runs_of_unit import UnitOfRuns
+from allworlds.engines.scope import UnitOfRuns
+from allworlds.engines.tally import EnginesDisagree, RunCounter
 from allworlds.engines.units import PartialResult, Transport
 from allworlds.explorers import Subject
 from allworlds.inputs import InputError

@@ -7,7 +7,7 @@ from itertools import islice
 
 from allworlds.document import replace
 from allworlds.engines.effort import Limits
-from allworlds.engines.python.examiner import Outcome
+from allworlds.engines.examiner import Outcome
 from allworlds.engines.single import outcomes_of, played_again, single_run
 from allworlds.explorers import CONVENTIONS, Subject, with_translator
 from allworlds.judging import (

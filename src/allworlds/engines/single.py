@@ -2,43 +2,169 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any
 
 from typing_extensions import override
 
 from allworlds import log as entries
-from allworlds.document import replace
+from allworlds.document import (
+    EXIT_CODE,
+    UNSET,
+    Aside,
+    ExitCode,
+    Natural,
+    Report,
+    Text,
+    UnsetType,
+    about,
+    computed,
+    one_of,
+    replace,
+)
+from allworlds.engines.comparison import difference_of, nondeterministic, side_by_side
 from allworlds.engines.effort import Limits
+from allworlds.engines.examiner import LOST, Examiner, Outcome, Referee, name_run
 from allworlds.engines.judge import Due, PythonJudge, Recorded
 from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
-from allworlds.engines.players import Lost, Setup
-from allworlds.engines.python.comparison import difference_of, nondeterministic, side_by_side
-from allworlds.engines.python.examiner import LOST, Examiner, Outcome, Referee, name_run
-from allworlds.engines.python.run_counter import RunCounter
-from allworlds.engines.python.runs_of_unit import GivenWorlds
-from allworlds.engines.python.scope import Scope
-from allworlds.engines.python.tally import Tally
-from allworlds.engines.run_report import SingleRun
-from allworlds.explorers import Subject
-from allworlds.inputs import InputError
+from allworlds.engines.players import Lost, PlayerProcess, Setup
+from allworlds.engines.scope import GivenWorlds, Scope
+from allworlds.engines.tally import RunCounter, Tally
+from allworlds.explorers import (
+    BUILT_IN,
+    Program,
+    Subject,
+    built_in,
+    command_of,
+    in_process_subject,
+    is_program,
+    source_of,
+    whole_name,
+    with_shield,
+)
+from allworlds.inputs import InputError, show
 from allworlds.judging import (
     Answered,
+    Ending,
     Fault,
     Finding,
     Log,
+    RecordedRules,
     Rules,
     UncheckedAmbiguous,
     UncheckedAnswer,
+    Undecided,
     answered as ending_of,
     canonical_world,
+    checked_laws,
     place_of,
     unchecked,
 )
 from allworlds.maps import Extent, MapClass
-from allworlds.protocol import Estimate, action_numbered, number_of
+from allworlds.outcome import Exit, Facts, Verdict
+from allworlds.protocol import Ambiguous, Estimate, Transcript, action_numbered, number_of
 from allworlds.world import World
+
+
+class SingleRun(Report):
+    """Report of 'run'.
+
+    One judged run.
+    """
+
+    verdict: Annotated[
+        Verdict,
+        about("about this run alone"),
+        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS),
+    ] = computed(lambda run: run.facts.verdict)
+    exit_code: Annotated[ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.VACUOUS)] = EXIT_CODE
+    explorer: Annotated[Text, about("its name")]
+    world: Annotated[World, about("as it was given")]
+    options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
+        lambda run: run.rules.recorded
+    )
+    choices: Annotated[tuple[Natural, ...], about("the index taken at each choice")] = computed(
+        lambda run: run.outcome.choices
+    )
+    cost: Annotated[Natural, about("traversals")] = computed(lambda run: run.outcome.cost)
+    bound: Annotated[int | None, about("of the traversals; null without one")] = computed(
+        lambda run: run.outcome.bound
+    )
+    estimate: Annotated[Estimate | None, about("the answer; null where there is none")] = computed(
+        lambda run: run.ending.estimate if isinstance(run.ending, Answered) else None
+    )
+    transcript: Annotated[Transcript | UnsetType, about("the log; not with `--no-walk`")] = (
+        computed(lambda run: run.outcome.episode.transcript if run.shows_walk else UNSET)
+    )
+    finding: Annotated[Finding | None, about("null: no law is broken")]
+    ambiguous: Annotated[
+        Ambiguous | UnsetType, about("the answer that names no map, where there is one")
+    ] = computed(lambda run: run.ending.quotient if isinstance(run.ending, Undecided) else UNSET)
+    output: Annotated[Text | UnsetType, about("what the explorer printed, if anything")] = computed(
+        lambda run: run.outcome.output or UNSET
+    )
+    rules: Aside[Rules]
+    outcome: Aside[Outcome]
+    shows_walk: Aside[bool] = True
+
+    @property
+    def facts(self) -> Facts:
+        """Whether a law is broken, or none was checked."""
+        return Facts(refuted=self.finding is not None, vacuous=not self.checked_laws)
+
+    @property
+    def checked_laws(self) -> tuple[str, ...]:
+        """The laws of which something was checked."""
+        return checked_laws(self.rules.judged, 1, len(self.outcome.episode.checkpoints))
+
+    @property
+    def ending(self) -> Ending:
+        """The ending of the episode: an answer, or a fault."""
+        return self.outcome.episode.ending
+
+
+def unused_choice(choices: Sequence[int], told: SingleRun) -> str:
+    """The first of these choices that a run has not taken, and why; empty if it has taken all."""
+    for i, index in enumerate(choices):
+        if told.outcome.choices[i : i + 1] != (index,):
+            asked = len(told.outcome.choices)
+            only = "none was asked for"
+            if asked:
+                only = f"only {asked} {'was' if asked == 1 else 'were'} asked for"
+            reason = "there are fewer options" if i < asked else only
+            return f"choice {i} is {show(index)}, but {reason}"
+    return ""
+
+
+def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
+    """The subject for a name or a generator function.
+
+    A named explorer is loaded in a process of its own: users' code does not get into this one.
+
+    Raises:
+        InputError: if there is no such explorer, it cannot be imported, or it is no explorer.
+    """
+    if not isinstance(explore, str):
+        if not callable(explore):
+            raise InputError(f"explore = {show(explore)} is neither a name nor a function")
+        return in_process_subject(explore)
+    explore = whole_name(explore)
+    if explore in BUILT_IN:
+        return built_in(explore)
+    if is_program(explore):
+        program = Program(command_of(explore), limits.answer_timeout)  # refuses what cannot be run
+        program.ensure_readable()
+        return Subject(explore, frozenset({"told"}))
+    subject = Subject(explore, frozenset(), source=source_of(explore))
+    player = PlayerProcess(Setup(subject, limits), 0)
+    try:
+        description = player.loaded()
+    finally:
+        player.close()
+    found = replace(subject, keywords=description.keywords)
+    return with_shield(found) if description.has_shield else found
+
 
 REPEATED = 5
 """The number of plays of the record of a finding in a process."""

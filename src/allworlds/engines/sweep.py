@@ -20,9 +20,9 @@ from allworlds.engines.here import ThisThread
 from allworlds.engines.kept_form import from_kept
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import Listener, Silent
-from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.run_directory import ENDED, NO_RECORDS, Records, records_in
 from allworlds.engines.swept_report import By
+from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import (
     WHOLE,
     AskedShard,

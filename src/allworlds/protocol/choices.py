@@ -7,7 +7,7 @@ it is all that is needed to enumerate every schedule.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence, Sized
+from collections.abc import Sequence, Sized
 from random import Random
 from typing import Literal, Protocol, TypeAlias, TypeVar, cast, get_args, overload
 

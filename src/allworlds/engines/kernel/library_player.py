@@ -38,7 +38,6 @@ from allworlds.engines.kernel.records import (
     PARTNER,
     RUN_BUDGET,
     RUN_MOTIONS,
-    RUN_NUMBER,
     RUN_TOLD,
     WIDE,
     Stretch,

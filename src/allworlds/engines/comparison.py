@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from allworlds import log as entries
 from allworlds.document import replace
-from allworlds.engines.python.examiner import LOST, Outcome
+from allworlds.engines.examiner import LOST, Outcome
 from allworlds.inputs import show
 from allworlds.judging import (
     PRECEDENCE,

@@ -1,4 +1,4 @@
-"""Counts that can be added up in any order, and the smallest findings."""
+"""Counts that can be added up in any order, and the smallest findings; what is counted of a run."""
 
 from __future__ import annotations
 
@@ -6,13 +6,19 @@ from bisect import insort
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Annotated, Any, NamedTuple, Self
+from itertools import islice
+from typing import Annotated, Any, NamedTuple, Self, TypeAlias
 
+from msgspec import Struct
 from msgspec.structs import asdict
 
 from allworlds.document import replace
+from allworlds.engines.examiner import Outcome, Referee
 from allworlds.engines.kept_form import Form
+from allworlds.engines.scope import NumberedRun, Scope, UnitOfRuns, numbered_runs
 from allworlds.judging import Chirality, Finding, Misreading, Rules
+from allworlds.maps import CombinatorialMap, rooted_code
+from allworlds.world import World
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
@@ -193,3 +199,117 @@ class Tally:
     def traversals(self) -> int:
         """The number of traversals, summed over all episodes."""
         return sum(row.traversals for row in self.rows.values())
+
+
+REPORT_EVERY = 0.25
+"""Seconds after which a part of a unit is handed over."""
+
+
+class EnginesDisagree(Exception):
+    """Raised if two engines differ about one world."""
+
+
+class RunCounter(Struct, frozen=True):
+    """The runs of units, and their counting.
+
+    Attributes:
+        scope: the worlds and the rules of the check.
+        keep: the number of findings that are kept.
+        compiled_from: the number of worlds of a level from which on compiled code judges the runs
+            of a user's explorer; None: never.
+    """
+
+    scope: Scope
+    keep: int
+    compiled_from: int | None = None
+
+    def runs(self, unit: UnitOfRuns, start: int = 0) -> Iterator[NumberedRun]:
+        """The runs of a unit from that number on."""
+        every = numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
+        return islice(every, start, None)
+
+    def tally(self) -> Tally:
+        """An empty tally."""
+        return Tally(self.keep)
+
+    def count_run(self, run: NumberedRun, tally: Tally) -> World | None:
+        """Count a run, and return its world; None if that has no place for the lighthouse."""
+        edges, vertices = run.map.edge_count, run.map.vertex_count
+        if run.first:
+            tally.row(edges, vertices).worlds += 1
+            if run.map.loop_count:
+                tally.witnesses["loop-edge"] += 1
+            if run.map.parallel_count:
+                tally.witnesses["parallel-edge"] += 1
+        if run.lighthouse is None:
+            tally.left_out += 1
+            return None
+        tally.row(edges, vertices).runs += 1
+        return World(run.map, run.lighthouse, 0)
+
+    def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
+        """Add one episode of a run to the tally."""
+        edges, vertices = world.map.edge_count, world.map.vertex_count
+        row, cost = tally.row(edges, vertices), outcome.cost
+        row.episodes += 1
+        row.traversals += cost
+        if place == 0:
+            row.traversals_rooted += cost
+        if cost >= row.max_cost:
+            code = rooted_code(world.map.sigma, world.map.alpha, 0)
+            row.cost_of(cost, AtRun(*code, place, outcome.choices))
+        row.bound_of(outcome.bound)
+        tally.checkpoints += len(outcome.episode.checkpoints)
+
+    def settle(
+        self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
+    ) -> None:
+        """Find a run that may break a law, once it is known what both plays of it mean."""
+        if outcome.violation and tally.wants(world.map.edge_count, world.map.vertex_count):
+            tally.find(referee.finding(world, place, outcome))
+
+    def count_best(self, world: World, cost: int, tally: Tally) -> None:
+        """Add the cost of a run's cheapest schedule to the tally, if every schedule is tried."""
+        if self.scope.schedules == "all":
+            tally.row(world.map.edge_count, world.map.vertex_count).best_of(cost)
+
+
+MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]
+"""Numbers of edges and vertices, sigma and alpha: sorts rooted maps from small to large."""
+
+
+@dataclass(slots=True)
+class CostTally(Tally):
+    """A tally that knows every run.
+
+    Attributes:
+        costs: by the rooted map, and the number of the lighthouse's place in it.
+    """
+
+    costs: dict[tuple[MapKey, int], int] = field(default_factory=dict)
+
+    def add(self, other: Tally) -> None:
+        """Take in another part's tally; no run is in two of them."""
+        # Zero-argument super() does not know a class with slots.
+        Tally.add(self, other)
+        if isinstance(other, CostTally):
+            self.costs.update(other.costs)
+
+
+class CostEngine(RunCounter, frozen=True):
+    """The counter that returns the cost of every run, too."""
+
+    def tally(self) -> CostTally:
+        """An empty tally."""
+        return CostTally(self.keep)
+
+    def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
+        """Add a run, which has one episode, to the tally, and its cost."""
+        super().count_outcome(world, place, outcome, tally)
+        assert isinstance(tally, CostTally)
+        tally.costs[key_of(world.map), place] = outcome.cost
+
+
+def key_of(map_: CombinatorialMap) -> MapKey:
+    """The key of a map that is rooted at its dart 0."""
+    return map_.edge_count, map_.vertex_count, tuple(map_.sigma), tuple(map_.alpha)

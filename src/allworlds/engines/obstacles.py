@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 
-from allworlds.engines.compiled.sizes import WALKED_FROM
 from allworlds.engines.kernel.capabilities import (
     CHECKED,
     EXPLORERS,
@@ -12,12 +11,26 @@ from allworlds.engines.kernel.capabilities import (
     MOST_BUDGET,
     MOST_EDGES,
 )
-from allworlds.engines.python.scope import Given, Scope
+from allworlds.engines.scope import Given, Scope
 from allworlds.explorers import Subject
 from allworlds.inputs import show
 from allworlds.judging import LAWS
 from allworlds.maps import MapClass
 from allworlds.world import LIGHTHOUSES as KINDS, Directional, Lighthouse
+
+COMPILED_FROM = 5
+"""The least m of a check that is worth the compiling; smaller ones end before it would."""
+
+WORTH_LOADING = 2000
+"""The number of worlds of a level from which on the compiled judge of users' explorers pays: they
+have some 10,000 runs."""
+
+WALKED_FROM = 6
+"""The least m whose maps are walked once for every bearing, where that can be done.  Up to
+there every bearing is walked."""
+
+COMPILER = "numba", "fast"
+"""The package without which there is no compiled engine, and the extra that brings it."""
 
 
 def obstacle(scope: Scope, subject: Subject) -> str:

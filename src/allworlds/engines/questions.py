@@ -1,12 +1,14 @@
-"""Requests to the kernel, level by level: the scope of a check in its plain numbers."""
+"""Questions to the kernel, level by level, in its plain numbers; and tallies of its rows."""
 
 from __future__ import annotations
 
 from functools import cache
 
-from allworlds.engines.compiled.obstacles import kind_of
 from allworlds.engines.kernel import engine as kernel
-from allworlds.engines.kernel.rows import Level, LevelBounds, Tables, tables
+from allworlds.engines.kernel.rows import Level, LevelBounds, Rows, Tables, tables
+from allworlds.engines.obstacles import kind_of
+from allworlds.engines.scope import LevelRuns, Scope
+from allworlds.engines.tally import AtRun, Row, Tally
 from allworlds.inputs import InputError
 from allworlds.judging import Rules
 from allworlds.maps import Extent
@@ -54,3 +56,32 @@ def level_tables(rules: Rules, edges: int) -> Tables:
     plain = not (bounds.by_d0 or bounds.by_largest)
     values = [bounds.value(n, 0, 0) if plain else None for n in range(1, edges + 2)]
     return tables(edges, max(_budgets(rules, edges)), values)
+
+
+def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, tally: Tally) -> Tally:
+    """The empty tally with the kernel's counts, without the events and the findings."""
+    most_expensive = {
+        n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.most_expensive
+    }
+    for counts in rows.counts:
+        row = tally.row(unit.edges, counts.vertices)
+        row.add(
+            Row(
+                counts.worlds,
+                counts.runs,
+                counts.runs,
+                counts.traversals,
+                counts.traversals_rooted,
+                counts.largest,
+                most_expensive=most_expensive.get(counts.vertices),
+            )
+        )
+        tally.checkpoints += counts.checkpoints
+        tally.left_out += counts.left_out
+        tally.witnesses["loop-edge"] += counts.loops
+        tally.witnesses["parallel-edge"] += counts.parallels
+    for n, d0, largest in rows.met:
+        # Where a run has a bound without a value, this says so.
+        bound = scope.rules.the_bound.value(n, unit.edges, d0, largest, 0, 0)
+        tally.row(unit.edges, n).bound_of(bound)
+    return tally

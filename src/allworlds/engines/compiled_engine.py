@@ -1,29 +1,37 @@
-"""Both engines on the same small worlds, run by run, before the compiled one is believed.
+"""The compiled engine of a check of a built-in explorer, compared with the examiner first.
 
-The general engine plays its runs while another process compiles the kernel.
+In small worlds every run is played and judged by itself.  From
+:data:`allworlds.engines.obstacles.WALKED_FROM` edges on Algorithm 1 with its directional
+lighthouse is walked once in each rooted map, and the walk is counted for every bearing, because the
+marker's direction only tells the darts of v0 apart.  That premise, and the kernel itself, are
+compared with the examiner, run by run, before the first level; it plays its runs while another
+process compiles the kernel.  A broken law is reported only as the examiner finds it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from itertools import zip_longest
-from typing import TypeAlias
+from itertools import islice, zip_longest
+from typing import Any, Self, TypeAlias
+
+from msgspec import Struct, field
 
 from allworlds.document import replace
-from allworlds.engines.compiled.obstacles import walks
-from allworlds.engines.compiled.requests import level_of
+from allworlds.engines.engine_table import Job
+from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel import engine as kernel
+from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.rows import Listed, walk_number
+from allworlds.engines.kernel.rows import BrokenRun, Listed, Rows, walk_number
 from allworlds.engines.kernel.runs import examine
-from allworlds.engines.python.examiner import Examiner
-from allworlds.engines.python.run_counter import EnginesDisagree
-from allworlds.engines.python.runs_of_unit import LevelRuns, NumberedRun, UnitOfRuns, numbered_runs
-from allworlds.engines.python.scope import Scope
-from allworlds.engines.units import Whole, cells_of_level
+from allworlds.engines.obstacles import WALKED_FROM, walks
+from allworlds.engines.questions import level_of, tally_of
+from allworlds.engines.scope import LevelRuns, NumberedRun, Scope, UnitOfRuns, numbered_runs
+from allworlds.engines.tally import EnginesDisagree, Tally
+from allworlds.engines.units import Whole, cells_of_level, level_size
 from allworlds.explorers import Subject
-from allworlds.maps import Code, prefixes, rooted_code
+from allworlds.maps import Code, CombinatorialMap, InvalidMap, prefixes, rooted_code
 from allworlds.protocol import Move, Transcript
 from allworlds.world import Cluster, Natural, World
 
@@ -191,3 +199,105 @@ def _words(listed: Listed | None) -> str:
 
 def _world(run: NumberedRun) -> str:
     return f"sigma={list(run.map.sigma)} alpha={list(run.map.alpha)} place={run.place}"
+
+
+BATCH = 8
+"""Units that a thread does at a time, so that handing them over costs little."""
+
+SOON, SOON_WALKED = 10_000, 2_000_000
+"""The number of worlds that are judged, or walked, in a tenth of a second: about the time until the
+workers of a cluster are busy, and then until all have sent their results."""
+
+SYMMETRY = (
+    f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for "
+    "every bearing: the walk does not depend on it, as the python engine confirms on every "
+    f"bearing up to m = {AGREEMENT_EDGES}"
+)
+
+
+class CompiledEngine(Struct, frozen=True):
+    """The engine in which the kernel plays and judges, or walks, all runs of a unit.
+
+    Attributes:
+        scope, subject, keep: as for the general engine.
+        flag: its entry 0 tells the kernel to give up.
+        reached: by edges and vertices, the cost of some walk: a cheaper run is not the most
+            expensive.
+    """
+
+    scope: Scope
+    subject: Subject
+    keep: int
+    flag: Any = field(default_factory=kernel.flag)
+    reached: dict[int, Any] = field(default_factory=dict)
+
+    @classmethod
+    def ready(cls, job: Job) -> Self:
+        """The engine, after it has been compared with the general one.
+
+        Raises:
+            EnginesDisagree: naming the first world in which they do.
+        """
+        if not is_compiled(examine):
+            job.notice(COMPILING)
+        compare_engines(job.scope, job.subject)
+        return cls(job.scope, job.subject, job.keep)
+
+    def halt(self) -> None:
+        """Make all threads give up their work."""
+        self.flag[0] = 1
+
+    def is_soon_done(self, unit: LevelRuns) -> bool:
+        """Whether the level of a unit is small: sending it away would take longer than doing it."""
+        most = SOON_WALKED if walks(self.scope, self.subject, unit.edges) else SOON
+        return level_size(self.scope.extent, unit.edges) <= most
+
+    def parts(self, unit: LevelRuns) -> Iterator[Tally]:
+        """The tally of the unit, equal to the general engine's.
+
+        Raises:
+            EnginesDisagree: if the general engine does not confirm a broken law.
+            InputError: for a bound that has no value in a world.
+        """
+        scope = self.scope
+        level = level_of(self.subject.name, scope.rules, scope.extent, unit.edges)
+        if walks(scope, self.subject, unit.edges):
+            known = self.reached.setdefault(unit.edges, kernel.reached_in(unit.edges))
+            rows = kernel.walk(level, unit.prefix, keep=self.keep, reached=known, halt=self.flag)
+        else:
+            rows = kernel.judge(level, unit.prefix, keep=self.keep, halt=self.flag)
+        yield self._tally(unit, rows)
+
+    def _tally(self, unit: LevelRuns, rows: Rows) -> Tally:
+        tally = tally_of(rows, unit, self.scope, Tally(self.keep))
+        tally.witnesses.update(rows.events)
+        tally.witnesses = +tally.witnesses
+        for broken in rows.broken:
+            self._blame(broken, tally)
+        return tally
+
+    def _blame(self, broken: BrokenRun, tally: Tally) -> None:
+        """Find the runs by the general engine in which the kernel finds a law broken.
+
+        Raises:
+            EnginesDisagree: if the general engine finds another law broken, or none.
+        """
+        try:
+            map_ = CombinatorialMap(broken.sigma, broken.alpha)
+        except InvalidMap as error:
+            raise EnginesDisagree(f"the kernel met a world that is none: {error}") from None
+        rules = self.scope.rules
+        examiner = Examiner(self.subject, rules)
+        places = enumerate(rules.kind.places(map_, 0))
+        only = slice(None) if broken.place is None else slice(broken.place, broken.place + 1)
+        for place, lighthouse in islice(places, only.start, only.stop):
+            world = World(map_, lighthouse, 0)
+            outcome = examiner.examine(world, rules.choices(""))
+            law = outcome.violation.law if outcome.violation else ""
+            if not law or broken.law not in ("", law):
+                raise EnginesDisagree(
+                    f"the kernel says that {broken.law or 'a law'} is broken, the python engine "
+                    f"that {law or 'none'} is, in the world sigma={list(map_.sigma)} "
+                    f"alpha={list(map_.alpha)} place={place}"
+                )
+            tally.find(examiner.finding(world, place, outcome))
