@@ -19,9 +19,9 @@ from allworlds.maps import (
     rooted_maps,
     rooted_maps_by_permutations as all_rooted_maps,
 )
-from allworlds.protocol import Schedules
 from allworlds.world import Directional, World
 from page_blocks import blocks
+from schedules import schedules
 from small import EDGE, LOOP, TORUS
 
 OF_CLASS = {
@@ -73,7 +73,7 @@ def test_every_map_of_at_most_three_edges_is_drawn(map_class):
 def test_every_way_to_grow_ends_in_a_map_and_every_map_can_be_grown(map_class, edges):
     grown = set()
     for vertices in range(strategies._fewest_vertices(map_class, edges), edges + 2):
-        for choices in Schedules():
+        for choices in schedules():
 
             def pick(options, choices=choices):
                 return choices.pick(range(len(options)), of="edge")

@@ -18,7 +18,8 @@ from allworlds.maps import (
     rooted_maps,
 )
 from allworlds.maps.build import cycle
-from allworlds.protocol import Checkpoint, Choices, Move, Percept, Schedules, policy_named
+from allworlds.protocol import Checkpoint, Choices, Move, Percept, policy_named
+from schedules import schedules
 from small import EDGE, LOOP, maps, slow
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:1"]
@@ -124,7 +125,7 @@ def test_every_world_is_mapped_pose_included_within_the_bound_under_every_policy
 def test_every_schedule_of_every_world_is_right_and_the_worst_costs_what_is_known(edges, worst):
     costs = set()
     for world, bearing in placed(edges):
-        for choices in Schedules():
+        for choices in schedules():
             run = Run(world, bearing, choices=choices)
             assert run.right
             costs.add(run.cost)
@@ -382,7 +383,7 @@ def test_every_simple_path_in_s_is_one_sequence_of_answers_and_first_answers_a_s
     explored = graph(s)
     pairs = [(u, v) for u in explored for v in explored]
     for start, goal in pairs if len(pairs) <= 25 else pairs[::7]:
-        walked = [tuple(simple_path(s, start, goal, choices, kind)) for choices in Schedules()]
+        walked = [tuple(simple_path(s, start, goal, choices, kind)) for choices in schedules()]
         if start == goal:
             assert walked == [()]
             continue

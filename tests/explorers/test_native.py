@@ -4,6 +4,8 @@ import _ctypes
 import ctypes
 import json
 import re
+from array import array
+from mmap import mmap
 
 import pytest
 
@@ -21,7 +23,9 @@ from allworlds.explorers.shared_library.library import (
     Library,
 )
 from allworlds.inputs import InputError
-from allworlds.protocol import KINDS, Choices, ExplorerFault, Percept, Schedules
+from allworlds.judging import Rules
+from allworlds.maps import Extent, MapClass
+from allworlds.protocol import KINDS, Choices, ExplorerFault, Percept
 from allworlds.studies.check import check, most_expensive_runs
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
@@ -121,6 +125,30 @@ def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
 def without_choices():
     """Algorithm 1 in C without ``choose``."""
     return native(built(EXAMPLES / "c/algorithm1.c", "-Dallworlds_choose=not_exported"))
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("compiled")
+def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
+    from allworlds.engines.kernel.batches import UnitJudge
+    from allworlds.engines.kernel.library_player import LibraryPlayer
+    from allworlds.engines.kernel.records import Stretch
+    from allworlds.engines.questions import level_of
+
+    memory = Stretch(mmap(-1, Stretch.size(2)), 2)
+    beat = array("q", [0, 0])
+    level = level_of("algorithm1", Rules(), Extent(MapClass.MAPS, 2), 2)
+    judge = UnitJudge(level, (-4,), 1, memory, memory)
+    judge.lay_out(4)
+    laid = judge.lay_out(4)  # a second batch, whose numbers in the unit are others
+    subject = load(native(example("c/algorithm1.c")))
+    player, played = LibraryPlayer(subject.innermost.native, beat), set()
+    for seed in range(30):
+        batch = {"heads": judge.heads.tobytes(), "worlds": memory.worlds[: laid.runs].tobytes()}
+        told = {"edges": 2, "runs": laid.runs, "seed": seed, "policy": "fifo", "again": False}
+        assert player.play(batch | told)
+        played.add(beat[0])
+    assert played == {*range(laid.runs)}
 
 
 @pytest.mark.slow
@@ -310,7 +338,7 @@ def test_a_choice_that_is_none_is_a_crash(of, options):
 def test_every_schedule_of_a_library_is_one_sequence_of_answers():
     asks = attack("pick(0, 1, 3, 0); pick(0, 2, 2, 0)", CHOOSES="1")
     schedules = []
-    for choices in Schedules():
+    for choices in schedules():
         episode(asks, choices=choices)
         schedules.append(tuple(choices.record))
     assert schedules == [(i, j) for i in range(3) for j in range(2)]

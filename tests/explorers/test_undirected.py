@@ -9,8 +9,9 @@ from allworlds.explorers import BUILT_IN
 from allworlds.explorers.builtin.undirected import algorithm1_cluster, algorithm1_natural
 from allworlds.maps import MapClass, from_cycles, from_rotation, rooted_code, rooted_maps
 from allworlds.maps.build import cycle
-from allworlds.protocol import Checkpoint, Choices, Move, Percept, Schedules, policy_named
+from allworlds.protocol import Checkpoint, Choices, Move, Percept, policy_named
 from allworlds.strategies import maps
+from schedules import schedules
 from small import EDGE
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:1"]
@@ -128,7 +129,7 @@ def test_from_a_natural_lighthouse_every_simple_world_is_mapped_within_the_bound
 def test_every_schedule_of_every_world_is_right(edges):
     for world in rooted_maps(edges):
         for towards in single(world):
-            for choices in Schedules():
+            for choices in schedules():
                 assert Run(world, towards, choices=choices).right
 
 
@@ -305,7 +306,7 @@ def test_no_policy_can_miss_a_witness_in_worlds_of_the_stated_size(name, event, 
     assert world.is_simple or not simple
     kind = name.endswith("natural")
     towards = (natural(world) if kind else single(world))[0]
-    for choices in Schedules():
+    for choices in schedules():
         assert event in Run(world, towards, natural=kind, choices=choices).events
 
 

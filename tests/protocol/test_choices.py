@@ -4,7 +4,8 @@ import pytest
 from hypothesis import given, strategies as st
 
 from allworlds.inputs import InputError
-from allworlds.protocol import KINDS, Choices, ScheduledChoices, next_script, policy_named
+from allworlds.protocol import KINDS, Choices, policy_named
+from schedules import schedules
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:7"]
 widths = st.lists(st.integers(1, 5), max_size=12)
@@ -201,15 +202,6 @@ def test_a_scripted_choice_among_nothing_is_a_value_error():
 trees = st.recursive(
     st.just(()), lambda inner: st.lists(inner, min_size=1, max_size=3), max_leaves=25
 )
-
-
-def schedules():
-    """The choices of one run after the other, until there is no next script."""
-    script = ()
-    while script is not None:
-        choices = ScheduledChoices(script)
-        yield choices
-        script = next_script(script, choices.record, choices.widths)
 
 
 def walk(tree, choices):

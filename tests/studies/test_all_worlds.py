@@ -10,11 +10,11 @@ from allworlds.inputs import InputError
 from allworlds.judging import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.counting.any_genus import rooted_maps as counted
-from allworlds.protocol import Schedules
 from allworlds.reports import text
 from allworlds.studies.worst import EverySchedule, all_worlds, compiled_engine, worst
 from allworlds.studies.worst.every_schedule import WrongTest
 from allworlds.world import Directional, World
+from schedules import schedules
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -62,10 +62,10 @@ def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says()
         for map_ in rooted_maps(edges):
             costs = {
                 examiner.examine(World(map_, Directional(0), 0), choices).cost
-                for choices in Schedules()
+                for choices in schedules()
             }
-            schedules = EverySchedule(map_, 0, "simple")
-            assert (schedules.worst, schedules.best) == (max(costs), min(costs))
+            every = EverySchedule(map_, 0, "simple")
+            assert (every.worst, every.best) == (max(costs), min(costs))
 
 
 def test_no_start_dart_of_a_vertex_is_better_than_another():

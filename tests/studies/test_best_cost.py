@@ -7,10 +7,11 @@ from allworlds.engines import Examiner
 from allworlds.explorers import load
 from allworlds.judging import Rules
 from allworlds.maps import rooted_maps
-from allworlds.protocol import Move, Schedules
+from allworlds.protocol import Move
 from allworlds.reports import text
 from allworlds.world import Directional, World
 from native_libraries import example
+from schedules import schedules
 from small import long
 
 
@@ -20,7 +21,7 @@ def by_hand(name, edges):
     for map_ in rooted_maps(edges):
         for place in Directional.places(map_, 0):
             world = World(map_, place, 0)
-            costs = [examiner.examine(world, choices).cost for choices in Schedules()]
+            costs = [examiner.examine(world, choices).cost for choices in schedules()]
             most, least = found.get(map_.vertex_count, (0, 0))
             found[map_.vertex_count] = max(most, *costs), max(least, min(costs))
     return found
