@@ -9,7 +9,7 @@ from allworlds import CombinatorialMap, Estimate, Move
 from allworlds.document import replace
 from allworlds.engines import LevelRuns, Scope
 from allworlds.engines.compiled_engine import listed_runs
-from allworlds.engines.kernel.algorithm1 import algorithm1_addresses
+from allworlds.engines.kernel.algorithm1 import explorer_addresses
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
 from allworlds.engines.kernel.engine import judge
 from allworlds.engines.kernel.instructions import address_of
@@ -187,7 +187,7 @@ def addresses(start, step, answer):
         for own, kind, builtin in zip(
             (start, step, answer),
             (*kinds, ("robot", "answer")),
-            algorithm1_addresses(),
+            explorer_addresses("algorithm1"),
             strict=True,
         )
     )

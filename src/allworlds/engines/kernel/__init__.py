@@ -3,24 +3,15 @@
 Each is compared with a readable twin that shares no code with it.  They hold the interpreter's
 lock only to start and to end, so that threads share the work.
 
-``engine``, ``rows``
-    the door: plain numbers in, plain rows out;
-``runs``, ``laws``, ``code``
-    every run of a unit, played or read from its log, judged and tallied; the least of them;
-``gluing``, ``worlds``, ``counting``
-    maps, finished one after the other, with every lighthouse; or only their numbers;
-``algorithm1``
-    explorers, each behind the C interface of all explorers;
-``batches``, ``library_player``
-    the runs of users' explorers, many at a time: laid out and judged; played by a library;
-``demand_driven``
-    the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
-``schedules``
-    the worst and the best cost of a world over all schedules;
-``capabilities``
-    what it knows and has room for, without compiled code;
-``records``, ``compiling``, ``instructions``
-    the records in memory, compilation, calls by address.
+``engine``, ``rows``: the door; plain numbers in, plain rows out.
+``runs``, ``laws``, ``code``: every run of a unit, played or read from its log, judged and tallied.
+``gluing``, ``worlds``, ``counting``: maps one after the other, with lighthouses, or their numbers.
+``algorithm1``: built-in explorers, behind the C interface of all explorers.
+``batches``, ``library_player``: runs of users' explorers, laid out and judged; played by a library.
+``demand_driven``: the check of Algorithm 1 in which a world is decided where the robot looks.
+``schedules``: the worst and the best cost of a world over all schedules.
+``capabilities``: what the kernel knows and has room for, without compiled code.
+``records``, ``compiling``, ``instructions``: records in memory, compilation, calls by address.
 
 This package is imported where it is used: the first use compiles for some seconds, later ones
 load what was compiled.

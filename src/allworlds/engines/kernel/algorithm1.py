@@ -1,12 +1,11 @@
 """Algorithm 1, compiled: an explorer behind the C interface, one call for each percept.
 
-Between two calls it stands in one of the phases below.  Tests that have matched to the end are
-left to the variant: with a direction they are proved.  Without one v0 and a neighbour v1 of it can
-be recognised: before its first pass the robot searches the dart of v0 that leads to v1, and a test
-that has come to v0 is proved by the query: out by that dart, and back.
+Tests that have matched to the end are left to the variant: with a direction they are proved.
+Without one v0 and a neighbour v1 of it can be recognised: before its first pass the robot searches
+the dart of v0 that leads to v1, and a test that has come to v0 is proved by the query: out by that
+dart, and back.  Hypotheses are tried in the order of S, on the first of the shortest paths.
 
-It answers its choices as the policy says: darts of U first in, first out, last in, first out, or
-nearest; hypotheses in the order of S; the first of the shortest paths.  The twins are
+The twins are
 :mod:`allworlds.explorers.builtin.algorithm1` and :mod:`allworlds.explorers.builtin.undirected`.
 
 Source: Algorithm 1, Section IV.
@@ -14,7 +13,6 @@ Source: Algorithm 1, Section IV.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
 
 from numba import types
@@ -53,17 +51,14 @@ def answer(robot, published):  # pragma: no cover  # compiled
 
 
 @cache
-def algorithm1_addresses() -> tuple[int, int, int]:
-    """The addresses of the compiled explorer: start, step, answer."""
-    return _addresses(start, step)
-
-
-def _addresses(start: Callable[..., None], step: Callable[..., None]) -> tuple[int, int, int]:
-    """The addresses of the compiled functions of a variant."""
+def explorer_addresses(explorer: str) -> tuple[int, int, int]:
+    """The addresses of a compiled explorer, one of ``EXPLORERS``: start, step, answer."""
     robot, percept, action = RECORD(ROBOT), RECORD(PERCEPT), RECORD(ACTION)
+    directed = explorer == "algorithm1"
+    begins, goes_on = (start, step) if directed else (start_undirected, step_undirected)
     return (
-        callback(start, types.void(robot, percept, types.int32, action)),
-        callback(step, types.void(robot, percept, action)),
+        callback(begins, types.void(robot, percept, types.int32, action)),
+        callback(goes_on, types.void(robot, percept, action)),
         callback(answer, types.void(robot, RECORD(ANSWER))),
     )
 
@@ -344,7 +339,8 @@ back again."""
 def start_undirected(robot, percept, told, action):  # pragma: no cover  # compiled
     """The first step of the search."""
     robot.degree_of_v0, robot.degree_of_v1 = percept.degree, told
-    begin(robot, int64(percept.degree), _is_v0(robot, percept.degree, percept.marks), NONE)
+    marks = _is(robot, percept.degree, percept.marks, percept.degree, 1)
+    begin(robot, int64(percept.degree), marks, NONE)
     _search(robot, 0, action)
 
 
@@ -352,7 +348,7 @@ def step_undirected(robot, percept, action):  # pragma: no cover  # compiled
     """Write the explorer's next action, after this percept."""
     degree, marks = percept.degree, percept.marks
     if robot.phase == SEARCHING or robot.phase == ASKING:
-        robot.matched = _is_v1(robot, degree, marks)
+        robot.matched = _is(robot, degree, marks, robot.degree_of_v1, 2)
         robot.phase += 1
         action.kind, action.motion = names.MOVE, 0
     elif robot.phase == SEARCHED:
@@ -364,34 +360,23 @@ def step_undirected(robot, percept, action):  # pragma: no cover  # compiled
     elif robot.phase == PASSING:
         next_pass(robot, action)
     else:
-        if robot.phase == ASKED:
-            _hear(robot, action)
+        if robot.phase == ASKED and robot.matched:
+            confirm(robot, robot.pointed, action)
+        elif robot.phase == ASKED:
+            reject(robot, action)
         else:
-            sense(robot, degree, _is_v0(robot, degree, marks), NONE, action)
+            at_v0 = _is(robot, degree, marks, robot.degree_of_v0, 1)
+            sense(robot, degree, at_v0, NONE, action)
         if robot.phase == MATCHED:
             _ask(robot, action)
 
 
-@cache
-def two_vertices_addresses() -> tuple[int, int, int]:
-    """The addresses of the compiled explorer: start, step, answer."""
-    return _addresses(start_undirected, step_undirected)
-
-
 @inlined
-def _is_v0(robot, degree, marks):
-    """Return 1 if this is the percept of v0, else 0."""
+def _is(robot, degree, marks, own_degree, own_marks):
+    """Return 1 if this is the percept of the vertex with that degree or those marks, else 0."""
     if robot.natural:
-        return 1 if degree == robot.degree_of_v0 else 0
-    return 1 if marks == 1 else 0
-
-
-@inlined
-def _is_v1(robot, degree, marks):
-    """Return 1 if this is the percept of v1, else 0."""
-    if robot.natural:
-        return 1 if degree == robot.degree_of_v1 else 0
-    return 1 if marks == 2 else 0
+        return 1 if degree == own_degree else 0
+    return 1 if marks == own_marks else 0
 
 
 @inner
@@ -408,12 +393,3 @@ def _ask(robot, action):
     robot.phase = ASKING
     action.kind, action.motion = names.MOVE, towards - robot.turned
     robot.turned = towards
-
-
-@inlined
-def _hear(robot, action):
-    """Use the answer of the query; the robot is back at v0, turned to the dart it left by."""
-    if robot.matched:
-        confirm(robot, robot.pointed, action)
-    else:
-        reject(robot, action)

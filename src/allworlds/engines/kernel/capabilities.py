@@ -5,12 +5,8 @@ No compiled code is loaded here, so that a process can ask what the kernel could
 
 from __future__ import annotations
 
-EXPLORERS = {
-    "algorithm1": "engines.kernel.algorithm1:algorithm1_addresses",
-    "algorithm1-cluster": "engines.kernel.algorithm1:two_vertices_addresses",
-    "algorithm1-natural": "engines.kernel.algorithm1:two_vertices_addresses",
-}
-"""The built-in explorers that are compiled, with the functions that compile them."""
+EXPLORERS = ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
+"""The built-in explorers that are compiled."""
 
 LIGHTHOUSES = frozenset(
     {"none", "position", "directional", "compass", "cluster", "cluster-single", "natural"}

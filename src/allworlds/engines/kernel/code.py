@@ -77,14 +77,8 @@ def _keep_least_of_kind(least, row, kind):
         for i in range(kind, len(row)):
             alike = alike and row[i] == least[place, i]
         if alike:
-            if not _before(row, least, place):
-                return
-            for after in range(place, least.shape[0] - 1):
-                for i in range(len(row)):
-                    least[after, i] = least[after + 1, i]
-            for i in range(len(row)):
-                least[least.shape[0] - 1, i] = 0
-            break
+            keep_least(least[: place + 1], row)
+            return
     keep_least(least, row)
 
 

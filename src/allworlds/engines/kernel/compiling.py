@@ -1,9 +1,7 @@
 """The compilation of the engines, and the reuse of earlier compilations.
 
 numba keeps compiled code beside the sources (or in the user's cache), but checks only the source
-file of the outermost function.  Here every source of this package is checked, because a function
-contains code from other files.
-So is the judge's table of laws, from whose order the numbers follow that are compiled in.
+file of the outermost function.  Here every source is checked from which something is compiled in.
 
 No compiled function makes an array or counts references, and only those that Python calls are
 wrapped for Python: that saves a third of the time of compiling.
@@ -103,13 +101,7 @@ def _file_of(function: Any) -> Any:
 
 @cache
 def _stamp() -> str:
-    digest = hashlib.sha256()
-    for source in _sources():
-        digest.update(source.read_bytes())
-    return digest.hexdigest()
-
-
-def _sources() -> list[Path]:
     here = Path(__file__).parent
-    others = ("judging/laws/law_table.py", "log.py")
-    return [*sorted(here.glob("*.py")), *(here.parents[1] / each for each in others)]
+    others = (here.parents[1] / each for each in ("judging/laws/law_table.py", "log.py"))
+    sources = (*sorted(here.glob("*.py")), *others)
+    return hashlib.sha256(b"".join(source.read_bytes() for source in sources)).hexdigest()

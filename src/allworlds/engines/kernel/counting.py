@@ -35,15 +35,7 @@ def by_vertices_and_faces(
 
 @entry
 def count(c, prefix, viable, counts):
-    """Add to ``counts[vertices, faces]`` the maps whose gluing begins with ``prefix``.
-
-    Args:
-        c: a record of :data:`~allworlds.engines.kernel.records.COUNTING`, with the number of edges
-            and the largest number of vertices.
-        prefix: the first decisions, at least one.
-        viable: by darts owed and darts open after a decision: a map can still be finished.
-        counts: added to.
-    """
+    """Add to ``counts[vertices, faces]`` the maps whose gluing begins with ``prefix``."""
     darts = 2 * c.edges
     first = -prefix[0]
     c.darts[0], c.vertices[0], c.faces[0] = first, 1, 0
@@ -72,12 +64,10 @@ def count(c, prefix, viable, counts):
             depth -= 1
             fresh = False
             continue
-        down = depth + 1
+        down, added = depth + 1, 0
         if c.untried[depth]:
             z = lowest(c.untried[depth])
             c.untried[depth] &= c.untried[depth] - 1
-            c.vertices[down], c.darts[down] = c.vertices[depth], c.darts[depth]
-            _copy(c, depth)
         else:
             degree = c.degrees[depth]
             if c.vertices[depth] + 1 == c.limit:
@@ -89,13 +79,15 @@ def count(c, prefix, viable, counts):
                 fresh = False
                 continue
             c.degrees[depth] = degree + 1 if down >= len(prefix) else darts
-            z = c.darts[depth]
-            c.vertices[down], c.darts[down] = c.vertices[depth] + 1, z + degree
-            _copy(c, depth)
-            for dart in range(z, z + degree):
+            z, added = c.darts[depth], degree
+        c.vertices[down], c.darts[down] = c.vertices[depth] + (added > 0), c.darts[depth] + added
+        for dart in range(c.darts[depth]):
+            c.after[down, dart], c.before[down, dart] = c.after[depth, dart], c.before[depth, dart]
+        if added:
+            for dart in range(z, z + added):
                 c.after[down, dart], c.before[down, dart] = dart + 1, dart - 1
-            c.after[down, z + degree - 1], c.before[down, z] = z, z + degree - 1
-            open_ |= (1 << (z + degree)) - (1 << z)
+            c.after[down, z + added - 1], c.before[down, z] = z, z + added - 1
+            open_ |= (1 << (z + added)) - (1 << z)
         c.faces[down] = c.faces[depth] + _join(c, down, y, z)
         c.opened[down] = open_ & ~(1 << y | 1 << z)
         if c.opened[down]:
@@ -104,14 +96,6 @@ def count(c, prefix, viable, counts):
         else:
             counts[c.vertices[down], c.faces[down]] += 1
             fresh = False
-
-
-@inner
-def _copy(c, depth):
-    """Copy the boundary to the next depth, before a decision there."""
-    for dart in range(c.darts[depth]):
-        c.after[depth + 1, dart] = c.after[depth, dart]
-        c.before[depth + 1, dart] = c.before[depth, dart]
 
 
 @inner

@@ -1,8 +1,7 @@
 """The demand-driven check of Algorithm 1: every rooted map, decided only where the robot looks.
 
-Two partial maps grow side by side.  The world W has darts that are decided, each with its
-partner, and open ones; ``owed`` more darts have not come into being.  The robot's S and U
-are as in the paper, with ``image``: for each dart of S the dart of W that it stands for.
+Two partial maps grow side by side: the world W, with decided and open darts, and the robot's S and
+U, with ``image``: for each dart of S the dart of W that it stands for.
 The robot walks until it is about to cross an open dart of W.  Then every way to decide that
 dart is tried in turn: gluing it to another open dart, or to the first dart of a new vertex.
 Only decisions from which W can be finished are tried.  A walk that ends has met one world, and
@@ -12,8 +11,7 @@ What is checked in each pass is what makes I-1, I-2 and the variant hold after i
 vertex of S has not been in S, and a dart closed to a loop leads in W where it leads in S.
 The robot closes a loop only on an arrival at v0 in the dart that the path ends with; that
 arrival also merges the log's node with v0, so the folded log holds every edge of S.  At the
-end S must be all of W.  To come back to a decision only the record ``now`` is copied: entries of
-open darts and of vertices that do not exist any more are never read.
+end S must be all of W.  To come back to a decision only the record ``now`` is copied.
 
 Source: Algorithm 1, Sections IV and V.
 """
@@ -23,7 +21,7 @@ from __future__ import annotations
 from allworlds.engines.kernel.capabilities import FIFO, LIFO
 from allworlds.engines.kernel.code import blame, is_less, note
 from allworlds.engines.kernel.compiling import entry, inlined, inner
-from allworlds.engines.kernel.instructions import copy, highest, lowest, size
+from allworlds.engines.kernel.instructions import copy, highest, lowest, neighbours, size
 
 # One number holds the cost and the counters of a walk, so that a decision saves one number.
 COST = 0xFFFFF
@@ -39,9 +37,9 @@ EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
 the choice of a hypothesis; ended; failed, so that only the worlds with the failure are left."""
 
 # The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
-# worlds with a loop and with parallel edges, worlds that break a law, and walks that failed.
+# worlds with a loop and with parallel edges, and walks that failed.
 WORLDS, TRAVERSALS, LARGEST, CASES_1, CASES_2, TESTS_AT_V0, EMPTY_HS = range(7)
-LOOP_EDGE, PARALLEL_EDGE, BROKEN, FAILURES = range(7, 11)
+LOOP_EDGE, PARALLEL_EDGE, FAILURES = range(7, 10)
 _FEW = 0xFF
 
 
@@ -49,14 +47,9 @@ _FEW = 0xFF
 def explore(w, prefix, reached, kept, halt):
     """Walk and tally every world whose gluing begins with ``prefix``, once each.
 
-    Args:
-        w: a new record with the request filled in; ``w.worlds`` becomes their number.
-        prefix: decisions about the oldest open dart, as in the Python enumeration; at least
-            the root's degree.
-        reached: by vertices, a cost that is known to be met; becomes the largest that is.
-        kept: the worlds that are kept, as runs at place 0 that break the law 0; of each that
-            is listed: cost, vertices, degrees, then partners.
-        halt: ``halt[0]`` is not 0 once the work is to be given up.
+    ``w.worlds`` becomes their number.  ``reached`` is, by vertices, a cost that is known to be met,
+    and becomes the largest that is.  Worlds are kept as runs at place 0 that break the law 0; of
+    each that is listed: cost, vertices, degrees, then partners.
     """
     s = w.now
     _begin(w, s, prefix)
@@ -70,7 +63,12 @@ def explore(w, prefix, reached, kept, halt):
             if s.darts == 2 * w.edges and others & (others - 1) == 0:
                 _glue(w, s, lowest(others))
                 continue
-            _open_choice(w, s, others)
+            choice = w.choices[w.depth]
+            w.depth += 1
+            if not others or not w.viable[2 * w.edges - s.darts, size(others) - 1]:
+                others = 0
+            choice.untried, choice.degree = others, 1
+            copy(choice.now, s)
         else:
             w.worlds += 1
             _tally(w, s, reached, kept)
@@ -130,17 +128,6 @@ def _glue(w, s, z):
 
 
 @inlined
-def _open_choice(w, s, others):
-    """Open a choice: the dart y must be decided, perhaps in several ways."""
-    choice = w.choices[w.depth]
-    w.depth += 1
-    if not others or not w.viable[2 * w.edges - s.darts, size(others) - 1]:
-        others = 0
-    choice.untried, choice.degree = others, 1
-    copy(choice.now, s)
-
-
-@inlined
 def _choose(w, s):
     """Take the next way to decide y; return whether there was one, else drop the choice."""
     choice = w.choices[w.depth - 1]
@@ -182,10 +169,8 @@ def _tally(w, s, reached, kept):
             note(w.world, 0, kept.most_expensive[n])
     w.counts[n, TRAVERSALS] += cost
     w.counts[n, LARGEST] = max(w.counts[n, LARGEST], cost)
-    w.counts[n, CASES_1] += s.total >> 20 & _FEW
-    w.counts[n, CASES_2] += s.total >> 28 & _FEW
-    w.counts[n, TESTS_AT_V0] += s.total >> 36 & _FEW
-    w.counts[n, EMPTY_HS] += s.total >> 44 & _FEW
+    for i in range(4):
+        w.counts[n, CASES_1 + i] += s.total >> (20 + 8 * i) & _FEW
     w.counts[n, LOOP_EDGE] += s.total >> 52 & 1
     w.counts[n, PARALLEL_EDGE] += s.total >> 53 & 1
     if cost > w.bound[n]:
@@ -208,7 +193,6 @@ def _settle(w, s):
 @inner
 def _blame(w, s, kept):
     """Keep a world in which a law is broken, if it is among the least."""
-    w.counts[s.vertices, BROKEN] += 1
     _settle(w, s)
     blame(w.world, 0, kept.least, kept.row)
 
@@ -438,11 +422,7 @@ def _distance(w, start, goal):
     steps = 0
     while not reached >> goal & 1:
         steps += 1
-        after = 0
-        while front:
-            after |= w.adjacent[lowest(front)]
-            front &= front - 1
-        front = after & ~reached
+        front = neighbours(w, front) & ~reached
         if not front:
             return steps
         reached |= front
@@ -457,11 +437,7 @@ def _ways_home(w, s):
     steps = 0
     while front:
         steps += 1
-        after = 0
-        while front:
-            after |= w.adjacent[lowest(front)]
-            front &= front - 1
-        front = after & ~reached
+        front = neighbours(w, front) & ~reached
         reached |= front
         rest = front
         while rest:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from threading import local
 from typing import Any
@@ -17,6 +17,7 @@ from typing import Any
 from numpy import argwhere, array, asarray, full, int8, int64, maximum, zeros
 
 from allworlds.engines.kernel import demand_driven as walks, runs
+from allworlds.engines.kernel.algorithm1 import explorer_addresses
 from allworlds.engines.kernel.capabilities import EVENTS, EXPLORERS, POLICIES
 from allworlds.engines.kernel.compiling import uncollected
 from allworlds.engines.kernel.gluing import rule_address
@@ -24,7 +25,6 @@ from allworlds.engines.kernel.laws import LAWS
 from allworlds.engines.kernel.records import JOB, ROBOT, WALK, Kept, new
 from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows, packed
 from allworlds.engines.kernel.worlds import lighthouse_address
-from allworlds.lazy import loaded
 
 EVERY = 1 << 62
 """A number above that of any run."""
@@ -63,7 +63,11 @@ def rows_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Rows:
         dict(zip(EVENTS, robot.events.tolist(), strict=False)),
         tuple((n, d0, largest) for n, d0, largest in argwhere(unit.met).tolist()),
         tuple(_at(row, darts) for row in kept.most_expensive.tolist() if row[0]),
-        tuple(_broken(row, darts) for row in kept.least.tolist() if row[0]),
+        tuple(
+            BrokenRun(*_at(row, darts), LAWS[row[2 + 2 * darts]])
+            for row in kept.least.tolist()
+            if row[0]
+        ),
         tuple(Listed(LAWS[law], *rest) for law, *rest in kept.listed[: job.number].tolist()),
     )
 
@@ -97,12 +101,6 @@ def load_judge(level: Level) -> None:
     with uncollected():
         job, _ = _room()
         runs.examine(job, job.explorer, unit_of(level, (-1,)), stop)
-
-
-def explorer_addresses(explorer: str) -> tuple[int, int, int]:
-    """The addresses of the functions of an explorer of :data:`EXPLORERS`, which is compiled."""
-    compiled: Callable[[], tuple[int, int, int]] = loaded(EXPLORERS[explorer])
-    return compiled()
 
 
 def compile_apart(explorer: str) -> None:
@@ -167,11 +165,6 @@ def _bound_table(level: Level) -> Any:
     return table
 
 
-def _broken(row: list[int], darts: int) -> BrokenRun:
-    n, sigma, alpha, place = _at(row, darts)
-    return BrokenRun(n, sigma, alpha, place, LAWS[row[2 + 2 * darts]])
-
-
 def _at(row: list[int], darts: int) -> At:
     """The run of a row."""
     n, *code = row
@@ -186,13 +179,9 @@ def walk(
     The class is ``maps``, the lighthouse directional, all laws are checked together, and the
     bound depends on n alone.  A broken world is one in which some law is broken at some place.
 
-    Args:
-        level: as for :func:`judge`, and so are the others.
-        prefix: the first decisions.
-        keep: the number of broken worlds that are kept, each the least of its map.
-        reached: an array that knows, by vertices, costs that other pieces have met, and learns
-            those of this one; where this one costs less, it looks for no most expensive run.
-        halt: an array; once its entry 0 is not 0 the work is given up.
+    The arguments are those of :func:`judge`.  The array ``reached`` knows, by vertices, costs that
+    other pieces have met, and learns those of this one; where this one costs less, it looks for no
+    most expensive run.
 
     Cost: less than 100 ns a world; constant memory.
     """
@@ -258,21 +247,13 @@ def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
 
 
 def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, int]:
-    events = dict.fromkeys(EVENTS, 0)
-    for n, row in enumerate(rows):
-        ended = row[walks.WORLDS] - row[walks.FAILURES]
-        loops = (edges - n + 1) * ended
-        for event, times in (
-            ("case-1", row[walks.CASES_1]),
-            ("case-2", row[walks.CASES_2]),
-            ("case-3", loops),
-            ("v0-hypothesis", row[walks.TESTS_AT_V0]),
-            ("empty-H", row[walks.EMPTY_HS]),
-            ("loop", loops),
-            ("non-loop", (n - 1) * ended),
-        ):
-            events[event] += places * times
-    return events
+    counted = [walks.CASES_1, walks.CASES_2, walks.TESTS_AT_V0, walks.EMPTY_HS]
+    case_1, case_2, at_v0, empty = (sum(row[column] for row in rows) for column in counted)
+    ended = [row[walks.WORLDS] - row[walks.FAILURES] for row in rows]
+    loops = sum((edges - n + 1) * times for n, times in enumerate(ended))
+    others = sum((n - 1) * times for n, times in enumerate(ended))
+    events = case_1, case_2, loops, at_v0, empty, loops, others
+    return {event: places * times for event, times in zip(EVENTS, events, strict=True)}
 
 
 def flag() -> Any:

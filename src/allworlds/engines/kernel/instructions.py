@@ -13,6 +13,9 @@ from typing import Any
 from llvmlite import ir
 from numba import extending, types
 from numba.core.cgutils import raw_memcpy, unpack_tuple
+from numpy import int64
+
+from allworlds.engines.kernel.compiling import inlined
 
 intrinsic: Any = extending.intrinsic
 
@@ -103,6 +106,16 @@ def size(builder, mask):
     return builder.ctpop(mask)
 
 
+@inlined
+def neighbours(graph, front):
+    """The vertices that are joined in ``graph.adjacent`` to one of the front, as a set."""
+    joined = 0
+    while front:
+        joined |= graph.adjacent[lowest(front)]
+        front &= front - 1
+    return joined
+
+
 def _at(builder: Any, address: Any, index: Any, kind: Any) -> Any:
     """The pointer to the number of that kind with this index, from the address on."""
     return builder.gep(builder.inttoptr(address, kind.as_pointer()), [index])
@@ -124,13 +137,6 @@ def put_entry(builder, address, index, value):
 def byte_of(builder, address, index):
     """The byte number ``index`` from the address on."""
     return builder.zext(builder.load(_at(builder, address, index, _BYTE)), _LONG)
-
-
-@expression
-def word_of(builder, address, index):
-    """The eight bytes from ``index`` bytes behind the address on, as one integer."""
-    word = builder.bitcast(_at(builder, address, index, _BYTE), _LONG.as_pointer())
-    return builder.load(word, align=1)
 
 
 @statement
@@ -167,6 +173,18 @@ def narrow(builder, target, source, count):
     builder.store(narrowed, _at(builder, target, number(0), narrowed.type), align=1)
     odd = builder.icmp_unsigned(">", wanted, ir.Constant(entries, [255] * LANES))
     return builder.zext(builder.bitcast(odd, lanes), _LONG)
+
+
+@inlined
+def narrow_map(target, sigma, alpha, darts):
+    """Copy sigma, and alpha behind it, to bytes; the value is not 0 if one of them is no byte."""
+    odd = int64(0)
+    # What is written too much of sigma is written over.
+    for source in (sigma, alpha):
+        for dart in range(0, darts, LANES):
+            odd |= narrow(target + dart, source + 4 * dart, darts - dart)
+        target += darts
+    return odd
 
 
 WIDE_LANES = 32

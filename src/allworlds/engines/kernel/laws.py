@@ -23,14 +23,13 @@ from numpy import int64
 from allworlds.engines.kernel.capabilities import LONG
 from allworlds.engines.kernel.compiling import inlined, inner
 from allworlds.engines.kernel.instructions import (
-    LANES,
     address_of,
     byte_of,
     copy_bytes,
     entry_of,
     lowest,
     moved,
-    narrow,
+    narrow_map,
     put_entry,
     size as size_of,
     unlike,
@@ -58,14 +57,9 @@ NODE = DARTS.bit_length() - 1
 
 @inner
 def look_at(judged, published, world, dart, walked):
-    """Note which of the laws this checkpoint breaks.
+    """Note which of the laws this checkpoint breaks; ``alpha[d] == d`` is an open dart of S.
 
-    Args:
-        judged: the notes.
-        published: sigma, alpha and the robot's dart; ``alpha[d] == d`` is an open dart.
-        world: the truth.
-        dart: the robot's true dart.
-        walked: the darts of the edges walked so far, as a set.
+    The robot is truly at the dart, and the darts of the edges walked so far are a set.
     """
     if _grown(judged, published, world, dart, walked):
         explored = judged.explored
@@ -101,23 +95,9 @@ def _look_anew(judged, published, world, dart, walked):
     return explored
 
 
-@inlined
-def variant_at_the_end(judged):
-    """Check that the variant has ended at 0, if S was ever published."""
-    if judged.shown and judged.t != 0:
-        judged.broken |= 1 << VARIANT
-
-
 @inner
 def answer_law(published, world, dart, judged):
-    """The law that the answer breaks (no-estimate, map or pose), or 0.
-
-    Args:
-        published: sigma, alpha and ``here``.
-        world: the truth.
-        dart: the robot's true dart.
-        judged: the notes on the checkpoints.
-    """
+    """The law that the answer breaks (no-estimate, map or pose), or 0."""
     size, here = int64(published.darts), int64(published.here)
     fits = size == world.darts and 0 <= here < size
     if fits and _grown(judged, published, world, dart, -1) and judged.explored == size:
@@ -149,11 +129,8 @@ def _bytes_of(judged, published):
     """The address of its sigma as bytes, with alpha behind it; 0 if that is not possible."""
     if published.bytes:
         return published.bytes
-    darts, odd, sigma = int64(published.darts), int64(0), address_of(judged.bytes)
-    for dart in range(0, darts, LANES):
-        odd |= narrow(sigma + dart, published.sigma + 4 * dart, darts - dart)
-    for dart in range(0, darts, LANES):
-        odd |= narrow(sigma + darts + dart, published.alpha + 4 * dart, darts - dart)
+    sigma = address_of(judged.bytes)
+    odd = narrow_map(sigma, published.sigma, published.alpha, int64(published.darts))
     return int64(0) if odd else sigma
 
 
@@ -315,20 +292,14 @@ def _is_map(published, judged):
 @inner
 def folds(world, log, fold):
     """Whether no dart of the folded log is open; the log is that of a directional lighthouse."""
-    _begin(world, fold)
+    fold.parent[0] = fold.linked[0] = fold.node = 0
+    fold.open = world.degree[0]
+    fold.nodes = 1
     for step in range(log.cost):
         _step(world, fold, log.arrived[step])
         if fold.open == 0:
             return True
     return False
-
-
-@inlined
-def _begin(world, fold):
-    """Begin with the node of v0 alone."""
-    fold.parent[0] = fold.linked[0] = fold.node = 0
-    fold.open = world.degree[0]
-    fold.nodes = 1
 
 
 @inlined

@@ -13,11 +13,11 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from numba import int32, types
-from numpy import array, asarray, frombuffer, int32 as c_int, int64, uint8
+from numpy import array, frombuffer, int32 as c_int, int64, uint8
 from numpy.random import default_rng
 
 from allworlds import log as codes
-from allworlds.engines.kernel import capabilities as names
+from allworlds.engines.kernel import capabilities as names, records as layout
 from allworlds.engines.kernel.compiling import RECORD, callback, entry, inlined, inner
 from allworlds.engines.kernel.instructions import (
     LANES,
@@ -26,9 +26,10 @@ from allworlds.engines.kernel.instructions import (
     byte_of,
     call,
     entry_of,
-    narrow,
+    narrow_map,
     put_word,
 )
+<<<<<<< HEAD
 from allworlds.engines.kernel.records import (
     ASKED,
     DEGREE,
@@ -43,11 +44,10 @@ from allworlds.engines.kernel.records import (
     Stretch,
     new,
 )
+=======
+from allworlds.engines.kernel.records import LIBRARY, NONE, Stretch, new
+>>>>>>> kern
 from allworlds.explorers import NativeExplorer, threads_left, threads_now
-
-# The addresses of an explorer, in their order.  There are two rooms for sigma and alpha, which take
-# turns: who reads what has just been written, in other portions, waits for it to get to memory.
-START, STEP, ANSWER_OF, CHOOSE, STATE, SENSED, ACTED, HERE, PICK, CONTEXT, SIGMA, ALPHA = range(12)
 
 LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS + LANES
 """The largest number of bytes that are written in one step."""
@@ -56,18 +56,15 @@ span = inlined(codes.span)
 
 
 class Handed(NamedTuple):
-    """A native explorer.
+    """A native explorer."""
 
-    Attributes:
-        addresses: its own, and those of what is handed to it.
-        percept, action, here: the exchanged values, in memory of their own.
-        beat: the number of the current run, and the explorer's turns in it.
-    """
-
-    addresses: Any
+    # A record of ``LIBRARY``.
+    library: Any
+    # The exchanged values, in memory of their own.
     percept: Any
     action: Any
     here: Any
+    # The number of the current run, and the explorer's turns in it.
     beat: Any
 
 
@@ -82,7 +79,7 @@ class LibraryPlayer:
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
         functions = [*explorer.library.addresses().values(), explorer.state()]
         self._memory = explorer.handed()  # it is the explorer's for good
-        self._handed, self._asked = _handed(functions, self._memory, beat)
+        self._handed = _handed(functions, self._memory, beat)
         self._memories: dict[int, Stretch] = {}
         self._threads = threads_now()
 
@@ -92,16 +89,16 @@ class LibraryPlayer:
         if edges not in self._memories:
             self._memories[edges] = Stretch(mmap.mmap(-1, Stretch.size(edges)), edges)
         memory = self._memories[edges]
-        memory.heads[:runs] = frombuffer(batch["heads"], c_int).reshape(runs, HEAD)
+        memory.heads[:runs] = frombuffer(batch["heads"], c_int).reshape(runs, layout.HEAD)
         if again:
             sensed = frombuffer(batch["percepts"], uint8)
             memory.percepts[: len(sensed)] = sensed
             memory.starts[:runs] = frombuffer(batch["starts"], c_int)[:runs]
         else:
             memory.worlds[:runs] = frombuffer(batch["worlds"], uint8).reshape(runs, -1)
-        self._asked.policy = names.POLICIES[batch["policy"]]
+        self._handed.library.policy = names.POLICIES[batch["policy"]]
         order = default_rng(batch["seed"]).permutation(runs)
-        size = int(play(self._handed, self._asked, memory.shared, order, again))
+        size = int(play(self._handed, memory.shared, order, again))
         left = threads_left(self._threads)
         self._threads += left
         if size < 0 or left:
@@ -116,79 +113,79 @@ def _in_order(begins: list[int], size: int, logs: Any) -> bytes:
     return b"".join([*(len(part).to_bytes(4, "little") for part in parts), *parts])
 
 
-def _handed(functions: Sequence[int], memory: Sequence[Any], beat: Any) -> tuple[Handed, Any]:
-    """An explorer for compiled code, and the record that answers its choices.
+def _handed(functions: Sequence[int], memory: Sequence[Any], beat: Any) -> Handed:
+    """An explorer for compiled code.
 
     Args:
         functions: the addresses of start, step, answer, choose (0: none), and of its state.
         memory: percept, action, here, and twice sigma and alpha.
         beat: the number of the current run, and the explorer's turns in it.
     """
-    asked = new(ASKED)
+    library = new(LIBRARY)
     parts = [frombuffer(part, c_int) for part in memory]
     percept, action, here, *rooms = parts
-    asked.room = len(rooms[0])
-    exchanged, lists = ([part.ctypes.data for part in some] for some in (parts[:3], rooms))
-    choices = pick_address(), asarray(asked).ctypes.data
-    addresses = array([*functions, *exchanged, *choices, *lists], int64)
-    return Handed(addresses, percept, action, here, frombuffer(beat, int64)), asked
+    library.start, library.step, library.answer, library.choose, library.state = functions
+    library.percept, library.action = percept.ctypes.data, action.ctypes.data
+    library.here, library.pick = here.ctypes.data, pick_address()
+    library.sigma, library.alpha = ([each.ctypes.data for each in rooms[i::2]] for i in range(2))
+    library.room = len(rooms[0])
+    return Handed(library, percept, action, here, frombuffer(beat, int64))
 
 
 def load_player() -> None:
     """Load or compile the code by which a library plays."""
     memory = [bytearray(4 * length) for length in (3, 2, 1, 1, 1, 1, 1)]
-    handed, asked = _handed([0] * 5, memory, bytearray(16))
+    handed = _handed([0] * 5, memory, bytearray(16))
     no_runs = Stretch(mmap.mmap(-1, Stretch.size(1)), 1).shared
-    play(handed, asked, no_runs, array([], int64), again=False)
+    play(handed, no_runs, array([], int64), again=False)
 
 
 @entry
-def play(handed, asked, shared, order, again):
-    """Play runs; return the number of bytes of their logs, -1 if there is no room.
+def play(handed, shared, order, again):
+    """Play runs in this order; return the number of bytes of their logs, -1 if there is no room.
 
-    Args:
-        handed: the explorer.
-        asked: answers its choices; a record of :data:`~allworlds.engines.kernel.records.ASKED`.
-        shared: runs that have been laid out; the logs are written, and where each begins.
-        order: the runs, in the order in which they are played.
-        again: whether they are played without a world, against the percepts of the first play.
+    If they are played again it is without a world, against the percepts of the first play.
     """
     at, due = int64(0), NOTHING_DUE
     for run in order:
         shared.begins[run] = at
-        at, due = _episode(handed, asked, shared, run, again, at, due)
+        at, due = _episode(handed, shared, run, again, at, due)
         if at < 0:
             return -1
     handed.beat[1] = 0
-    _write(handed.addresses, shared.logs, due)
+    _write(handed.library, shared.logs, due)
     return at
 
 
 @inlined
-def _episode(handed, asked, shared, run, again, at, due):
+def _episode(handed, shared, run, again, at, due):
     """Play an episode; return where its log ends, -1 if there is no room, and what is due."""
-    explorer, action, head, logs = handed.addresses, handed.action, shared.heads[run], shared.logs
+    explorer, action, head, logs = handed.library, handed.action, shared.heads[run], shared.logs
     cost, shown, turn = 0, 0, 1
     # Where three bytes are for each percept, and which of them is the present one.
     place, sensed = int64(0), int64(0)
     if again:
         sensed = address_of(shared.percepts) + int64(shared.starts[run])
     else:
-        sensed = address_of(shared.worlds) + run * shared.worlds.shape[1] + DEGREE
+        sensed = address_of(shared.worlds) + run * shared.worlds.shape[1] + layout.DEGREE
     _sense(sensed + place, handed.percept)
+<<<<<<< HEAD
     handed.beat[0], handed.beat[1] = run, 1
     _begin(explorer, action, asked, head)
+=======
+    _begin(explorer, action, head, handed.beat)
+>>>>>>> kern
     while True:
         turn += 1
         handed.beat[1] = turn
         if at + LONGEST_ENTRY > len(logs):
             return int64(-1), due
         kind = action[0]
-        if asked.wrong:
+        if explorer.wrong:
             logs[at] = codes.BEYOND
             break
         if kind == names.MOVE:
-            if cost == head[RUN_BUDGET]:
+            if cost == head[layout.RUN_BUDGET]:
                 logs[at] = codes.OVER_BUDGET
                 break
             degree, motion = byte_of(sensed, place), int64(action[1])
@@ -198,7 +195,7 @@ def _episode(handed, asked, shared, run, again, at, due):
             at += 1
             if not again:
                 place = _arrival(sensed, place, motion, degree)
-            elif cost < head[RUN_MOTIONS]:
+            elif cost < head[layout.RUN_MOTIONS]:
                 place += 3
             else:
                 # The first play ended here.
@@ -206,16 +203,16 @@ def _episode(handed, asked, shared, run, again, at, due):
                 break
             _sense(sensed + place, handed.percept)
             cost += 1
-        elif kind == names.CHECKPOINT and shown <= head[RUN_BUDGET]:
+        elif kind == names.CHECKPOINT and shown <= head[layout.RUN_BUDGET]:
             shown += 1
-            at, due = _publish(handed, asked, logs, at, codes.SHOWN, due)
+            at, due = _publish(handed, logs, at, codes.SHOWN, due)
             if due[0] < 0:
                 break
         else:
-            at, due = _end(handed, asked, logs, at, due)
+            at, due = _end(handed, logs, at, due)
             break
         action[0] = action[1] = 0
-        call(explorer[STEP], (explorer[STATE], explorer[SENSED], explorer[ACTED]))
+        call(explorer.step, (explorer.state, explorer.percept, explorer.action))
     return at + 1, due
 
 
@@ -230,29 +227,38 @@ def _sense(address, percept):
 @inlined
 def _arrival(sensed, place, motion, degree):
     """The place of the percept behind the motion, in a laid-out world."""
-    leaving = place + WIDE * motion
-    if leaving >= WIDE * (byte_of(sensed, place + FIRST - DEGREE) + degree):
-        leaving -= WIDE * degree
-    return WIDE * byte_of(sensed, leaving + PARTNER - DEGREE)
+    leaving = place + layout.WIDE * motion
+    if leaving >= layout.WIDE * (byte_of(sensed, place + layout.FIRST - layout.DEGREE) + degree):
+        leaving -= layout.WIDE * degree
+    return layout.WIDE * byte_of(sensed, leaving + layout.PARTNER - layout.DEGREE)
 
 
 @inlined
+<<<<<<< HEAD
 def _begin(explorer, action, asked, head):
     """Let the explorer take the first step of an episode."""
     asked.wrong = 0
     if explorer[CHOOSE]:
         call(explorer[CHOOSE], (explorer[STATE], explorer[PICK], explorer[CONTEXT]))
+=======
+def _begin(explorer, action, head, beat):
+    """Let the explorer take the first step of an episode."""
+    beat[0], beat[1] = head[layout.RUN_NUMBER], 1
+    explorer.wrong = 0
+    if explorer.choose:
+        call(explorer.choose, (explorer.state, explorer.pick, explorer))
+>>>>>>> kern
     action[0] = action[1] = 0
-    told = int32(head[RUN_TOLD])
-    call(explorer[START], (explorer[STATE], explorer[SENSED], told, explorer[ACTED]))
+    told = int32(head[layout.RUN_TOLD])
+    call(explorer.start, (explorer.state, explorer.percept, told, explorer.action))
 
 
 @inlined
-def _end(handed, asked, logs, at, due):
+def _end(handed, logs, at, due):
     """Write the end of the log, with an answer or without; return its place, and what is due."""
     kind = handed.action[0]
     if kind == names.ANSWER_READY:
-        at, due = _publish(handed, asked, logs, at, codes.ANSWERED, due)
+        at, due = _publish(handed, logs, at, codes.ANSWERED, due)
         if due[0] >= 0:
             at -= 1
     elif kind == names.CHECKPOINT:
@@ -271,25 +277,16 @@ NOTHING_DUE = (int64(-1), int64(0), int64(0))
 
 
 @inlined
-def _publish(handed, asked, logs, at, what, due):
+def _publish(handed, logs, at, what, due):
     """Write a published map; return the place behind it, and the address of the map that is due.
 
     If the map does not fit, BEYOND is written, and no map is due.
     """
-    explorer, here, room = handed.addresses, handed.here, 1 - due[1]
+    explorer, here, room = handed.library, handed.here, 1 - due[1]
     here[0] = NONE
-    darts = int64(
-        ask(
-            explorer[ANSWER_OF],
-            (
-                explorer[STATE],
-                int32(asked.room),
-                explorer[SIGMA + 2 * room],
-                explorer[ALPHA + 2 * room],
-                explorer[HERE],
-            ),
-        )
-    )
+    sigma, alpha = explorer.sigma[room], explorer.alpha[room]
+    arguments = explorer.state, int32(explorer.room), sigma, alpha, explorer.here
+    darts = int64(ask(explorer.answer, arguments))
     _write(explorer, logs, due)
     if darts < 1 or darts > codes.MOST_DARTS or here[0] < 0 or here[0] > 255:
         logs[at] = codes.BEYOND
@@ -304,27 +301,22 @@ def _write(explorer, logs, due):
     at, room, darts = due
     if at < 0:
         return
-    odd, sigma = int64(0), address_of(logs) + at + 3
-    # What is written too much of sigma is written over.
-    for dart in range(0, darts, LANES):
-        odd |= narrow(sigma + dart, explorer[SIGMA + 2 * room] + 4 * dart, darts - dart)
-    for dart in range(0, darts, LANES):
-        odd |= narrow(sigma + darts + dart, explorer[ALPHA + 2 * room] + 4 * dart, darts - dart)
-    if odd:
+    target = address_of(logs) + at + 3
+    if narrow_map(target, explorer.sigma[room], explorer.alpha[room], darts):
         logs[at] = codes.BEYOND
 
 
-def pick(asked, of, options, cost):  # pragma: no cover  # compiled
+def pick(library, of, options, cost):  # pragma: no cover  # compiled
     """Answer ``allworlds_pick`` by the policy."""
     if options < 1 or of < 0 or of > 3:
-        asked.wrong = 1
+        library.wrong = 1
         return int32(0)
     if of != 0:
         return int32(0)
-    if asked.policy == names.LIFO:
+    if library.policy == names.LIFO:
         return int32(options - 1)
     taken = 0
-    if asked.policy == names.NEAREST and cost:
+    if library.policy == names.NEAREST and cost:
         for i in range(1, options):
             if entry_of(cost, i) < entry_of(cost, taken):
                 taken = i
@@ -334,4 +326,4 @@ def pick(asked, of, options, cost):  # pragma: no cover  # compiled
 @cache
 def pick_address() -> int:
     """The address of the compiled answers."""
-    return callback(pick, types.int32(RECORD(ASKED), types.int32, types.int32, types.int64))
+    return callback(pick, types.int32(RECORD(LIBRARY), types.int32, types.int32, types.int64))

@@ -186,8 +186,17 @@ JOB = _record(
 )
 """A unit of work on its way."""
 
-ASKED = _record((int64, "policy wrong room"))
-"""How a native explorer's choices are answered, whether one was illegal; darts of its sigma."""
+LIBRARY = _record(
+    # Addresses: of its functions, its state, what is exchanged, and what answers its choices.
+    (int64, "start step answer choose state percept action here pick"),
+    # Two rooms for sigma and alpha, which take turns: who reads what has just been written, in
+    # other portions, waits for it to get to memory.  How many darts they hold.
+    (int64, "sigma alpha", 2),
+    (int64, "room"),
+    # How choices are answered, and whether one was illegal.
+    (int64, "policy wrong"),
+)
+"""A native explorer, as a player calls it."""
 
 READER = _record(
     # The logs: where they are, how long they are, and where that of each run begins.
@@ -272,18 +281,14 @@ SCHEDULES = _record(
 
 
 class Kept(NamedTuple):
-    """Runs that are kept, as rows: n, the code, the place, the law's number, the unrooted code.
+    """Runs that are kept, as rows: n, the code, the place, the law's number, the unrooted code."""
 
-    Attributes:
-        most_expensive: by n, the least of the runs that cost most; without an unrooted code.
-        least: the least runs that break a law, ascending.
-        row: room for one of these.
-        listed: room for something about each run, as far as it goes.
-    """
-
+    # By n, the least of the runs that cost most; without an unrooted code.
     most_expensive: Any
+    # The least runs that break a law, ascending; room for one of them.
     least: Any
     row: Any
+    # Room for something about each run, as far as it goes.
     listed: Any
 
 
@@ -316,19 +321,16 @@ LOG_BYTES = 1 << 20
 
 
 class Shared(NamedTuple):
-    """The memory of a batch as compiled code gets it.
+    """The memory of a batch as compiled code gets it."""
 
-    Attributes:
-        heads: of each run its budget, the number told, its number, and that of its motions.
-        worlds: of each run its world, dart by dart; not for plays against records.
-        percepts, starts: the percepts, three bytes each, and where those of a run begin.
-        logs, begins: the logs, and where that of each run begins.
-    """
-
+    # Of each run its budget, the number told, its number, and that of its motions.
     heads: Any
+    # Of each run its world, dart by dart; not for plays against records.
     worlds: Any
+    # The percepts, three bytes each, and where those of a run begin.
     percepts: Any
     starts: Any
+    # The logs, and where that of each run begins.
     logs: Any
     begins: Any
 

@@ -13,9 +13,6 @@ from allworlds.judging import paper_bound
 UNBOUNDED = 1 << 40
 """The number in place of no bound: more than any walk costs."""
 
-_NOTHING = -1
-"""The number in place of all smaller bounds: less than any walk costs."""
-
 
 class Tables(NamedTuple):
     """The tables of one level.
@@ -63,8 +60,8 @@ def gluing_rule(edges: int) -> Any:
 
 
 def packed(bound: int | None) -> int:
-    """Clamp a bound to the kernel's integers; no verdict changes."""
-    return UNBOUNDED if bound is None else max(_NOTHING, min(bound, UNBOUNDED))
+    """Clamp a bound to the kernel's integers; no verdict changes, as every walk costs 0 or more."""
+    return UNBOUNDED if bound is None else max(-1, min(bound, UNBOUNDED))
 
 
 class LevelBounds(Struct, frozen=True):
@@ -153,12 +150,10 @@ class At(NamedTuple):
 
 
 class BrokenRun(Struct, frozen=True):
-    """A run that breaks a law, in canonical numbering.
+    """A run that breaks a law, in canonical numbering, as :class:`At`.
 
     Attributes:
-        vertices: n.
-        sigma, alpha: the map, rooted at dart 0.
-        place: the number of the lighthouse's place; None for every place.
+        place: None for every place.
         law: the law's name; empty if the engine does not tell laws apart.
     """
 

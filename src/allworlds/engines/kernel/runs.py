@@ -22,7 +22,7 @@ from allworlds.engines.kernel.code import blame, is_less, note
 from allworlds.engines.kernel.compiling import RECORD, entry, inlined, inner
 from allworlds.engines.kernel.gluing import advance
 from allworlds.engines.kernel.instructions import address_of, byte_of, call, entry_of, put_entry
-from allworlds.engines.kernel.laws import answer_law, folds, look_at, variant_at_the_end
+from allworlds.engines.kernel.laws import answer_law, folds, look_at
 from allworlds.engines.kernel.records import LOG_BYTES, NONE, READER, Kept
 from allworlds.engines.kernel.worlds import arrival, doubled, settle
 
@@ -40,27 +40,22 @@ UNDEFINED = -(1 << 62)
 
 
 class UnitArrays(NamedTuple):
-    """The arrays of a unit: what is asked for, and its results.
+    """The arrays of a unit: what is asked for, and its results."""
 
-    Attributes:
-        prefix: the decisions that the gluing of each map of the unit begins with.
-        viable: by darts owed and darts open after a decision: a map can still be finished.
-        bounds: the largest legal cost by vertices, degree of v0 and largest degree; the latter
-            two have one entry where the bound does not depend on them.
-        met: of the same shape; 1 where there was a run.
-        budgets: the largest number of traversals, by vertices.
-        counts: the tally, added to.
-        kept: the runs that are kept, and those that are listed.
-        beat: the number of the current run, and the explorer's turns in it.
-    """
-
+    # The decisions that the gluing of each map of the unit begins with.
     prefix: Any
+    # By darts owed and darts open after a decision: a map can still be finished.
     viable: Any
+    # The largest legal cost by vertices, degree of v0 and largest degree; the latter two have one
+    # entry where the bound does not depend on them.  Where there was a run, ``met`` is 1.
     bounds: Any
     met: Any
+    # The largest number of traversals, by vertices; the tally, added to.
     budgets: Any
     counts: Any
+    # The runs that are kept, and those that are listed.
     kept: Kept
+    # The number of the current run, and the explorer's turns in it.
     beat: Any
 
 
@@ -68,11 +63,7 @@ class UnitArrays(NamedTuple):
 def examine(job, player, unit, halt):
     """Examine a unit; return whether it is done, else it was given up or reached ``job.until``.
 
-    Args:
-        job: a new record with the request filled in.
-        player: of one of the two kinds.
-        unit: the arrays, a :class:`UnitArrays`.
-        halt: ``halt[0]`` is not 0 once the work is to be given up.
+    The player is an explorer or a reader; ``halt[0]`` is not 0 once the work is to be given up.
     """
     g, world, counts = job.gluing, job.world, unit.counts
     while halt[0] == 0 and job.number < job.until:
@@ -80,7 +71,10 @@ def examine(job, player, unit, halt):
             return True
         settle(world, g)
         n = world.vertices
-        _count_world(world, counts)
+        kinds = doubled(world)
+        counts[n, WORLDS] += 1
+        counts[n, LOOP_EDGE] += kinds & 1
+        counts[n, PARALLEL_EDGE] += kinds >> 1
         call(job.lighthouse, (world,))
         if world.place == NONE:
             counts[n, LEFT_OUT] += 1
@@ -101,15 +95,6 @@ def examine(job, player, unit, halt):
             job.number += 1
             call(job.lighthouse, (world,))
     return False
-
-
-@inlined
-def _count_world(world, counts):
-    """Add a world to the tally."""
-    n, kinds = world.vertices, doubled(world)
-    counts[n, WORLDS] += 1
-    counts[n, LOOP_EDGE] += kinds & 1
-    counts[n, PARALLEL_EDGE] += kinds >> 1
 
 
 @inlined
@@ -167,12 +152,11 @@ def _judged_run(job, player, budget, bound, beat):
     law = answer_law(log.published, world, log.dart, judged)
     if law == laws.NO_ESTIMATE or (law and checked >> law & 1):
         return law
-    variant_at_the_end(judged)
-    broken = judged.broken & checked
-    if broken:
-        for law in (laws.INVARIANT_1, laws.INVARIANT_2, laws.VARIANT):
-            if broken >> law & 1:
-                return law
+    if judged.shown and judged.t != 0:
+        judged.broken |= 1 << laws.VARIANT
+    for law in (laws.INVARIANT_1, laws.INVARIANT_2, laws.VARIANT):
+        if judged.broken & checked & 1 << law:
+            return law
     if checked >> laws.FOLDING & 1 and not folds(world, log, job.fold):
         return laws.FOLDING
     if checked >> laws.BOUND & 1 and log.cost > bound:
@@ -217,7 +201,10 @@ def _meet(world, explorer, budget, beat, log, judged):
         if action.kind == MOVE:
             if log.cost == budget:
                 return laws.BUDGET
-            dart = arrival(world, dart, _reduced(action.motion, world.degree[dart]))
+            motion, degree = action.motion, world.degree[dart]
+            if motion < 0 or motion >= degree:
+                motion %= degree
+            dart = arrival(world, dart, motion)
             _sense(world, dart, percept)
             log.arrived[log.cost] = dart
             log.cost += 1
@@ -244,14 +231,6 @@ def _sense(world, dart, percept):
     percept.degree = world.degree[dart]
     percept.marks = world.marks[dart]
     percept.bearing = world.bearing[dart]
-
-
-@inlined
-def _reduced(motion, degree):
-    """The motion modulo the degree."""
-    if 0 <= motion < degree:
-        return motion
-    return motion % degree
 
 
 span = inlined(codes.span)
@@ -310,13 +289,8 @@ def _note(reader, at, world, dart):
     if at + 4 > LOG_BYTES:
         reader.strange += 1
     else:
-        put_entry(reader.percepts + at, 0, percept_of(world, dart))
-
-
-@inlined
-def percept_of(world, dart):
-    """The percept on arriving by the dart, in three bytes."""
-    return world.degree[dart] | world.marks[dart] << 8 | (world.bearing[dart] + 1) << 16
+        percept = world.degree[dart] | world.marks[dart] << 8 | (world.bearing[dart] + 1) << 16
+        put_entry(reader.percepts + at, 0, percept)
 
 
 @inlined

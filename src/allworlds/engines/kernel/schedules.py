@@ -25,7 +25,7 @@ from numpy import array, int64, zeros
 from allworlds.engines.kernel.code import encode, keep_least
 from allworlds.engines.kernel.compiling import entry, inner
 from allworlds.engines.kernel.gluing import advance, rule_address
-from allworlds.engines.kernel.instructions import lowest
+from allworlds.engines.kernel.instructions import lowest, neighbours
 from allworlds.engines.kernel.records import SCHEDULES, new
 from allworlds.engines.kernel.rows import gluing_rule
 from allworlds.engines.kernel.worlds import settle
@@ -42,21 +42,16 @@ _FAR = 1 << 30
 
 
 class Rooms(NamedTuple):
-    """The arrays of a search.
+    """The arrays of a search."""
 
-    Attributes:
-        worst, best: room for a cost by sets of edges and vertices.
-        reached: room for a set of vertices by sets of edges.
-        counts: by vertices; sums are added to, maxima raised.
-        rows: ``rows[vertices]``: vertices, then the least code of a world that attains the
-            worst cost; 0 for none yet.
-        row, other: room for two such rows.
-    """
-
+    # Room for a cost by sets of edges and vertices, and for a set of vertices by sets of edges.
     worst: Any
     best: Any
     reached: Any
+    # By vertices; sums are added to, maxima raised.
     counts: Any
+    # By vertices: their number (0: none yet), then the least code of a world that attains the worst
+    # cost; room for two such rows.
     rows: Any
     row: Any
     other: Any
@@ -66,13 +61,8 @@ class Rooms(NamedTuple):
 def search(job, prefix, viable, rooms, halt):
     """Search all schedules in every map whose gluing begins with ``prefix``.
 
-    Args:
-        job: a record of :data:`~allworlds.engines.kernel.records.SCHEDULES`; its gluing is new
-            but for what is asked for.
-        prefix: the first decisions.
-        viable: the gluing rule.
-        rooms: the results, and room.
-        halt: ``halt[0]`` is not 0 once the work is to be given up.
+    The job is a record of ``SCHEDULES``; its gluing is new but for what is asked for.  ``halt[0]``
+    is not 0 once the work is to be given up.
     """
     while not halt[0] and advance(job.gluing, prefix, viable):
         settle(job.world, job.gluing)
@@ -273,11 +263,7 @@ def _joined(job, start, avoiding):
     """Whether a walk in S leads from start to v0 without the vertices to be avoided."""
     reached = front = 1 << start
     while front:
-        after = 0
-        while front:
-            after |= job.adjacent[lowest(front)]
-            front &= front - 1
-        front = after & ~reached & ~avoiding
+        front = neighbours(job, front) & ~reached & ~avoiding
         reached |= front
     return reached & 1
 
@@ -289,11 +275,7 @@ def _shortest(job, start, length):
     length[start] = steps = 0
     while front:
         steps += 1
-        after = 0
-        while front:
-            after |= job.adjacent[lowest(front)]
-            front &= front - 1
-        front = after & ~reached
+        front = neighbours(job, front) & ~reached
         reached |= front
         rest = front
         while rest:

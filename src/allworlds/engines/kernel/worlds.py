@@ -83,11 +83,8 @@ def none(world):  # pragma: no cover  # compiled
 
 def position(world):  # pragma: no cover  # compiled
     """Put one mark at v0: one place."""
-    if world.place == NONE:
-        world.place = 0
-        _mark(world, 0, 1)
-    else:
-        world.place = NONE
+    world.place = 0 if world.place == NONE else NONE
+    _mark(world, 0, 1)
 
 
 def directional(world):  # pragma: no cover  # compiled
