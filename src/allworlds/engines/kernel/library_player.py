@@ -29,24 +29,7 @@ from allworlds.engines.kernel.instructions import (
     narrow_map,
     put_word,
 )
-<<<<<<< HEAD
-from allworlds.engines.kernel.records import (
-    ASKED,
-    DEGREE,
-    FIRST,
-    HEAD,
-    NONE,
-    PARTNER,
-    RUN_BUDGET,
-    RUN_MOTIONS,
-    RUN_TOLD,
-    WIDE,
-    Stretch,
-    new,
-)
-=======
 from allworlds.engines.kernel.records import LIBRARY, NONE, Stretch, new
->>>>>>> kern
 from allworlds.explorers import NativeExplorer, threads_left, threads_now
 
 LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS + LANES
@@ -169,12 +152,8 @@ def _episode(handed, shared, run, again, at, due):
     else:
         sensed = address_of(shared.worlds) + run * shared.worlds.shape[1] + layout.DEGREE
     _sense(sensed + place, handed.percept)
-<<<<<<< HEAD
     handed.beat[0], handed.beat[1] = run, 1
-    _begin(explorer, action, asked, head)
-=======
-    _begin(explorer, action, head, handed.beat)
->>>>>>> kern
+    _begin(explorer, action, head)
     while True:
         turn += 1
         handed.beat[1] = turn
@@ -234,20 +213,11 @@ def _arrival(sensed, place, motion, degree):
 
 
 @inlined
-<<<<<<< HEAD
-def _begin(explorer, action, asked, head):
+def _begin(explorer, action, head):
     """Let the explorer take the first step of an episode."""
-    asked.wrong = 0
-    if explorer[CHOOSE]:
-        call(explorer[CHOOSE], (explorer[STATE], explorer[PICK], explorer[CONTEXT]))
-=======
-def _begin(explorer, action, head, beat):
-    """Let the explorer take the first step of an episode."""
-    beat[0], beat[1] = head[layout.RUN_NUMBER], 1
     explorer.wrong = 0
     if explorer.choose:
         call(explorer.choose, (explorer.state, explorer.pick, explorer))
->>>>>>> kern
     action[0] = action[1] = 0
     told = int32(head[layout.RUN_TOLD])
     call(explorer.start, (explorer.state, explorer.percept, told, explorer.action))
