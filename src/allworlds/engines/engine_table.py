@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable
 from functools import partial
 from typing import Annotated, Any, TypeAlias
@@ -13,7 +12,7 @@ from allworlds.document import one_of, replace
 from allworlds.engines.effort import DaskCluster, Limits
 from allworlds.engines.here import Split, Threads
 from allworlds.engines.lanes import in_any_order, workers_for
-from allworlds.engines.obstacles import COMPILED_FROM, COMPILER, WORTH_LOADING
+from allworlds.engines.obstacles import COMPILED_FROM, COMPILER, WORTH_LOADING, obstacle, walks
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Transport
@@ -49,10 +48,10 @@ class ReadyEngine(Struct, frozen=True):
     engine: Any  # what the transport takes; None where every unit is kept
 
 
-class EngineKind(ABC):
-    """A kind of engine; by default it can do every check, and plays each run."""
+class EngineKind:
+    """The Python engine: every explorer, every option; and the base of other kinds."""
 
-    name: str
+    name = "python"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
         """Return the reason why one run may be counted for several; empty if each is played."""
@@ -62,22 +61,12 @@ class EngineKind(ABC):
         """Return the reason why it cannot do a check; empty if it can."""
         return ""
 
-    @abstractmethod
     def ready(self, job: Job) -> ReadyEngine:
         """Return the engine for this job.
 
         Raises:
             EnginesDisagree: if a comparison shows that it is wrong.
         """
-
-
-class General(EngineKind):
-    """The Python engine: every explorer, every option, generators in worker processes."""
-
-    name = "python"
-
-    def ready(self, job: Job) -> ReadyEngine:
-        """Worker processes where the explorer can be found by its name, else this process."""
         return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep))
 
 
@@ -88,8 +77,6 @@ class Compiled(EngineKind):
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
         """The reason why in large maps one walk is counted for all bearings."""
-        from allworlds.engines.obstacles import walks
-
         if not walks(scope, subject, scope.extent.levels[-1]):
             return ""
         from allworlds.engines.compiled_engine import SYMMETRY
@@ -100,8 +87,6 @@ class Compiled(EngineKind):
         """Return the first option that it does not know, in a sentence; else what it lacks."""
         if subject.from_user and not subject.importable and subject.native is None:
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
-        from allworlds.engines.obstacles import obstacle
-
         return obstacle(scope, subject) or lack_of(*COMPILER)
 
     def ready(self, job: Job) -> ReadyEngine:
@@ -149,7 +134,7 @@ def players_for(job: Job) -> Transport[Any]:
     )
 
 
-ENGINES: dict[str, EngineKind] = {engine.name: engine for engine in (General(), Compiled())}
+ENGINES: dict[str, EngineKind] = {engine.name: engine for engine in (EngineKind(), Compiled())}
 
 EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 """Every engine by its name."""
