@@ -70,9 +70,7 @@ def begin(robot, degree, marks, bearing):
     _add_vertex(robot, degree, marks, bearing)
     if bearing != NONE:
         for dart in range(degree):
-            robot.bearing[dart] = bearing - dart
-            if dart > bearing:
-                robot.bearing[dart] += degree
+            robot.bearing[dart] = (bearing - dart) % degree
 
 
 @inner
@@ -86,9 +84,11 @@ def next_pass(robot, action):
         taken = robot.known - 1
     elif robot.policy != names.FIFO:
         _measure(robot, robot.owner[robot.here])
+        least = robot.length[robot.owner[robot.unexplored[0]]]
         for i in range(1, robot.known):
-            if _far(robot, robot.unexplored[i]) < _far(robot, robot.unexplored[taken]):
-                taken = i
+            length = robot.length[robot.owner[robot.unexplored[i]]]
+            if length < least:
+                taken, least = i, length
     robot.goal = robot.unexplored[taken]
     _plan(robot, robot.owner[robot.here], robot.owner[robot.goal])
     robot.done = 0
@@ -102,7 +102,13 @@ def sense(robot, degree, marks, bearing, action):
         _follow(robot, action)
     elif robot.phase == CROSSING:
         robot.seen_degree, robot.seen_marks, robot.seen_bearing = degree, marks, bearing
-        _suppose(robot)
+        robot.alike = robot.tried = robot.turned = 0
+        for i in range(robot.known):
+            dart = robot.unexplored[i]
+            if dart != robot.goal and _expected(robot, dart, degree, marks, bearing):
+                robot.hypotheses[robot.alike] = dart
+                robot.alike += 1
+        robot.events[names.EMPTY_H] += robot.alike == 0
         next_hypothesis(robot, action)
     elif robot.phase == TESTING:
         if _expected(robot, robot.here, degree, marks, bearing):
@@ -143,21 +149,6 @@ def _expected(robot, dart, degree, marks, bearing):
         and robot.marks[dart] == marks
         and robot.bearing[dart] == bearing
     )
-
-
-@inlined
-def _suppose(robot):
-    """Line 6: the hypotheses H."""
-    robot.alike = robot.tried = robot.turned = 0
-    for i in range(robot.known):
-        dart = robot.unexplored[i]
-        if dart != robot.goal and _expected(
-            robot, dart, robot.seen_degree, robot.seen_marks, robot.seen_bearing
-        ):
-            robot.hypotheses[robot.alike] = dart
-            robot.alike += 1
-    if robot.alike == 0:
-        robot.events[names.EMPTY_H] += 1
 
 
 @inner
@@ -289,12 +280,6 @@ def _measure(robot, goal):
                 robot.length[w] = robot.length[v] + 1
                 robot.queue[known] = w
                 known += 1
-
-
-@inlined
-def _far(robot, dart):
-    """The measured length to the vertex of the dart."""
-    return robot.length[robot.owner[dart]]
 
 
 @inner

@@ -39,8 +39,7 @@ class UnitJudge:
     """The maps of a unit, laid out and judged batch by batch.
 
     Args:
-        level: as for :func:`allworlds.engines.kernel.engine.judge`.
-        prefix: as for :func:`allworlds.engines.kernel.engine.judge`.
+        level, prefix: as for :func:`allworlds.engines.kernel.engine.judge`.
         keep: the number of broken runs that are kept of each batch.
         stretch: the memory for the first play.
         records: for the second.

@@ -62,16 +62,12 @@ def note(world, law, row):
 
 @inner
 def blame(world, law, least, row):
-    """Keep a run that breaks a law, if it is among the least."""
+    """Keep a run that breaks a law, if it is among the least; one of each law and map."""
     note(world, law, row)
-    if _before(row, least, least.shape[0] - 1):
-        _encode_unrooted(world, row, 3 + 2 * world.darts)
-        _keep_least_of_kind(least, row, 2 + 2 * world.darts)
-
-
-@inner
-def _keep_least_of_kind(least, row, kind):
-    """Do :func:`keep_least`, but of the rows that agree from ``row[kind]`` on keep one."""
+    if not _before(row, least, least.shape[0] - 1):
+        return
+    kind = 2 + 2 * world.darts
+    _encode_unrooted(world, row, kind + 1)
     for place in range(least.shape[0]):
         alike = least[place, 0] != 0
         for i in range(kind, len(row)):

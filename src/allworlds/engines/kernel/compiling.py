@@ -12,7 +12,7 @@ from __future__ import annotations
 import gc
 import hashlib
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache, partial
 from pathlib import Path
 from typing import Any, cast
@@ -45,11 +45,9 @@ def callback(function: Callable[..., Any], signature: Any) -> int:
     """A C function with an address; its compiled code is kept if that is possible."""
     options = {"error_model": "numpy", "_nrt": False}
     compiled = CFunc(function, (signature.args, signature.return_type), {}, options)
-    try:
+    with suppress(RuntimeError):  # as above
         compiled.enable_caching()
         _stamped(compiled)
-    except RuntimeError:  # as above
-        pass
     compiled.compile()
     _ALIVE.append(compiled)
     return cast("int", compiled.address)

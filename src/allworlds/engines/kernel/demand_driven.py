@@ -7,11 +7,10 @@ dart is tried in turn: gluing it to another open dart, or to the first dart of a
 Only decisions from which W can be finished are tried.  A walk that ends has met one world, and
 each finished map ends exactly one walk.
 
-What is checked in each pass is what makes I-1, I-2 and the variant hold after it: a new
-vertex of S has not been in S, and a dart closed to a loop leads in W where it leads in S.
-The robot closes a loop only on an arrival at v0 in the dart that the path ends with; that
-arrival also merges the log's node with v0, so the folded log holds every edge of S.  At the
-end S must be all of W.  To come back to a decision only the record ``now`` is copied.
+Each pass checks what makes I-1, I-2 and the variant hold after it: a new vertex of S has not been
+in S, and a dart closed to a loop leads in W where it leads in S.  The robot closes a loop only on
+an arrival at v0 in the dart that the path ends with; that merges the log's node with v0, too, so
+the folded log holds every edge of S.  At the end S must be all of W.
 
 Source: Algorithm 1, Sections IV and V.
 """
@@ -25,12 +24,8 @@ from allworlds.engines.kernel.instructions import copy, highest, lowest, neighbo
 
 # One number holds the cost and the counters of a walk, so that a decision saves one number.
 COST = 0xFFFFF
-ONE_CASE_1 = 1 << 20
-ONE_CASE_2 = 1 << 28
-ONE_AT_V0 = 1 << 36
-ONE_EMPTY_H = 1 << 44
-ONE_LOOP = 1 << 52
-ONE_PARALLEL = 1 << 53
+ONE_CASE_1, ONE_CASE_2, ONE_AT_V0, ONE_EMPTY_H = (1 << bit for bit in (20, 28, 36, 44))
+ONE_LOOP, ONE_PARALLEL = 1 << 52, 1 << 53
 
 EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
 """The phases of a walk: before crossing e; before a step of a path; before the choice of e; before

@@ -26,9 +26,6 @@ from allworlds.engines.kernel.records import JOB, ROBOT, WALK, Kept, new
 from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows, packed
 from allworlds.engines.kernel.worlds import lighthouse_address
 
-EVERY = 1 << 62
-"""A number above that of any run."""
-
 UNDEFINED = runs.UNDEFINED
 """The entry for a bound that has no value."""
 
@@ -114,13 +111,8 @@ def compile_apart(explorer: str) -> None:
 def in_another_process(code: str) -> subprocess.Popen[bytes]:
     """The process, which runs the code; it finds the same modules, and its prints are dropped."""
     program = f"import json, sys; sys.path[:] = json.loads(sys.argv[1]); {code}"
-    nothing = subprocess.DEVNULL
-    return subprocess.Popen(  # noqa: S603  # ours
-        [sys.executable, "-c", program, json.dumps(sys.path)],
-        stdin=nothing,
-        stdout=nothing,
-        stderr=nothing,
-    )
+    command, no = [sys.executable, "-c", program, json.dumps(sys.path)], subprocess.DEVNULL
+    return subprocess.Popen(command, stdin=no, stdout=no, stderr=no)  # noqa: S603  # ours
 
 
 def _room() -> tuple[Any, Any]:
@@ -137,7 +129,7 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
     """Fill the job with the request of the level, from the first run on."""
     job.lighthouse = lighthouse_address(level.lighthouse)
     job.laws = sum(1 << LAWS.index(law) for law in level.laws)
-    job.number, job.until, job.undefined = 0, EVERY, 0
+    job.number, job.until, job.undefined = 0, 1 << 62, 0
     gluing = job.gluing
     gluing.edges, gluing.limit = level.edges, level.limit
     gluing.simple, gluing.planar = level.simple, level.planar

@@ -1,10 +1,10 @@
 """Every rooted map of a class, finished one after the other, in the order of the Python twin.
 
 The oldest open dart is glued to another open dart, partners ascending, or to the first dart of
-a new vertex, degrees ascending.  Only maps that can be finished are begun: the last open dart may
-not close while darts are owed.  For the classes smaller than ``maps`` a rule looks at a partial map
-whose latest decision has joined ``place`` and ``partner`` at its depth, and says whether that is
-legal; it has no memory.  The twin is :mod:`allworlds.maps.enumeration`.
+a new vertex, degrees ascending.  Only maps that can be finished are begun.  For the classes smaller
+than ``maps`` a rule looks at a partial map, and says whether its latest decision is legal.
+
+The twin is :mod:`allworlds.maps.enumeration`.
 """
 
 from __future__ import annotations
@@ -143,16 +143,14 @@ def rule_address() -> int:
 @inner
 def _next_open(g, dart, open_):
     """The open dart behind this one on the boundary of its face."""
-    v = g.owner[dart]
-    dart += 1
     while True:
+        v = g.owner[dart]
+        dart += 1
         if dart == g.first[v] + g.degree[v]:
             dart = g.first[v]
         if open_ >> dart & 1:
             return dart
         dart = g.alpha[dart]
-        v = g.owner[dart]
-        dart += 1
 
 
 @inner

@@ -1,16 +1,14 @@
 """The laws, by number: published maps against the world, the answer, and the folded log.
 
-A published S is embedded into the world by its own data: its ``here`` goes to the robot's true
-dart, and all else follows along sigma and the explored edges.  An embedded S is remembered; of the
-next one only the new part is checked.  An S that Algorithm 1 would not publish (other names,
-several vertices at a time, a dart with another partner than before) is embedded anew, which also
-names the broken law.
+A published S is embedded into the world: its ``here`` goes to the robot's true dart, and all else
+follows along sigma and the explored edges.  An embedded S is remembered; of the next one only the
+new part is checked, or if Algorithm 1 would not publish it, it is embedded anew, which also names
+the broken law.
 
 For the folded log a tree of fresh nodes is walked as the log says; on each arrival at v0 the node
 is merged with v0, aligned by the bearing, and merging goes on where one dart would lead to two
-places.  Merged nodes are one vertex of the true map, since the log is a walk in it: so each node is
-known to be a copy of a vertex there, and its darts have that vertex's names.  Dart d of node v is
-the number ``v << NODE | d``; of each node it is known which of its darts have a known other end.
+places.  Each node is a copy of a vertex of the true map, and its darts have that vertex's names.
+Dart d of node v is the number ``v << NODE | d``.
 
 The twins are :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.

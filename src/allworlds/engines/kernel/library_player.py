@@ -39,15 +39,12 @@ span = inlined(codes.span)
 
 
 class Handed(NamedTuple):
-    """A native explorer."""
+    """A native explorer: its record, the values exchanged with it, and its beat."""
 
-    # A record of ``LIBRARY``.
     library: Any
-    # The exchanged values, in memory of their own.
     percept: Any
     action: Any
     here: Any
-    # The number of the current run, and the explorer's turns in it.
     beat: Any
 
 
@@ -99,10 +96,8 @@ def _in_order(begins: list[int], size: int, logs: Any) -> bytes:
 def _handed(functions: Sequence[int], memory: Sequence[Any], beat: Any) -> Handed:
     """An explorer for compiled code.
 
-    Args:
-        functions: the addresses of start, step, answer, choose (0: none), and of its state.
-        memory: percept, action, here, and twice sigma and alpha.
-        beat: the number of the current run, and the explorer's turns in it.
+    The functions are the addresses of start, step, answer, choose (0: none), and of its state, the
+    memory is percept, action, here, and twice sigma and alpha.
     """
     library = new(LIBRARY)
     parts = [frombuffer(part, c_int) for part in memory]
@@ -278,15 +273,12 @@ def _write(explorer, logs, due):
 
 def pick(library, of, options, cost):  # pragma: no cover  # compiled
     """Answer ``allworlds_pick`` by the policy."""
+    taken = 0
     if options < 1 or of < 0 or of > 3:
         library.wrong = 1
-        return int32(0)
-    if of != 0:
-        return int32(0)
-    if library.policy == names.LIFO:
-        return int32(options - 1)
-    taken = 0
-    if library.policy == names.NEAREST and cost:
+    elif of == 0 and library.policy == names.LIFO:
+        taken = options - 1
+    elif of == 0 and library.policy == names.NEAREST and cost:
         for i in range(1, options):
             if entry_of(cost, i) < entry_of(cost, taken):
                 taken = i

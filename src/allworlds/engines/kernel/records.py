@@ -36,16 +36,13 @@ def _record(*fields: tuple[Any, ...]) -> Any:
 
 
 GLUING = _record(
-    # What is asked for.
-    (int64, "edges limit simple planar"),
-    # The address of the class's rule, or 0; what it says of the latest decision.
-    (int64, "rule possible"),
+    # What is asked for; the address of the class's rule, or 0; what that says of the last decision.
+    (int64, "edges limit simple planar rule possible"),
     # The partial map: partners (NONE: open), vertices of darts, first darts and degrees.
     (int64, "alpha owner first degree", DARTS),
-    (int64, "open darts vertices"),
+    (int64, "open darts vertices depth"),
     # By depth: the dart decided about, its partner, the degree of a vertex added, and what
     # is still to be tried: partners as a set, then degrees.
-    (int64, "depth"),
     (int64, "place partner added untried degree_next degree_last", DEPTHS),
     # Of the rule: by vertices, those joined to each, and its open darts.
     (int64, "neighbours unmatched", DARTS),
@@ -63,19 +60,14 @@ COUNTING = _record(
 """A count: the boundaries of a partial map."""
 
 WORLD = _record(
-    (int64, "darts vertices"),
     # The lighthouse: the number of its place, its dart at v0, what it tells.
-    (int64, "place pointed told"),
-    # The first dart of a dart's vertex, the vertex, and the degree there.
-    (int64, "first owner degree sigma alpha", DARTS),
-    # What is sensed on arriving by a dart.
-    (int64, "marks bearing", DARTS),
-    # By vertices: the first dart.
-    (int64, "root", DARTS),
-    # The canonical order of the darts, and the place of each in it.
-    (int64, "order number", DARTS),
-    # Of the compass: the vertices in that order, and the number of the dart of each.
-    (int64, "met choice", DARTS),
+    (int64, "darts vertices place pointed told"),
+    # By darts: the first dart of the vertex, the vertex, and the degree there; what is sensed on
+    # arriving.  By vertices: the first dart.
+    (int64, "first owner degree sigma alpha marks bearing root", DARTS),
+    # The canonical order of the darts, and the place of each in it.  Of the compass: the vertices
+    # in that order, and the number of the dart of each.
+    (int64, "order number met choice", DARTS),
 )
 """A map with a lighthouse in it."""
 
@@ -115,11 +107,10 @@ ROBOT = _record(
     (int64, "known"),
     (int64, "hypotheses", LONG),
     (int64, "alike"),
-    # Where it stands in S, and how far from the dart of entry it is turned.
-    (int64, "here turned"),
-    # What it is doing: the dart e explored, the hypothesis tested, a path and how much of
-    # it is done, what was sensed behind e, and what stands for the pointed dart.
-    (int64, "phase goal partner tried"),
+    # Where it stands in S, and how far from the dart of entry it is turned.  What it is doing: the
+    # dart e explored, the hypothesis tested, a path and how much of it is done, what was sensed
+    # behind e, and what stands for the pointed dart.
+    (int64, "here turned phase goal partner tried"),
     (int64, "path motions", LONG),
     (int64, "steps done seen_degree seen_marks seen_bearing"),
     (int64, "pointed matched degree_of_v0 degree_of_v1"),
@@ -131,11 +122,9 @@ ROBOT = _record(
 """Algorithm 1 on its way."""
 
 LOG = _record(
-    (int64, "checkpoints"),
     # The robot's true dart at the end, and the darts of the edges walked, as a set.
-    (int64, "dart walked"),
+    (int64, "checkpoints dart walked cost"),
     # The dart arrived by after each motion.
-    (int64, "cost"),
     (int64, "arrived", LONG),
     # The answer, or the S that is shown.
     (ANSWER, "published"),
@@ -174,8 +163,7 @@ JUDGED = _record(
 JOB = _record(
     # What is asked for: the address of the lighthouse, and the laws that are checked, as a set.
     (int64, "lighthouse laws"),
-    # The number of the next run, and that from which on no other world is begun; whether a run
-    # has a bound without a value.
+    # The next run, the one from which on no world is begun; whether a bound has no value.
     (int64, "number until undefined"),
     (GLUING, "gluing"),
     (WORLD, "world"),
@@ -199,12 +187,9 @@ LIBRARY = _record(
 """A native explorer, as a player calls it."""
 
 READER = _record(
-    # The logs: where they are, how long they are, and where that of each run begins.
-    (int64, "logs size begins"),
-    # Where the percepts are noted, how many bytes they are, and where those of each run begin.
-    (int64, "percepts noted starts"),
-    # The next run, and how many logs are not to be judged here.
-    (int64, "run strange"),
+    # Where the logs are, how many bytes, and where that of each run begins; the same of the
+    # percepts, which are noted; the next run, and how many logs are not to be judged here.
+    (int64, "logs size begins percepts noted starts run strange"),
     # Room for an answer, or the S that is shown.
     (int32, "sigma alpha", 256),
 )
@@ -269,13 +254,10 @@ SCHEDULES = _record(
     (int64, "transit"),
     # By darts: the number of the edge; the most expensive and the cheapest way to go on.
     (int64, "edge_of most least", DARTS),
-    # By vertices: those joined in S, and lengths of paths.
-    (int64, "adjacent near far", DARTS),
-    # A path on its way, and its ends: steps until a mismatch.
-    (int64, "at robot turned visited", DARTS),
-    (int64, "shortest longest"),
-    # Different tests, and those of a false hypothesis that matched.
-    (int64, "tests wrong"),
+    # By vertices: those joined in S, and lengths of paths.  A path on its way.
+    (int64, "adjacent near far at robot turned visited", DARTS),
+    # Steps until a mismatch; different tests, and those of a false hypothesis that matched.
+    (int64, "shortest longest tests wrong"),
 )
 """All schedules in one world after the other."""
 

@@ -33,13 +33,9 @@ class Tables(NamedTuple):
 
 
 def tables(edges: int, fuel: int, bounds: Sequence[int | None] = ()) -> Tables:
-    """The tables of the level.
+    """The tables of the level; a walk that costs more than ``fuel`` has failed.
 
-    Args:
-        edges: m.
-        fuel: a walk that costs more has failed.
-        bounds: the largest legal cost for 1, 2, ... vertices, None if there is none;
-            empty takes (1) + (2).
+    The bounds are the largest legal costs for 1, 2, ... vertices, None for none; empty: (1) + (2).
     """
     darts = 2 * edges
     bounds = bounds or [paper_bound(n, edges) for n in range(1, edges + 2)]

@@ -31,9 +31,8 @@ WORLDS, RUNS, TRAVERSALS, TRAVERSALS_ROOTED, LARGEST = range(5)
 CHECKPOINTS, LEFT_OUT, LOOP_EDGE, PARALLEL_EDGE = range(5, 9)
 COLUMNS = 9
 
-# The columns of a listed run.
-LAW, COST, SHOWN, WALK = range(4)
 LISTED = 4
+"""The columns of a listed run: law, cost, checkpoints, and the hash of its walk."""
 
 # What a bound is worth that has no value for some sizes.
 UNDEFINED = -(1 << 62)
@@ -136,7 +135,7 @@ def _list(world, log, law, row):
         before = dart
         for part in (motion, world.degree[dart], world.marks[dart], world.bearing[dart]):
             walk = (walk * 31 + part + 1) % 2147483647
-    row[LAW], row[COST], row[SHOWN], row[WALK] = law, log.cost, log.checkpoints, walk
+    row[0], row[1], row[2], row[3] = law, log.cost, log.checkpoints, walk
 
 
 @inner
@@ -164,7 +163,7 @@ def _judged_run(job, player, budget, bound, beat):
     return 0
 
 
-def play(world: Any, player: Any, budget: int, beat: Any, log: Any, judged: Any) -> int:
+def play(*arguments: Any) -> int:
     """The law that ended the episode, or 0 where there is an answer; ``log`` holds the walk.
 
     The budget is the largest legal number of traversals; one checkpoint more is legal.

@@ -1,16 +1,12 @@
 """The worst and the best cost of Algorithm 1 in each world, over every schedule.
 
-In a fixed world S is determined by the set of explored edges, so the robot's knowledge
-between two passes is a pair (explored edges, robot's vertex), and the robot stands at v0 or
-at the vertex that it has just added, which has one explored edge.  Rejected hypotheses add
-up, whatever their order and wherever the robot was before the pass: what the tests of a pass
-cost is found once for each set and dart, and only the way to the dart depends on the robot.
+The robot's knowledge between two passes is a pair (explored edges, robot's vertex): v0, or the
+vertex that it has just added, which has one explored edge.  Rejected hypotheses add up, whatever
+their order and wherever the robot was: what the tests of a pass cost is found once for each set and
+dart.  Every test on every simple path is carried out, for a false hypothesis must be rejected.
 
-On the way every test on every simple path is carried out: a false hypothesis must be
-rejected.  A true one walks in the world the path that it walks in S, so it always matches.
-
-Since every choice of dart is tried, it makes no difference which dart of v0 the robot faces:
-only the rooted map with the least code among the rootings at v0 is worked on.
+Since every choice of dart is tried, only the rooted map with the least code among the rootings at
+v0 is worked on.
 
 Source: Algorithm 1, Section IV.
 """
@@ -360,12 +356,9 @@ def schedule_costs_of_unit(
     shapes: tuple[Any, ...] = (costs, costs, sets, counts, rows, width, width)
     rooms = Rooms(*(zeros(shape, int64) for shape in shapes))
     search(job, array(prefix, int64), gluing_rule(edges), rooms, halt)
-    found = []
-    for n, (rooted, most, least, tests, wrong) in enumerate(rooms.counts.tolist()):
-        known, *code = rooms.rows[n].tolist()
-        sigma, alpha = (code[: 2 * edges], code[2 * edges :]) if known else ([], [])
-        if rooted:
-            found.append(
-                ScheduleCosts(n, rooted, most, least, tests, wrong, tuple(sigma), tuple(alpha))
-            )
-    return found
+    codes = (code if known else () for known, *code in rooms.rows.tolist())
+    return [
+        ScheduleCosts._make((n, *counted, tuple(code[: 2 * edges]), tuple(code[2 * edges :])))
+        for n, (counted, code) in enumerate(zip(rooms.counts.tolist(), codes, strict=True))
+        if counted[ROOTED]
+    ]

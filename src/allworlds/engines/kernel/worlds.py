@@ -2,9 +2,7 @@
 
 The darts of a vertex are consecutive and clockwise, the start is 0.  Each kind of lighthouse is a
 function that puts it at the next of its places (before the first one ``world.place`` is NONE), or
-says by NONE that there is none left.  The places and their order are those of
-:mod:`allworlds.world.lighthouses`.  Bearings and marks are by darts: those of a robot that has
-arrived by the dart.
+says by NONE that there is none left.  The twin is :mod:`allworlds.world.lighthouses`.
 """
 
 from __future__ import annotations
@@ -185,10 +183,9 @@ def _joined(world, vertex):
 def _unique(world, dart):
     """Whether the degrees at both ends are of one vertex each; only the first dart to it counts."""
     v1 = world.owner[world.alpha[dart]]
-    if _joined(world, v1) > 1:
-        for before in range(dart):
-            if world.owner[world.alpha[before]] == v1:
-                return False
+    for before in range(dart):
+        if world.owner[world.alpha[before]] == v1:
+            return False
     near, far = world.degree[dart], world.degree[world.alpha[dart]]
     alike = 0
     for v in range(world.vertices):
