@@ -20,7 +20,6 @@ from allworlds.engines import (
     ClusterLost,
     Dask,
     Silent,
-    compiled_engine as compiled,
     dask as cluster,
 )
 from allworlds.engines.effort import DaskCluster
@@ -43,28 +42,6 @@ def here():
     """The address of a scheduler whose workers are threads of this process."""
     with cluster_here(distributed) as address:
         yield address
-
-
-@pytest.fixture(autouse=True)
-def _nothing_is_too_small_to_be_sent(monkeypatch):
-    monkeypatch.setattr(compiled, "SOON", 0)
-    monkeypatch.setattr(compiled, "SOON_WALKED", 0)
-
-
-def test_small_levels_are_not_sent(here, monkeypatch):
-    sent = set()
-
-    class Noted(Dask):
-        def map(self, engine, units):
-            for part in super().map(engine, units):
-                sent.add(part.unit.edges)
-                yield part
-
-    monkeypatch.setattr("allworlds.engines.dask.Dask", Noted)
-    monkeypatch.setattr(compiled, "SOON", 100)
-    monkeypatch.setattr(compiled, "SOON_WALKED", 200_000)
-    assert check(edges=6, engine="kernel", dask=here).worlds == 119_364
-    assert sent == {4, 5}
 
 
 def test_an_explorer_of_a_module_travels_as_its_text(here, tmp_path, monkeypatch):

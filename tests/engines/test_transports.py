@@ -10,7 +10,7 @@ import pytest
 
 from allworlds.engines import Silent, Threads, TimeIsUp, dask, engine_table, gather, here
 from allworlds.engines.effort import DaskCluster
-from allworlds.engines.here import Split, ThisThread
+from allworlds.engines.here import ThisThread
 from clusters import cluster_here
 
 pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
@@ -83,7 +83,7 @@ class Some(Counter):
 
 
 def test_every_transport_is_made_where_engines_are_made_ready():
-    assert {"Dask", "ThisThread", "Split", "Threads"} <= set(TRANSPORTS)
+    assert {"Dask", "ThisThread", "Threads"} <= set(TRANSPORTS)
     told = getsource(engine_table)
     assert all(name in told for name in set(TRANSPORTS) - {"ThisThread"}), (
         "no engine of the table goes into one thread"
@@ -109,31 +109,6 @@ def test_a_transport_brings_every_unit_once(name, units, made):
 def test_a_transport_ends_when_the_time_is_up(name, made):
     with made(name, deadline=0.0) as transport, pytest.raises(TimeIsUp):
         list(transport.map(Digits(), map(Number, range(9))))
-
-
-class Notes(ThisThread):
-    """A transport that notes what goes by it; a context that notes its end."""
-
-    def __init__(self):
-        super().__init__()
-        self.went, self.ended = [], 0
-
-    def map(self, engine, units):
-        for part in super().map(engine, units):
-            self.went.append(part.unit)
-            yield part
-
-    def __exit__(self, *_):
-        self.ended += 1
-
-
-def test_the_first_unit_of_a_level_tells_where_all_of_them_are_done():
-    near, far = Notes(), Notes()
-    with Split(lambda unit: unit < 10, near, far) as transport:
-        for units in ([1, 20], [30, 4], []):
-            assert len(list(transport.map(Digits(), map(Number, units)))) == bool(units) * 3
-    assert (near.went, far.went) == ([1, 20, 20], [30, 30, 4])
-    assert (near.ended, far.ended) == (1, 1)
 
 
 class Wrong(Exception):

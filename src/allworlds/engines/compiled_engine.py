@@ -29,7 +29,7 @@ from allworlds.engines.obstacles import WALKED_FROM, walks
 from allworlds.engines.questions import level_of, tally_of
 from allworlds.engines.scope import LevelRuns, NumberedRun, Scope, UnitOfRuns, numbered_runs
 from allworlds.engines.tally import EnginesDisagree, Tally
-from allworlds.engines.units import Whole, cells_of_level, level_size
+from allworlds.engines.units import Whole, cells_of_level
 from allworlds.explorers import Subject
 from allworlds.maps import Code, CombinatorialMap, InvalidMap, prefixes, rooted_code
 from allworlds.protocol import Move, Transcript
@@ -204,10 +204,6 @@ def _world(run: NumberedRun) -> str:
 BATCH = 8
 """Units that a thread does at a time, so that handing them over costs little."""
 
-SOON, SOON_WALKED = 10_000, 2_000_000
-"""The number of worlds that are judged, or walked, in a tenth of a second: about the time until the
-workers of a cluster are busy, and then until all have sent their results."""
-
 SYMMETRY = (
     f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for "
     "every bearing: the walk does not depend on it, as the python engine confirms on every "
@@ -246,11 +242,6 @@ class CompiledEngine(Struct, frozen=True):
     def halt(self) -> None:
         """Make all threads give up their work."""
         self.flag[0] = 1
-
-    def is_soon_done(self, unit: LevelRuns) -> bool:
-        """Whether the level of a unit is small: sending it away would take longer than doing it."""
-        most = SOON_WALKED if walks(self.scope, self.subject, unit.edges) else SOON
-        return level_size(self.scope.extent, unit.edges) <= most
 
     def parts(self, unit: LevelRuns) -> Iterator[Tally]:
         """The tally of the unit, equal to the general engine's.

@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from allworlds.document import one_of, replace
 from allworlds.engines.effort import DaskCluster, Limits
-from allworlds.engines.here import Split, Threads
+from allworlds.engines.here import Threads
 from allworlds.engines.lanes import in_any_order, workers_for
 from allworlds.engines.obstacles import COMPILED_FROM, COMPILER, WORTH_LOADING, obstacle, walks
 from allworlds.engines.scope import Scope
@@ -101,13 +101,11 @@ class Compiled(EngineKind):
         from allworlds.engines.compiled_engine import BATCH, CompiledEngine
 
         engine, workers = CompiledEngine.ready(job), job.limits.workers
-        near = Threads(workers, job.deadline, BATCH)
         if job.cluster is None:
-            return ReadyEngine(near, engine)
+            return ReadyEngine(Threads(workers, job.deadline, BATCH), engine)
         from allworlds.engines.dask import Dask
 
-        far = Dask(job.cluster, workers, job.deadline)
-        return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
+        return ReadyEngine(Dask(job.cluster, workers, job.deadline), engine)
 
 
 def players_for(job: Job) -> Transport[Any]:

@@ -28,7 +28,7 @@ from msgspec import Struct
 from allworlds.engines import linux
 from allworlds.engines.effort import Limits
 from allworlds.engines.player import FAILURE, LOGS, NO_ROOM, NO_RUN, PART, READY, REFUSAL
-from allworlds.engines.prints import Prints, Silence, printing_to
+from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs import InputError, show
 from allworlds.protocol import Player as Explorer, play_run
@@ -393,7 +393,7 @@ class PlayerHere:
         job, message = self.jobs.popleft()
         if not self._of_user:
             return [Answer(job, self._played(message))]
-        with printing_to(self.prints if self._recorded else Silence()):
+        with printing_to(self.prints if self._recorded else Prints()):
             return [Answer(job, self._played(message))]
 
     def _played(self, message: dict[str, Any]) -> list[bytes]:

@@ -15,14 +15,7 @@ SIGN = "\n[... {} bytes more ...]\n"
 """The line between the two; the number has at most 15 digits."""
 
 
-class Silence:
-    """A sink of bytes that drops everything."""
-
-    def add(self, printed: bytes) -> None:
-        """Drop the bytes."""
-
-
-class Prints(Silence):
+class Prints:
     """A record of bytes of limited size, and its text."""
 
     def __init__(self) -> None:
@@ -80,7 +73,7 @@ class _PrintStream(io.BufferedIOBase):
 
     name = "<the explorer's prints>"
 
-    def __init__(self, sink: Silence) -> None:
+    def __init__(self, sink: Prints) -> None:
         self._sink = sink
 
     def writable(self) -> bool:
@@ -95,7 +88,7 @@ class _PrintStream(io.BufferedIOBase):
 
 
 @contextmanager
-def printing_to(sink: Silence) -> Iterator[None]:
+def printing_to(sink: Prints) -> Iterator[None]:
     """Send what Python prints in this process to a sink; other prints go where they did."""
     written = io.TextIOWrapper(
         _PrintStream(sink), "utf-8", "backslashreplace", newline="", write_through=True
