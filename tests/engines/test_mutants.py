@@ -4,7 +4,7 @@ import pytest
 
 from allworlds import check
 from allworlds.document import replace
-from allworlds.engines import EnginesDisagree, Limits, Scope, compiled_engine as compiled, questions
+from allworlds.engines import EnginesDisagree, Scope, compiled_engine as compiled, questions
 from allworlds.engines.compiled_engine import AGREED, compare_engines
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.rows import LevelBounds, tables
@@ -174,7 +174,7 @@ def test_a_disagreement_names_the_world(monkeypatch):
     monkeypatch.setattr(questions, "level_tables", lambda *a: retracing_for_nothing(WHOLE(*a)))
     scope = Scope(Extent(MapClass.MAPS, 6), Rules())
     with pytest.raises(EnginesDisagree, match=r"sigma=\[.*place=0"):
-        compare_engines(scope, load("algorithm1"), Limits())
+        compare_engines(scope, load("algorithm1"))
 
 
 def test_a_judge_that_is_wrong_is_found_out_before_the_first_level(monkeypatch):

@@ -20,7 +20,6 @@ from allworlds.engines.kernel.records import (
     RUN_NUMBER,
     RUN_TOLD,
     Stretch,
-    Stretch as StretchArrays,
 )
 from allworlds.engines.kernel.rows import Rows
 from allworlds.engines.questions import level_of, tally_of
@@ -150,7 +149,7 @@ class CompiledJudge:
     def __init__(self, python: PythonJudge, seed: Callable[[], int], *, native: bool) -> None:
         self.python, self.engine, self.rules = python, python.engine, python.rules
         self.seed, self.native = seed, native
-        self._memories: dict[int, tuple[StretchArrays, StretchArrays]] = {}
+        self._memories: dict[int, tuple[Stretch, Stretch]] = {}
         self._compared = False
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
@@ -170,11 +169,11 @@ class CompiledJudge:
             elif laid.until > laid.first:  # worlds without a place
                 self.judge(batch)
 
-    def _unit(self, unit: LevelRuns) -> tuple[UnitJudge, tuple[StretchArrays, StretchArrays]]:
+    def _unit(self, unit: LevelRuns) -> tuple[UnitJudge, tuple[Stretch, Stretch]]:
         scope, edges = self.engine.scope, unit.edges
         if edges not in self._memories:
             size = Stretch.size(edges)
-            one, other = (StretchArrays(mmap.mmap(-1, size), edges) for _ in range(2))
+            one, other = (Stretch(mmap.mmap(-1, size), edges) for _ in range(2))
             self._memories[edges] = one, other
         level = level_of(self.python.referee.explorer, scope.rules, scope.extent, edges)
         memories = self._memories[edges]
