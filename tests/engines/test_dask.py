@@ -465,7 +465,7 @@ def test_a_cluster_of_this_machine_leaves_nothing_behind(stopped, tmp_path, monk
     monkeypatch.chdir(tmp_path)
 
     def mine():
-        return [pid for pid in processes.named(tmp_path) if pid != os.getpid()]
+        return [*processes.named(tmp_path, "environ")]
 
     def interrupt():
         assert mine()
@@ -482,7 +482,7 @@ def test_a_cluster_of_this_machine_leaves_nothing_behind(stopped, tmp_path, monk
 @pytest.mark.slow
 def test_a_cluster_of_this_machine_that_is_killed_is_told_of_in_one_line(capfd):
     def kill():
-        (cluster_,) = {*processes.named("transports.dask")} & {*processes.children_of(os.getpid())}
+        (cluster_,) = {*processes.named("engines.dask")} & {*processes.children_of(os.getpid())}
         os.kill(cluster_, signal.SIGKILL)
 
     killer = After(300, kill)
@@ -491,5 +491,5 @@ def test_a_cluster_of_this_machine_that_is_killed_is_told_of_in_one_line(capfd):
     assert report.exit_code == 3
     (notice,) = killer.notices
     assert "is gone" in notice
-    assert processes.end(lambda: processes.named("transports.dask"))
+    assert processes.end(lambda: processes.named("engines.dask"))
     assert capfd.readouterr() == ("", "")

@@ -30,25 +30,8 @@ def children_of(pid):
 
 
 def workers_of(pid):
-    """The running descendants of a process, but for its guardians, which end with it."""
-    below = _below()
-    guardians = guardians_of(pid, below)
-    return [one for one in _descendants(below, [pid]) if one not in guardians]
-
-
-def guarded_by(pid):
-    """The running descendants of the guardians of a process, but for nurseries."""
-    below = _below()
-    guardians = guardians_of(pid, below)
-    return [one for one in _descendants(below, guardians) if one not in guardians]
-
-
-def guardians_of(pid, below=None):
-    """The guardians of a process, and their nurseries, which live as long as they."""
-    below = below or _below()
-    guardians = {child for child in below.get(pid, []) if is_guardian(child)}
-    started = {child for one in guardians for child in below.get(one, [])}
-    return guardians | {child for child in started if _is_named(child, b"\0nursery\0")}
+    """The running descendants of a process."""
+    return _descendants(_below(), [pid])
 
 
 def _below():
@@ -74,24 +57,12 @@ def commands(pids):
     return told
 
 
-def is_guardian(pid):
-    """Whether a child is a guardian; what it has forked has the same command."""
-    return _is_named(pid, b"allworlds.engines.player")
-
-
-def _is_named(pid, word):
-    try:
-        return word in Path(f"/proc/{pid}/cmdline").read_bytes()
-    except OSError:
-        return False
-
-
-def named(word):
-    """The processes with that word in their command line."""
+def named(word, part="cmdline"):
+    """The processes with that word in their command line, or in another part of what is told."""
     found = []
     for pid, _ in running():
         try:
-            words = Path(f"/proc/{pid}/cmdline").read_bytes()
+            words = Path(f"/proc/{pid}/{part}").read_bytes()
         except OSError:
             continue
         if str(word).encode() in words:

@@ -53,11 +53,11 @@ def explorers(monkeypatch):
 @pytest.fixture
 def no_orphans():
     """Require that the processes that a check has started end with it."""
-    before = {*processes.guarded_by(os.getpid())}
+    before = {*processes.workers_of(os.getpid())}
     yield
 
     def left():
-        return {*processes.guarded_by(os.getpid())} - before
+        return {*processes.workers_of(os.getpid())} - before
 
     assert processes.end(left), processes.commands(left())
 
