@@ -33,6 +33,7 @@ from allworlds.studies.run import run
 from allworlds.world import Directional, Position, World
 from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
 from processes import PATIENCE, SOON
+from schedules import schedules
 
 EDGE = World(small.EDGE, Directional(0))
 FIRST, BEHIND = Percept(1, 1, 0), Percept(1, 0, None)
@@ -337,11 +338,11 @@ def test_a_choice_that_is_none_is_a_crash(of, options):
 
 def test_every_schedule_of_a_library_is_one_sequence_of_answers():
     asks = attack("pick(0, 1, 3, 0); pick(0, 2, 2, 0)", CHOOSES="1")
-    schedules = []
+    tried = []
     for choices in schedules():
         episode(asks, choices=choices)
-        schedules.append(tuple(choices.record))
-    assert schedules == [(i, j) for i in range(3) for j in range(2)]
+        tried.append(tuple(choices.record))
+    assert tried == [(i, j) for i in range(3) for j in range(2)]
 
 
 def test_threads_that_are_joined_are_not_left_behind(monkeypatch):

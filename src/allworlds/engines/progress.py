@@ -26,6 +26,10 @@ class Silent(Listener):
     """The listener that ignores all events."""
 
 
+NOBODY = Silent()
+"""The listener of a report, which is equal to another if all else is."""
+
+
 class Once(Silent):
     """A listener that hands on notices alone, and each of them once."""
 

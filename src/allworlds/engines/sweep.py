@@ -19,7 +19,7 @@ from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import ThisThread
 from allworlds.engines.kept_form import from_kept
 from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import Listener, Silent
+from allworlds.engines.progress import NOBODY, Listener
 from allworlds.engines.run_directory import ENDED, NO_RECORDS, Records, records_in
 from allworlds.engines.swept_report import By
 from allworlds.engines.tally import EnginesDisagree
@@ -170,7 +170,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def ended(self, ending: Ending, extent: Extent | None = None) -> dict[str, Any]:
         """Return the keywords of every report; the extent where the sweep has no other."""
-        asked = replace(without_effort(self.request), listener=Silent())
+        asked = replace(without_effort(self.request), listener=NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
     def begin(self) -> Ending | None:
