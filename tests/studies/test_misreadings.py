@@ -244,6 +244,7 @@ def test_a_convention_is_told_only_if_the_translated_explorer_is_right_in_all_sm
     assert finding.misreading is None
 
 
+@pytest.mark.slow
 def test_worlds_as_large_as_that_of_the_finding_are_among_them(file):
     given = {"worlds": [TRIANGLE_AND_LEAF], "edges": None}
     assert first_finding(f"{file}:no_tree_of_4_edges", **given).misreading is None
