@@ -19,7 +19,7 @@ from typing import Any
 
 from allworlds import search
 from allworlds.maps import from_cycles, from_rotation
-from allworlds.studies.ambiguity.smt.witness import bisimulation, same_world_from
+from allworlds.studies.ambiguity.smt.decode import bisimulation, same_world_from
 from allworlds.world import Natural, Position, World
 
 HERE = Path(__file__).resolve().parent

@@ -192,7 +192,7 @@ VERBS = (
         "Count the maps of a class, in two independent ways.",
         telling="reports.tellings.count:count_telling",
         panel=WORLDS,
-        sweep="studies.count.counter:CountSweep",
+        sweep="studies.count:CountSweep",
         example="--edges 6",
         help=(
             "Enumerate every rooted map of a class, count, and compare the counts with an "

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from allworlds.explorers.command_words import missing_script, syntax_error
+from allworlds.explorers.program import missing_script, syntax_error
 from allworlds.world import world_named
 
 MINE = """

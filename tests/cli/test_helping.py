@@ -5,7 +5,7 @@ import re
 import pytest
 import typer
 
-from allworlds.cli import helping
+from allworlds.cli import app as helping
 from allworlds.cli.app import command_line
 from allworlds.verbs import VERBS
 from small import long

@@ -13,7 +13,7 @@ from allworlds.engines import Scope, engine_table as engines, lane, players
 from allworlds.engines.compiled_engine import AGREEMENT_EDGES
 from allworlds.engines.kernel import capabilities
 from allworlds.explorers import load, program
-from allworlds.explorers.program_lines import SAYINGS
+from allworlds.explorers.program import SAYINGS
 from allworlds.explorers.shared_library.library import INTERFACE_VERSION
 from allworlds.judging import PRECEDENCE, Rules
 from allworlds.maps import Extent, MapClass

@@ -10,8 +10,7 @@ from contextlib import contextmanager
 import pytest
 
 from allworlds import check
-from allworlds.studies.status import status
-from allworlds.studies.status.run_status import DoneOf
+from allworlds.studies.status import DoneOf, status
 
 pytestmark = pytest.mark.slow
 EDGES = 4

@@ -4,8 +4,8 @@ from allworlds.engines import LevelUnit, by_vertices_and_faces
 from allworlds.engines.units import units_of_level
 from allworlds.maps import Extent, MapClass, prefixes
 from allworlds.maps.counting.any_genus import rooted_of_genus
-from allworlds.studies.count import counter
-from allworlds.studies.count.counter import (
+from allworlds.studies import count as counter
+from allworlds.studies.count import (
     Counted,
     count_compiled,
     count_one_by_one,

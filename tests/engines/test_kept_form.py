@@ -14,9 +14,9 @@ from allworlds.inputs import InputError
 from allworlds.maps import Quotient
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.sensed_worlds import SensedParts
-from allworlds.studies.compare.side_by_side import CostsOfAll
-from allworlds.studies.count.counter import Counted
-from allworlds.studies.worst.compiled_engine import ScheduleCosts, ScheduleCostsBySize
+from allworlds.studies.compare.contestants import CostsOfAll
+from allworlds.studies.count import Counted
+from allworlds.studies.worst.all_worlds import ScheduleCosts, ScheduleCostsBySize
 
 ROW = Row(1, 2, 3, 4, 5, 6, -7, AtRun((0, 1), (1, 0), 0, (1,)))
 HALF_EDGE = Quotient((0,), (0,), (3,), (Percept(3, 1),), 4)

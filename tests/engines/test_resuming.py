@@ -17,7 +17,7 @@ from allworlds import ambiguity, check, worst
 from allworlds.engines import Silent, run_directory
 from allworlds.engines.judge import PythonJudge
 from allworlds.inputs import InputError
-from allworlds.studies.worst.compiled_engine import ScheduleSearch
+from allworlds.studies.worst.all_worlds import ScheduleSearch
 from kept_jobs import EXPLORERS, stable
 from small import long
 

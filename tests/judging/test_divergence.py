@@ -1,7 +1,7 @@
 """Where two walks part."""
 
 from allworlds.judging import find_parting
-from allworlds.judging.findings.divergence import Parting
+from allworlds.judging.findings.belief import Parting
 from small import EDGE, PATH
 
 

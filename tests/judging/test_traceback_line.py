@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.judging.explanations.traceback_line import telling_line
+from allworlds.judging.explanations.slips import telling_line
 
 CASES = {
     "python": (

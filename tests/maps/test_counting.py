@@ -17,9 +17,11 @@ from allworlds.maps.counting.any_genus import (
     rooted_planar,
 )
 from allworlds.maps.counting.atlas import ROTATIONS_LIMIT, rooted_planar_simple, rooted_simple
-from allworlds.maps.counting.degrees import rooted_simple_by_degrees
-from allworlds.maps.counting.sources import sources
-from allworlds.maps.counting.substitution import rooted_planar_simple_by_substitution
+from allworlds.maps.counting.sources import (
+    rooted_planar_simple_by_substitution,
+    rooted_simple_by_degrees,
+    sources,
+)
 
 CLASSES = ["maps", "simple", "planar", "planar-simple"]
 

@@ -21,8 +21,12 @@ from allworlds.maps.build import cycle
 from allworlds.maps.criterion import _uniform
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity import class_of, projection_of
-from allworlds.studies.ambiguity.lifting import lifts, uniform_permutations
-from allworlds.studies.ambiguity.marked_code import is_least_rooting, least_rooting
+from allworlds.studies.ambiguity.members import (
+    is_least_rooting,
+    least_rooting,
+    lifts,
+    uniform_permutations,
+)
 from allworlds.world import Position, World
 from small import long
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from allworlds.maps import CombinatorialMap, family
-from allworlds.reports.drawing.rays import spread
+from allworlds.reports.drawing.layout import spread
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import picture
 from curves import crossings, flat, points

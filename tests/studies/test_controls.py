@@ -3,11 +3,15 @@
 import pytest
 
 from allworlds.maps import MapClass
-from allworlds.studies.ambiguity.smt.controls import REQUIREMENTS, has_model_without
 from allworlds.studies.ambiguity.smt.formula import read_dimacs
 from allworlds.studies.ambiguity.smt.pair import DIFFERENT, pair_formula
 from allworlds.studies.ambiguity.smt.question import Question
-from allworlds.studies.ambiguity.smt.solvers import Clock, solve_with_z3
+from allworlds.studies.ambiguity.smt.solvers import (
+    REQUIREMENTS,
+    Clock,
+    has_model_without,
+    solve_with_z3,
+)
 
 
 @pytest.fixture

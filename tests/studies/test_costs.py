@@ -13,8 +13,7 @@ from allworlds.inputs import InputError
 from allworlds.maps import named_map
 from allworlds.reports import game, text
 from allworlds.reports.tellings.played import LEAST, NAMES
-from allworlds.studies.play import Walker, play
-from allworlds.studies.play.costs import LARGEST
+from allworlds.studies.play import LARGEST, Walker, play
 from allworlds.world import LIGHTHOUSES, Directional, World
 from allworlds.world.enumeration import worlds
 from small import LOLLIPOP, PATH

@@ -6,7 +6,7 @@ from allworlds.inputs import InputError
 from allworlds.reports import file_of, text as text_of
 from allworlds.reports.tellings.check import scope_words, size_table
 from allworlds.studies.fuzz import fuzz
-from allworlds.studies.fuzz.shrink import shrink
+from allworlds.studies.fuzz.drive import shrink
 from small import slow
 
 

@@ -8,7 +8,7 @@ from allworlds.inputs import InputError
 from allworlds.maps import bruteforce, rooted_maps
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import census
-from allworlds.studies.ambiguity.marked_code import is_least_rooting, least_rooting
+from allworlds.studies.ambiguity.members import is_least_rooting, least_rooting
 from small import slow
 
 

@@ -12,7 +12,7 @@ from allworlds.maps import (
 )
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import class_of, members, projection_of, twins
-from allworlds.studies.ambiguity.marked_code import is_least_rooting
+from allworlds.studies.ambiguity.members import is_least_rooting
 from allworlds.world import Compass, Directional, Nothing, Position, World
 
 

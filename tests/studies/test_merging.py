@@ -139,7 +139,7 @@ def test_what_is_not_of_one_job_is_not_merged(report, refused, tmp_path):
 @pytest.mark.usefixtures("without_workers")
 def test_directories_of_another_version_are_not_merged(report, refused, tmp_path, monkeypatch):
     runs, _ = sharded(report, "check --edges 1", tmp_path, 1)
-    monkeypatch.setattr("allworlds.studies.merge.merging.__version__", "9.9")
+    monkeypatch.setattr("allworlds.studies.merge.__version__", "9.9")
     assert "not '9.9'" in refused("merge", *runs)
 
 

@@ -4,7 +4,7 @@ import pytest
 
 import allworlds
 from allworlds.engines import Silent
-from allworlds.studies.status.run_status import DoneOf
+from allworlds.studies.status import DoneOf
 from kept_jobs import EXPLORERS
 
 

@@ -7,7 +7,7 @@ from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass, contracted, deleted, rooted_code
 from allworlds.protocol import Estimate
 from allworlds.studies.fuzz import fuzz
-from allworlds.studies.fuzz.shrink import shrink
+from allworlds.studies.fuzz.drive import shrink
 from allworlds.world import Directional, World
 from small import long
 

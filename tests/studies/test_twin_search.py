@@ -10,13 +10,12 @@ import allworlds
 from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_maps
 from allworlds.studies.ambiguity.smt import solvers, twin_search as searching
-from allworlds.studies.ambiguity.smt.decode import sensed
+from allworlds.studies.ambiguity.smt.decode import bisimulation, code, same_world_from, sensed
 from allworlds.studies.ambiguity.smt.formula import read_dimacs
 from allworlds.studies.ambiguity.smt.lrat import check_lrat
 from allworlds.studies.ambiguity.smt.one_world import Size
 from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
 from allworlds.studies.ambiguity.smt.question import Sizes
-from allworlds.studies.ambiguity.smt.witness import bisimulation, code, same_world_from
 from allworlds.world import Compass, Directional, Nothing, Position, World, flaw
 from searches import question
 from small import long, slow

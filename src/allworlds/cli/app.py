@@ -1,32 +1,213 @@
-"""The verbs, their common exit codes, and the one line for bad input."""
+"""The command line: commands, groups, help."""
 
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import sys
 import threading
 import traceback
-from collections.abc import Callable
-from functools import cache
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import MISSING, fields, is_dataclass
+from functools import cache, wraps
 from importlib import import_module
 from importlib.util import find_spec
+from inspect import Parameter, Signature, signature
 from itertools import pairwise
 from keyword import iskeyword
 from pathlib import Path
-from typing import Annotated, Any, NoReturn
+from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
 
 from allworlds import engines
-from allworlds.cli.groups import grouped
-from allworlds.cli.helping import made_helpful
+from allworlds.cli.files import Files, files_of
 from allworlds.cli.made_by import beginning
-from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable, say
-from allworlds.cli.plain_command import plain_command
-from allworlds.inputs import InputError, keep_exit_code, show
+from allworlds.cli.output import (
+    OutputGroup,
+    abandon_stdout,
+    answered,
+    complain,
+    emit,
+    prepare_streams,
+    printable,
+    say,
+)
+from allworlds.inputs import (
+    AS_IN_PYTHON,
+    PANELS,
+    Argument,
+    InputError,
+    Named,
+    Option,
+    fields_of,
+    keep_exit_code,
+    show,
+)
+from allworlds.lazy import loaded
 from allworlds.outcome import Exit
 from allworlds.verbs import GROUPS, VERBS, Verb
+
+NARROW = 80
+"""Columns below which the help is plain text: in the columns of its tables names would be cut."""
+
+
+def made_helpful(command: Any) -> Any:
+    """The command and all its subcommands with this layout of the help."""
+    for below in getattr(command, "commands", {}).values():
+        made_helpful(below)
+    if shutil.get_terminal_size().columns < NARROW:
+        command.rich_markup_mode = None
+    for param in command.params:
+        if param.param_type_name == "argument":
+            _show_as_written(param)
+        elif param.is_flag:
+            param.metavar = ""
+    own = command.get_help_option
+
+    def help_option(context: Any) -> Any:
+        option = own(context)
+        if option is not None:
+            option.metavar = ""
+            option.callback = _help
+        return option
+
+    command.get_help_option = help_option
+    return command
+
+
+def _help(context: Any, _option: object, wanted: bool) -> None:
+    if wanted and not context.resilient_parsing:
+        say(context.get_help)
+        context.exit()
+
+
+def _show_as_written(argument: Any) -> None:
+    """Show the argument in the usage line by its metavar, without further brackets."""
+    metavar = argument.metavar
+    argument.make_metavar = lambda *_, **__: metavar
+    argument.get_usage_pieces = lambda *_, **__: [metavar]
+
+
+def plain_command(verb: Verb) -> Callable[..., int]:
+    """The function that runs a verb on the command line: it answers, writes files, and prints."""
+    function = loaded(verb.function)
+
+    def command(request: Any, *, files: Files, output: OutputGroup) -> int:
+        files.expect(request)
+        report = answered(function, request, output)
+        files.write(verb.name, report)
+        return emit(report, verb.name, output, getattr(request, "workers", None))
+
+    hints = {"request": function.request, "files": Files, "output": OutputGroup, "return": int}
+    command.__annotations__ = hints
+    command.__doc__ = f"Example: allworlds {verb.name} {verb.example}".rstrip() + f"\n\n{verb.help}"
+    return command
+
+
+Words = Mapping[str, Any]
+"""The values that the command line was given, by the names of the parameters."""
+
+
+def grouped(verb: Callable[..., int], name: str) -> Callable[..., int]:
+    """The verb with the signature that typer reads: an option for each field of its requests.
+
+    A parameter of the verb is a request, that is a dataclass, or one option by itself; in place
+    of :class:`Files` stand those that the verb of that name can write.
+    """
+    hints = get_type_hints(verb, include_extras=True)
+    hints = {key: files_of(name) if hint is Files else hint for key, hint in hints.items()}
+    taken = signature(verb).parameters.values()
+    seen = [shown for each in taken for shown in _shown(each.name, hints[each.name], each.default)]
+    seen.sort(key=_panel)
+
+    @wraps(verb)
+    def command(**words: Any) -> int:
+        return verb(**{each.name: _value(each.name, hints[each.name], words) for each in taken})
+
+    command.__signature__ = Signature(seen)  # type: ignore[attr-defined]  # for typer
+    command.__annotations__ = {parameter.name: parameter.annotation for parameter in seen}
+    return command
+
+
+def _shown(name: str, hint: Any, default: Any) -> Iterator[Parameter]:
+    """The options and arguments by which a value is given."""
+    if is_dataclass(hint):
+        defaults = {field.name: field.default for field in fields(hint)}
+        for field in fields_of(hint):  # type: ignore[arg-type]  # a class
+            yield from _shown(field.name, Annotated[field.type, field.asked], defaults[field.name])
+        return
+    kind, asked = get_args(hint)
+    if isinstance(asked, Named):
+        yield from _shown(name, asked.words, default)
+    elif isinstance(asked, Option):
+        yield _parameter(name, kind, asked, default)
+
+
+def _value(name: str, hint: Any, words: Words) -> Any:
+    """The value of the field that these options give."""
+    if is_dataclass(hint):
+        told = [field for field in fields_of(hint) if isinstance(field.asked, Option | Named)]  # type: ignore[arg-type]
+        return hint(**{f.name: _value(f.name, Annotated[f.type, f.asked], words) for f in told})  # type: ignore[operator]
+    _, asked = get_args(hint)
+    if isinstance(asked, Named):
+        return _value(name, asked.words, words).value()
+    return words[name]
+
+
+def _parameter(name: str, kind: Any, asked: Option, default: Any) -> Parameter:
+    """One option or argument, as a parameter that typer reads."""
+    told: dict[str, Any] = {"metavar": asked.metavar, "help": asked.help}
+    if asked.parse is not str:
+        told["parser"] = _read_by(asked.parse)
+    if asked.default is not AS_IN_PYTHON:
+        default = asked.default
+    if isinstance(asked, Argument):
+        option = typer.Argument(**told)
+    else:
+        # Without its name a flag would get an opposite, such as --no-watch.
+        own = asked.name or (name.replace("_", "-") if kind is bool else "")
+        names = [f"--{own}"] if own else []
+        names += [f"-{asked.short}"] if asked.short else []
+        option = typer.Option(*names, rich_help_panel=asked.panel, **told)
+    seen: Any = bool if kind is bool else list[str] if asked.repeated else str
+    if default is None:
+        seen |= None
+    return Parameter(
+        name,
+        Parameter.KEYWORD_ONLY,
+        default=Parameter.empty if default in (MISSING, Parameter.empty) else default,
+        annotation=Annotated[seen, option],
+    )
+
+
+def _panel(parameter: Parameter) -> int:
+    """Where the panel of an option stands; arguments have none, and come first."""
+    (option,) = parameter.annotation.__metadata__
+    return ("", *PANELS).index(option.rich_help_panel or "")
+
+
+class _Refused(typer.BadParameter):
+    """A line about bad input that names the option itself."""
+
+    def format_message(self) -> str:
+        return self.message
+
+
+def _read_by(parse: Callable[[str], Any]) -> Callable[[Any], Any]:
+    """A parser for typer. Typer also calls it with defaults, which may be values already."""
+
+    def read(text: Any) -> Any:
+        try:
+            return parse(text) if isinstance(text, str) else text
+        except InputError as error:
+            raise _Refused(str(error)) from None
+        except ValueError as error:
+            raise typer.BadParameter(str(error)) from None
+
+    return read
+
 
 # Typer has its own copy of click, or uses click itself, depending on its version.
 _ClickError: type[Exception] = next(
@@ -65,7 +246,7 @@ def command_line(first: str | None = None) -> Any:
         groups[name] = typer.Typer(
             name=name, help=help_, short_help=known.summary, context_settings=HELP
         )
-        groups[name].callback(invoke_without_command=True)(_help)
+        groups[name].callback(invoke_without_command=True)(_group_help)
     for verb in VERBS:
         home = groups[verb.group] if verb.group else app
         name = verb.name.rpartition(" ")[2]
@@ -92,7 +273,7 @@ def _unasked() -> None:
     """Stand for a verb that is listed, and not called."""
 
 
-def _help(context: typer.Context) -> None:
+def _group_help(context: typer.Context) -> None:
     if context.invoked_subcommand is None:
         say(context.get_help)
 

@@ -6,7 +6,8 @@ import allworlds
 from allworlds.cli.files import Files
 from allworlds.cli.output import OutputGroup, emit
 from allworlds.inputs import answer, values_of
-from allworlds.studies.explain import AskedExplanation, ExplainRequest, FindingWords
+from allworlds.judging import FindingWords
+from allworlds.studies.explain import AskedExplanation, ExplainRequest
 
 
 def explain(

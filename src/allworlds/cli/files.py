@@ -1,8 +1,9 @@
-"""The options that write a report into files."""
+"""Reports as files, and what a CI service is told."""
 
 from __future__ import annotations
 
 import os
+import sys
 import tempfile
 from contextlib import suppress
 from dataclasses import fields, make_dataclass
@@ -12,10 +13,29 @@ from typing import Annotated
 
 from allworlds.cli.made_by import words_of_command
 from allworlds.cli.output import complain
-from allworlds.cli.service import tell_service
 from allworlds.inputs import OUTPUT, InputError, Option, a_path, show
 from allworlds.outcome import Result
-from allworlds.reports import FORMATS, content_of, ensure_possible, formats_of
+from allworlds.reports import FORMATS, content_of, ensure_possible, file_of, formats_of
+from allworlds.verbs import BY_NAME, FINDINGS
+
+
+def tell_service(verb: str, report: Result) -> None:
+    """Add a report with findings to the CI service's files, and print to stderr the lines it reads.
+
+    A file that cannot be written is lost with a word on stderr; the verdict is not.
+    """
+    if FINDINGS not in BY_NAME[verb].has:
+        return
+    for form, format_ in formats_of(verb).items():
+        if os.environ.get(format_.told_to) == "true":
+            print(file_of(verb, form, report), end="", file=sys.stderr)
+        if path := os.environ.get(format_.summary):
+            try:
+                with Path(path).open("a", encoding="utf-8") as file:
+                    file.write(file_of(verb, form, report))
+            except OSError as error:
+                complain(f"the file of {format_.summary} cannot be written: {error.strerror}")
+
 
 SOURCES = (".c", ".cc", ".cpp", ".dylib", ".h", ".js", ".mjs", ".py", ".rs", ".so")
 """The ends of names of files that no report replaces."""

@@ -1,12 +1,12 @@
-"""A program in any language as an explorer: lines of JSON over a pipe.
-
-One process plays many episodes; :mod:`allworlds.explorers.program_lines` has the lines.
-"""
+"""A program behind a pipe, and the words of its command."""
 
 from __future__ import annotations
 
 import contextlib
+import errno
+import json
 import os
+import re
 import secrets
 import select
 import shlex
@@ -14,22 +14,344 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
+from functools import lru_cache
+from pathlib import Path
 from random import Random
-from typing import Literal
+from typing import Any, Literal, NamedTuple, TypeAlias
 
-from allworlds.explorers.command_words import missing_script, obstacle, syntax_error
-from allworlds.explorers.program_lines import (
-    EpisodeEnd,
-    Message,
-    answering,
-    beginning,
-    message_of,
-    shown,
+from allworlds.inputs import SHOWN, InputError, is_loop_of_links, show
+from allworlds.maps import CombinatorialMap, InvalidMap
+from allworlds.protocol import (
+    Action,
+    Ambiguous,
+    Checkpoint,
+    Estimate,
+    ExplorerFault,
+    Percept,
+    Told,
+    action_from_json,
 )
-from allworlds.inputs import InputError, show
-from allworlds.protocol import Action, Checkpoint, ExplorerFault, Percept, Told
 from allworlds.words import ended_by, plural
+
+SECONDS = 5
+"""The time after which a program that is asked for its errors of syntax is left alone."""
+
+
+class Interpreter(NamedTuple):
+    """The command line of an interpreter.
+
+    Attributes:
+        language: in words.
+        letters: options after which no file is run, such as ``-c CODE``, each by its letter.
+        words: the same, written out.
+        values: options with a value in the next word.
+        endings: of a file's name that may be left out.
+        looks: the options with which it reads a file and does not run it; none if there are none.
+    """
+
+    language: str
+    letters: str = "e"
+    words: tuple[str, ...] = ()
+    values: tuple[str, ...] = ()
+    endings: tuple[str, ...] = ()
+    looks: tuple[str, ...] = ()
+
+
+INTERPRETERS = {
+    r"python[0-9.]*|pypy3?": Interpreter(
+        "Python",
+        "cm",
+        values=("-W", "-X", "--check-hash-based-pycs"),
+        looks=("-c", "import sys; f = sys.argv[1]; compile(open(f, 'rb').read(), f, 'exec')"),
+    ),
+    r"node|nodejs": Interpreter(
+        "JavaScript",
+        "epi",
+        ("--eval", "--print", "--interactive", "--run", "--test"),
+        ("-r", "--require", "--import", "--loader", "--experimental-loader", "-C", "--conditions"),
+        (".js", ".json"),
+        ("--check",),
+    ),
+    r"(da|ba|k|z)?sh": Interpreter("shell script", "cs", values=("-o", "-O"), looks=("-n",)),
+    r"ruby": Interpreter("Ruby", values=("-I", "-r", "-C")),
+    r"perl": Interpreter("Perl", "eEx", values=("-I",)),
+    r"lua[0-9.]*": Interpreter("Lua", "ei", values=("-l",)),
+    r"php[0-9.]*": Interpreter("PHP", "rBRES", values=("-d", "-c", "-f")),
+}
+"""Programs that run a file, by patterns for their names."""
+
+ERROR = r"^.*?\b(\w*(?:Syntax|Indentation|Tab) ?[Ee]rror\b.*)$"
+"""The line of an error of syntax on stderr."""
+
+
+def missing_script(words: Sequence[str]) -> str:
+    """The reason why an interpreter cannot open its script; empty if it can, or if unknown."""
+    call = _call(words)
+    if call is None:
+        return ""
+    # Where an option may have a value, the script is one of the other words.
+    scripts = call.files[:1] if call.sure else call.files
+    endings = ("", *call.interpreter.endings)
+    if any(Path(script + ending).exists() for script in scripts for ending in endings):
+        return ""
+    name = Path(call.program).name
+    if is_loop_of_links(call.files[0]):
+        return f"{name} cannot open {show(call.files[0])}: it is a loop of links"
+    return f"{name} cannot open {show(call.files[0])}: there is no such file"
+
+
+def syntax_error(words: Sequence[str]) -> str:
+    """The reason why an interpreter cannot read its script; empty if it can, or if unknown.
+
+    A script that seems to have an error is run without any input: its interpreter must say so.
+    """
+    call = _call(words)
+    if call is None or not call.interpreter.looks:
+        return ""
+    script, language = call.files[0], call.interpreter.language
+    if not _said([call.program, *call.interpreter.looks, script]):
+        return ""
+    said = _said(words)
+    message = re.search(ERROR, said, re.MULTILINE)
+    if message is None:
+        return ""
+    line = re.search(rf"{re.escape(script)}\D{{1,10}}([0-9]+)", said)
+    where = f", line {line[1]}" if line else ""
+    return f"{show(script)}{where} is no {language}: {message[1]}"
+
+
+def _said(words: Sequence[str]) -> str:
+    """The text on stderr of a command without an input; empty if it does not fail at once."""
+    try:
+        ended = subprocess.run(  # noqa: S603  # running it is what was asked for
+            words, stdin=subprocess.DEVNULL, capture_output=True, timeout=SECONDS, check=False
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return ""
+    return ended.stderr.decode(errors="replace") if ended.returncode else ""
+
+
+class _Call(NamedTuple):
+    """A call of an interpreter.
+
+    Attributes:
+        program, interpreter: the word that names it, and its entry in the table.
+        files: the script and its arguments.
+        sure: whether the first of these is the script.
+    """
+
+    program: str
+    interpreter: Interpreter
+    files: list[str]
+    sure: bool
+
+
+def _call(words: Sequence[str]) -> _Call | None:
+    """The call of an interpreter that runs a file; None for any other command."""
+    rest = _without_env(words)
+    program = rest.pop(0) if rest else ""
+    name = Path(program).name
+    interpreter = next((i for names, i in INTERPRETERS.items() if re.fullmatch(names, name)), None)
+    if interpreter is None:
+        return None
+    sure = True
+    while rest and rest[0].startswith("-"):
+        option = rest.pop(0)
+        if option == "--":
+            break
+        if _runs_no_file(option, interpreter):
+            return None
+        if option in interpreter.values:
+            del rest[:1]
+        elif option.startswith("--") and "=" not in option:
+            sure = False
+    return _Call(program, interpreter, rest, sure) if rest else None
+
+
+def _without_env(words: Sequence[str]) -> list[str]:
+    """The words of a command behind ``env`` and its options."""
+    rest = [*words]
+    if Path(rest[0]).name == "env":
+        rest.pop(0)
+        while rest and (rest[0].startswith("-") or "=" in rest[0]):
+            if rest.pop(0) in ENV_VALUES:
+                del rest[:1]
+    return rest
+
+
+ENV_VALUES = ("-u", "-C", "--unset", "--chdir")
+"""The options of ``env`` with a value in the next word."""
+
+
+def _runs_no_file(option: str, interpreter: Interpreter) -> bool:
+    if option.startswith("--"):
+        return option.partition("=")[0] in interpreter.words
+    return option == "-" or any(letter in interpreter.letters for letter in option[1:])
+
+
+def obstacle(name: str) -> str:
+    """The reason why a command cannot be run."""
+    path = Path(name)
+    if is_loop_of_links(name):
+        return f"{show(name)} is a loop of links"
+    try:
+        path.stat()
+    except OSError as error:
+        if error.errno != errno.ENOENT:
+            return f"{show(name)}: {error.strerror}"
+    except ValueError:
+        return f"there is no program {show(name)}: no file can be named so"
+    if path.is_dir():
+        return f"{show(name)} is a directory, not a program"
+    if path.is_file():
+        if os.sep in name:
+            return (
+                f"the file {show(name)} is not executable; chmod +x, or name its interpreter first"
+            )
+        return f"there is no program {show(name)}; for the file here write './{name}'"
+    return f"there is no program {show(name)}"
+
+
+SAYINGS = ("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer")
+"""A line of the program has exactly one of these keys."""
+
+SHORT = 64
+"""Lines of fewer bytes, as most are, are parsed once."""
+
+
+class EpisodeEnd(NamedTuple):
+    """The answer of an episode, which is over."""
+
+    answer: object
+
+
+Message: TypeAlias = Action | Checkpoint | EpisodeEnd
+"""A line of the program, as a value."""
+
+
+# ---------------------------------------------------------------- to the program
+
+
+def beginning(number: int, first: Percept, told: Told) -> bytes:
+    """The line that begins an episode."""
+    heard = b"" if told is None else b'"told": %b, ' % json.dumps(told).encode()
+    return b'{"episode": %d, ' % number + heard + answering(first)[1:]
+
+
+@lru_cache(maxsize=1 << 12)
+def answering(percept: Percept) -> bytes:
+    """The line that answers an action."""
+    return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
+
+
+# ---------------------------------------------------------------- from the program
+
+
+def message_of(line: bytes) -> Message:
+    """The message of a line.
+
+    Raises:
+        ExplorerFault: if it is no line of the protocol, or what it says is malformed.
+    """
+    action = _short_action(line) if len(line) < SHORT else None
+    return _message_of(line) if action is None else action
+
+
+@lru_cache(maxsize=1 << 12)
+def _short_action(line: bytes) -> Action | None:
+    """The action of a short line; None if the line must be parsed more carefully."""
+    try:
+        message = json.loads(line)
+    except (ValueError, RecursionError):
+        return None
+    one = isinstance(message, dict) and _sayings(message) == 1
+    return action_from_json(message) if one else None
+
+
+def _message_of(line: bytes) -> Message:
+    message = _object_of(line)
+    if (said := _sayings(message)) != 1:
+        keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
+        raise _illegal(f"the line {_short(message)}: {keys}")
+    action = action_from_json(message)
+    if action is not None:
+        return action
+    if "checkpoint" in message:
+        return _checkpoint(message["checkpoint"])
+    if "estimate" in message:
+        return EpisodeEnd(_estimate(message["estimate"]))
+    if "ambiguous" in message:
+        return EpisodeEnd(_ambiguous(message["ambiguous"]))
+    if "answer" in message:
+        return EpisodeEnd(message["answer"])
+    legal = "move takes an integer, write one from 0 on, drop and pick take true"
+    raise _illegal(f"the line {_short(message)}: {legal}")
+
+
+def _object_of(line: bytes) -> dict[str, Any]:
+    try:
+        message = json.loads(line)
+    except (ValueError, RecursionError):
+        raise _illegal(f"a line that is no JSON: {shown(line)}") from None
+    if not isinstance(message, dict):
+        raise _illegal(f"a line that is no object: {shown(line)}")
+    return message
+
+
+def _sayings(message: dict[str, Any]) -> int:
+    """The number of keys of :data:`SAYINGS` in a message."""
+    return sum(key in message for key in SAYINGS)
+
+
+def _illegal(seen: str) -> ExplorerFault:
+    return ExplorerFault("illegal-action", seen)
+
+
+def _checkpoint(value: object) -> Checkpoint:
+    if not isinstance(value, dict):
+        raise ExplorerFault("illegal-action", f"a checkpoint that is no object: {_short(value)}")
+    if missing := _missing(value):
+        raise ExplorerFault("illegal-action", f"a checkpoint without {missing}: {_short(value)}")
+    return Checkpoint(value["sigma"], value["alpha"], value["here"])
+
+
+def _estimate(value: object) -> Estimate:
+    if not isinstance(value, dict):
+        raise ExplorerFault("no-estimate", f"an estimate that is no object: {_short(value)}")
+    if missing := _missing(value):
+        raise ExplorerFault("no-estimate", f"an estimate without {missing}: {_short(value)}")
+    try:
+        return Estimate(CombinatorialMap.from_json(value), value["here"])
+    except InvalidMap as error:
+        raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
+
+
+def _ambiguous(value: object) -> Ambiguous:
+    if not isinstance(value, dict):
+        raise ExplorerFault("no-estimate", f"a quotient that is no object: {_short(value)}")
+    if missing := _missing(value, ("sigma", "alpha", "degree", "marks", "here")):
+        raise ExplorerFault("no-estimate", f"a quotient without {missing}: {_short(value)}")
+    return Ambiguous(*(value[key] for key in ("sigma", "alpha", "degree", "marks", "here")))
+
+
+def _missing(value: dict[str, Any], keys: Sequence[str] = ("sigma", "alpha", "here")) -> str:
+    """The missing keys of a checkpoint or an answer, in words."""
+    return " and ".join(key for key in keys if key not in value)
+
+
+def _short(value: object) -> str:
+    try:
+        text = json.dumps(value)
+    except (RecursionError, ValueError):  # nested too deeply, or an integer too long
+        return show(value)
+    return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
+
+
+def shown(line: bytes | bytearray) -> str:
+    """A line as it is shown: its beginning, quoted."""
+    return repr(line[:SHOWN].decode(errors="replace"))
+
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24

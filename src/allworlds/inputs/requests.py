@@ -3,7 +3,7 @@
 A *request* (:class:`Request`) is composed of parts that verbs share.  Each field says its type, its
 default and, by :class:`Option` beside the type, how it is asked for on the command line; a plain
 text in that place tells of a field that Python has alone.  From the same class come the function in
-Python (:func:`answers`), the command line (``allworlds.cli.groups``), and what a run directory is
+Python (:func:`answers`), the command line (``allworlds.cli.app``), and what a run directory is
 of (:func:`meant`).
 """
 

@@ -60,26 +60,28 @@ if TYPE_CHECKING:
         AskedFinding as AskedFinding,
         FindingWords as FindingWords,
     )
-    from allworlds.judging.findings.belief import believed_walk as believed_walk
+    from allworlds.judging.findings.belief import (
+        believed_walk as believed_walk,
+        find_parting as find_parting,
+    )
     from allworlds.judging.findings.directory import (
         file_name as file_name,
         kept_findings as kept_findings,
         write_finding as write_finding,
     )
-    from allworlds.judging.findings.divergence import find_parting as find_parting
     from allworlds.judging.findings.finding import (
+        Chirality as Chirality,
         Finding as Finding,
+        Misreading as Misreading,
         canonical_world as canonical_world,
         place_of as place_of,
     )
-    from allworlds.judging.findings.misreading import Misreading as Misreading
     from allworlds.judging.findings.rules import (
         Among as Among,
         AskedRules as AskedRules,
         RecordedRules as RecordedRules,
         Rules as Rules,
     )
-    from allworlds.judging.findings.sense_of_rotation import Chirality as Chirality
     from allworlds.judging.findings.walks import (
         recorded_trail as recorded_trail,
         true_trail as true_trail,

@@ -34,11 +34,10 @@ if TYPE_CHECKING:
         LIGHTHOUSES as LIGHTHOUSES,
         lighthouse_named as lighthouse_named,
     )
-    from allworlds.world.lighthouses.knowledge import Knowledge as Knowledge
+    from allworlds.world.lighthouses.knowledge import Knowledge as Knowledge, Nothing as Nothing
     from allworlds.world.lighthouses.labels import Labels as Labels
     from allworlds.world.lighthouses.movable import Movable as Movable
     from allworlds.world.lighthouses.natural import Natural as Natural
-    from allworlds.world.lighthouses.nothing import Nothing as Nothing
     from allworlds.world.lighthouses.place_checks import InvalidWorld as InvalidWorld
     from allworlds.world.lighthouses.position import Position as Position
     from allworlds.world.lighthouses.sensing import Sensing as Sensing, Where as Where

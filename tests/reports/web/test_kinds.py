@@ -12,8 +12,7 @@ from allworlds.reports import file_of
 from allworlds.reports.telling import SizeCost
 from allworlds.reports.tellings.lookalikes import letters
 from allworlds.reports.web import frame
-from allworlds.reports.web.cost_plot import plot
-from allworlds.reports.web.walk import LONGEST
+from allworlds.reports.web.sections import LONGEST, plot
 from allworlds.studies.ambiguity import class_of, projection_of
 from allworlds.studies.check import check, most_expensive_runs
 from allworlds.studies.compare import compare

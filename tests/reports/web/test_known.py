@@ -4,8 +4,8 @@ from allworlds import run
 from allworlds.document import replace
 from allworlds.protocol import Checkpoint
 from allworlds.reports import file_of
-from allworlds.reports.tellings.shown_map import known
-from allworlds.reports.web.known import NEVER
+from allworlds.reports.tellings.single_run import known
+from allworlds.reports.web.sections import NEVER
 from html_tree import read
 
 

@@ -12,11 +12,9 @@ from allworlds.explorers import is_program
 from allworlds.inputs import an_integer
 from allworlds.judging.explanations.another_world import another_world
 from allworlds.judging.explanations.parting import tell_open_darts, tell_parting
-from allworlds.judging.explanations.rounds import tell_rounds
-from allworlds.judging.explanations.slips import the_slip
+from allworlds.judging.explanations.slips import tell_rounds, telling_line, the_slip
 from allworlds.judging.explanations.spending import spending
 from allworlds.judging.explanations.story import Belief, Story, Teller, Telling
-from allworlds.judging.explanations.traceback_line import telling_line
 from allworlds.judging.explanations.whose_bound import tell_whose_bound, tell_whose_budget
 from allworlds.judging.explanations.wrong_pose import tell_pose
 from allworlds.maps import CombinatorialMap

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from allworlds.judging.explanations.slips import mirror_image
 from allworlds.judging.explanations.story import Belief, Story
-from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.sense_of_rotation import Chirality
+from allworlds.judging.findings.finding import Chirality, Finding
 from allworlds.maps import CombinatorialMap, MapClass, isomorphism, rooted_maps
 from allworlds.words import size
 from allworlds.world import World

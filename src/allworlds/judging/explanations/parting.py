@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from allworlds.judging.explanations.story import Belief, Story
-from allworlds.judging.findings.divergence import Parting
+from allworlds.judging.findings.belief import Parting
 from allworlds.judging.laws.folding import fold
 from allworlds.maps import cycles
 from allworlds.words import listed, plural

@@ -11,8 +11,7 @@ from msgspec import Struct
 from allworlds.inputs import InputError, show
 from allworlds.judging.explanations.named_walk import Walked
 from allworlds.judging.explanations.spending import Spending
-from allworlds.judging.findings.belief import believed_walk
-from allworlds.judging.findings.divergence import Parting
+from allworlds.judging.findings.belief import Parting, believed_walk
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import Dart
 from allworlds.protocol import Estimate, Percept

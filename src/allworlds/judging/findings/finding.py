@@ -1,4 +1,4 @@
-"""A refuting run as a value: enough to replay it with nothing else."""
+"""The finding: a refuting run, with what further plays have shown of it."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import shlex
 from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
 from typing import Annotated, Any, Final, Literal
+
+from msgspec import Struct
 
 from allworlds.document import (
     SCHEMA,
@@ -23,14 +25,41 @@ from allworlds.document import (
 )
 from allworlds.explorers import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs import InputError, parse_json, show
-from allworlds.judging.findings.misreading import Misreading
 from allworlds.judging.findings.rules import RecordedRules, Rules
-from allworlds.judging.findings.sense_of_rotation import Chirality
 from allworlds.judging.laws.case import Value
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName
 from allworlds.maps import Code, numbering, rooted_code
 from allworlds.protocol import Estimate, Transcript
 from allworlds.world import World
+
+
+class Misreading(Struct, frozen=True):
+    """The result of playing the explorer of a finding behind a translator: no law was broken.
+
+    Attributes:
+        convention: the name in :data:`allworlds.explorers.CONVENTIONS`.
+        runs: the number of runs besides that of the finding, in all worlds of a size.
+        edges: the largest number of edges of their worlds.
+        among: the class of these worlds, and the condition on them.
+    """
+
+    convention: str
+    runs: int
+    edges: int
+    among: str
+
+
+class Chirality(Struct, frozen=True):
+    """The result of playing the explorer of a finding in a chiral world.
+
+    Attributes:
+        rotations: the order in which the explorer lists the darts round a vertex.
+        where: the chiral world in words, or, if the order is unknown, the reason as a clause.
+    """
+
+    rotations: Literal["clockwise", "anticlockwise", "unknown"]
+    where: str
+
 
 VERSION: Final = 2
 

@@ -19,8 +19,7 @@ from allworlds.maps.counting.any_genus import (
     rooted_of_genus,
 )
 from allworlds.maps.counting.arithmetic import exactly, vertex_counts
-from allworlds.maps.counting.degrees import rooted_simple_by_degrees
-from allworlds.maps.counting.sources import CountSource, sources
+from allworlds.maps.counting.sources import CountSource, rooted_simple_by_degrees, sources
 
 Cells: TypeAlias = dict[int, int]
 

@@ -1,19 +1,130 @@
-"""Where a map's vertices, darts and edges are drawn: sigma is clockwise round every vertex."""
+"""The layout of a map: planar where it can be, else on rays."""
 
 from __future__ import annotations
 
-from cmath import exp
+from cmath import exp, phase, rect
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from math import tau
+from itertools import combinations, pairwise
+from math import pi, tau
 
 from msgspec import Struct
 
 from allworlds.maps import CombinatorialMap, Dart, Mismatch, cycles, isomorphism, unrooted_code
-from allworlds.reports.drawing.edge_points import least_distance, points_of
 from allworlds.reports.drawing.mesh import mesh, place
 from allworlds.reports.drawing.planar import PlanarMap, drawings
-from allworlds.reports.drawing.rays import spread, straightened
+
+ROUND_VERTEX, ROUND_CROSSING = 40.0, 30.0
+"""In pixels: so near to a vertex or to a crossing of theirs edges may come near each other."""
+
+
+def points_of(way: Sequence[complex]) -> list[complex]:
+    """Points of the curve: its ends, the tops of its parabolas, and the points where these meet."""
+    points = [way[0], (way[0] + way[1]) / 2]
+    for a, b, c in zip(way, way[1:], way[2:], strict=False):
+        points += [(a + 6 * b + c) / 8, (b + c) / 2]
+    return [*points, way[-1]]
+
+
+def crossings_of(way: Sequence[complex]) -> Sequence[complex]:
+    """The points where the edge crosses an edge: every fifth point between its ends."""
+    return way[5:-1:5]
+
+
+def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
+    """The ends of the straight piece of the curve about each crossing."""
+    around = zip(way[4::5], crossings_of(way), way[6::5], strict=False)
+    return [((before + at) / 2, (at + after) / 2) for before, at, after in around]
+
+
+def least_distance(ways: Sequence[Sequence[complex]]) -> float:
+    """The smallest distance of two edges in pixels, apart from vertices and crossings.
+
+    Args:
+        ways: for each dart the points that its edge is drawn towards.
+
+    Cost: quadratic in the number of points; these are so dense that the distance is about right.
+    """
+    ends = [way[0] for way in ways]
+    crossed = [point for way in ways for point in crossings_of(way)]
+    free = {}
+    for way in ways:
+        # Each edge has two darts; seen from the other one its points are those backwards.
+        name = min((p.real, p.imag) for p in (way[1], way[-2]))
+        free[name] = [
+            p
+            for p in points_of(way)
+            if all(abs(p - end) > ROUND_VERTEX for end in ends)
+            and all(abs(p - end) > ROUND_CROSSING for end in crossed)
+        ]
+    return min(
+        (abs(p - q) for one, other in combinations(free.values(), 2) for p in one for q in other),
+        default=float("inf"),
+    )
+
+
+SQUAREST = 0.42 * pi
+"""The angle at which two edges cross, at least; wider ones stay as they are."""
+
+STRAIGHT = 0.5
+"""How far the straight piece at a crossing reaches, as a part of the shortest of the four."""
+
+EVEN = 0.75
+"""The angle between two darts at a vertex, at least, as a part of what it is on the average."""
+
+BEND = pi / 3
+"""The largest angle by which a dart is turned for that."""
+
+REACH = 0.8
+"""How far the straight beginnings of darts reach, as a part of the shortest of them."""
+
+
+def straightened(centre: complex, round_it: Sequence[complex]) -> list[complex]:
+    """The point towards which each of four pieces leaves a crossing, opposite ones in line.
+
+    Args:
+        centre: where the two edges cross.
+        round_it: where the four pieces come from, clockwise; the first and the third are of one
+            edge.
+    """
+    rays = [point - centre for point in round_it]
+    first, second = (_line(rays[k], rays[k + 2]) for k in (0, 1))
+    # The second edge's line is clockwise from that of the first, and by less than a half turn.
+    angle = phase(second / first) % pi
+    lacks = max(SQUAREST - angle, 0.0) - max(angle - (pi - SQUAREST), 0.0)
+    first *= exp(-0.5j * lacks)
+    second *= exp(0.5j * lacks)
+    reach = STRAIGHT * min(map(abs, rays))
+    return [centre + reach * line for line in (first, second, -first, -second)]
+
+
+def _line(there: complex, back: complex) -> complex:
+    """The direction between that of one piece and away from the other, of length 1."""
+    line = there / abs(there) - back / abs(back)
+    return line / abs(line)
+
+
+def spread(centre: complex, round_it: Sequence[complex]) -> list[complex]:
+    """The point towards which each dart leaves a vertex: evenly enough, and near where it lay.
+
+    Args:
+        centre: the vertex.
+        round_it: where its darts lead to, clockwise.
+    """
+    rays = [point - centre for point in round_it]
+    reach, count = REACH * min(map(abs, rays)), len(rays)
+    first = phase(rays[0])
+    angles = [first]
+    for before, ray in pairwise(rays):
+        angles.append(angles[-1] + phase(ray / before) % tau)
+    least = min(b - a for a, b in pairwise([*angles, first + tau]))
+    even = [tau * k / count for k in range(count)]
+    middle = sum(a - b for a, b in zip(angles, even, strict=True)) / count
+    lacks = [b + middle - a for a, b in zip(angles, even, strict=True)]
+    part = max(0.0, (EVEN * tau / count - least) / max(tau / count - least, 1e-9))
+    part = min(part, BEND / max(*map(abs, lacks), 1e-9))
+    return [centre + rect(reach, a + part * lack) for a, lack in zip(angles, lacks, strict=True)]
+
 
 MOST_DARTS = 200
 """Larger drawings, ends at crossings counted, are made in the plain way."""

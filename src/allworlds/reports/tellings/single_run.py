@@ -1,4 +1,4 @@
-"""Tellings of ``run`` and ``replay``: one run, step by step."""
+"""What is told of one run, and of its map."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import json
 
 from allworlds.document import replace
 from allworlds.engines import SingleRun
-from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk
+from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk, true_trail
 from allworlds.protocol import Ambiguous
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
@@ -14,6 +14,7 @@ from allworlds.reports.telling import (
     Block,
     Headline,
     Section,
+    ShownMap,
     ToldFacts,
     ToldResult,
     ToldTable,
@@ -28,10 +29,27 @@ from allworlds.reports.tellings.finding import (
     nothing_checked,
     printed,
 )
-from allworlds.reports.tellings.shown_map import known
 from allworlds.studies.replay import Replay
-from allworlds.studies.run import WorldNames, hypotheses_in
+from allworlds.studies.run import WorldNames, embedded, hypotheses_in
 from allworlds.words import number, plural
+
+
+def known(run: SingleRun) -> ShownMap | None:
+    """The map from a run's checkpoints; None if there is none, or if S is not embedded."""
+    episode, world = run.outcome.episode, run.world
+    if not episode.checkpoints:
+        return None
+    trail = true_trail(world, episode.transcript)
+    seen = ShownMap({}, {})
+    for step, checkpoint in episode.checkpoints:
+        place = embedded(checkpoint, world, trail[step])
+        if place is None:
+            return None
+        for dart, other in enumerate(checkpoint.alpha):
+            seen.darts.setdefault(place[dart], step)
+            if other != dart:
+                seen.edges.setdefault(place[dart], step)
+    return seen
 
 
 def run_telling(run: SingleRun | WorldNames) -> ToldResult:

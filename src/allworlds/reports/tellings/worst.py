@@ -14,7 +14,7 @@ from allworlds.reports.telling import (
     ToldTable,
     so_far,
 )
-from allworlds.reports.tellings.most_expensive import most_expensive_sections
+from allworlds.reports.tellings.check import most_expensive_sections
 from allworlds.reports.tellings.scope import (
     gate_told,
     maps_words,

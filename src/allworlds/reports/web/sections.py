@@ -1,13 +1,18 @@
-"""Sections of a telling as elements of a page."""
+"""The sections of a page."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import groupby
 from xml.etree import ElementTree as ET
 
 from allworlds.document import replace
+from allworlds.judging import Walked
+from allworlds.maps import CombinatorialMap, Dart
+from allworlds.protocol import Move
 from allworlds.reports.cost_curve import cost_picture
-from allworlds.reports.drawing.layout import layout
+from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
+from allworlds.reports.drawing.layout import Layout, layout
 from allworlds.reports.markup import record, tag
 from allworlds.reports.telling import (
     Block,
@@ -15,6 +20,8 @@ from allworlds.reports.telling import (
     Curve,
     Quote,
     Section,
+    ShownMap,
+    SizeCost,
     ToldFacts,
     ToldPicture,
     ToldRecord,
@@ -23,12 +30,200 @@ from allworlds.reports.telling import (
     View,
     Words,
 )
-from allworlds.reports.web.beside import drawn_beside
-from allworlds.reports.web.cost_plot import plot
-from allworlds.reports.web.known import let_grow
 from allworlds.reports.web.viewer import figure, viewer
-from allworlds.reports.web.walk import LONGEST, steps_of
-from allworlds.words import number, plural
+from allworlds.studies.run import Hypothesis
+from allworlds.words import number, plural, size
+
+
+def drawn_beside(
+    first: View, other: View, drawn: Layout, agreement: int
+) -> tuple[View, View, Layout]:
+    """Both views with their first difference ringed, the other in the numbers of the first.
+
+    Args:
+        first: what is to be seen in one map, and the trail there.
+        other: the same of the other one.
+        drawn: how the first is laid out.
+        agreement: the number of steps, the start included, in which both go along alike.
+    """
+    world, answer = first.scene, other.scene
+    ties: dict[Dart, Dart] = {}
+    for robot, belief in zip(first.trail[:agreement], other.trail[:agreement], strict=True):
+        for k in range(world.map.degree_at[robot]):
+            ties[answer.map.turn(belief, k)] = world.map.turn(robot, k)
+    ties = mirror_of(answer.map, world.map) or extended(ties, answer.map, world.map)
+    beside = layout_like(ties, answer.map, answer.start, world.map, drawn)
+    if agreement < len(first.trail):
+        world = replace(world, ringed=first.trail[agreement])
+        answer = replace(answer, ringed=other.trail[agreement])
+    answer = replace(answer, names=names_like(ties, answer.map, world.map))
+    return replace(first, scene=world), replace(other, scene=answer), beside
+
+
+NEVER = 10**9
+"""Stands for the step at which something is known that never is."""
+
+
+def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap, *, tested: bool) -> None:
+    """Add to a figure the step at which each part appears, and a legend of the styles."""
+    for part in drawn.iter():
+        if (darts := part.get("data-darts")) is not None:
+            part.set("data-since", str(seen.edges.get(int(darts.split()[0]), NEVER)))
+        elif (vertex := part.get("data-vertex")) is not None:
+            first = map_.vertices[int(vertex)][0]
+            part.set("data-since", str(seen.darts.get(first, NEVER)))
+        elif (stub := part.get("data-stub")) is not None:
+            explored = seen.edges.get(int(stub))
+            part.set("class", "stub open" if explored is None else "stub open gone")
+            part.set("data-since", str(seen.darts.get(int(stub), NEVER)))
+            part.set("data-until", str(NEVER if explored is None else explored))
+    legend = drawn[-1]
+    legend.append(tag("span", "open: not explored yet", class_="key known-key"))
+    if tested:
+        legend.append(
+            tag("span", "under test: did the robot arrive by this dart?", class_="key tested-key")
+        )
+        legend.append(tag("span", "the robot's place if it did", class_="key supposed-key"))
+
+
+COLUMN, BAR, HEIGHT, LEFT, TOP, FOOT = 30, 18, 180, 56, 24, 52
+"""In pixels: from column to column, the width of a bar, and the room that the bars have."""
+
+
+def plot(cells: Sequence[SizeCost], name: str) -> ET.Element:
+    """The largest cost of each size as a bar, and its bound as a line above; ``name`` is its id."""
+    top = max((max(cell.cost, cell.bound or 0) for cell in cells), default=0) or 1
+    width = LEFT + COLUMN * len(cells) + 8
+
+    def y(value: float) -> str:
+        return f"{TOP + HEIGHT * (1 - value / top):.1f}"
+
+    parts: list[ET.Element] = []
+    for value in _ticks(top):
+        parts.append(tag("path", class_="grid", d=f"M{LEFT - 4} {y(value)} H{width}"))
+        parts.append(tag("text", number(value), class_="tick", x=LEFT - 8, y=y(value)))
+    for i, cell in enumerate(cells):
+        parts += _column(cell, LEFT + COLUMN * i + COLUMN // 2, y)
+    at = LEFT
+    for edges, group in groupby(cells, key=lambda cell: cell.edges):
+        wide = COLUMN * len([*group])
+        middle = at + wide // 2
+        parts.append(tag("path", class_="brace", d=f"M{at + 4} {TOP + HEIGHT + 24} h{wide - 8}"))
+        parts.append(tag("text", str(edges), x=middle, y=TOP + HEIGHT + 38))
+        at += wide
+    parts.append(tag("text", "vertices", class_="axis", x=LEFT - 6, y=TOP + HEIGHT + 14))
+    parts.append(tag("text", "edges", class_="axis", x=LEFT - 6, y=TOP + HEIGHT + 38))
+    return tag(
+        "svg",
+        tag("title", "The largest cost of each size against its bound", id=f"{name}-title"),
+        tag("desc", " ".join(map(_in_words, cells)), id=f"{name}-desc"),
+        *parts,
+        id=name,
+        class_="plot",
+        role="img",
+        aria_labelledby=f"{name}-title {name}-desc",
+        viewBox=f"0 0 {width} {TOP + HEIGHT + FOOT}",
+        width=width,
+        height=TOP + HEIGHT + FOOT,
+        xmlns="http://www.w3.org/2000/svg",
+    )
+
+
+def _column(cell: SizeCost, middle: int, y: Callable[[float], str]) -> list[ET.Element]:
+    left, foot = middle - BAR // 2, TOP + HEIGHT
+    parts = [
+        tag("path", class_="cost", d=f"M{left} {foot} V{y(cell.cost)} h{BAR} V{foot} Z"),
+        tag("text", str(cell.vertices), x=middle, y=foot + 14),
+    ]
+    if cell.bound is not None:
+        parts.append(tag("path", class_="bound", d=f"M{left - 4} {y(cell.bound)} h{BAR + 8}"))
+    return parts
+
+
+def _ticks(top: int) -> list[int]:
+    """Round numbers from 0 to the top, four or so."""
+    step = 1
+    while top / step > 5:
+        step *= 5 if str(step).startswith("2") or (step == 1 and top > 10) else 2
+    return [*range(0, top + 1, step)]
+
+
+def _in_words(cell: SizeCost) -> str:
+    most = "" if cell.bound is None else f" of at most {number(cell.bound)}"
+    return f"{size(cell.edges, cell.vertices)}: {plural(cell.cost, 'traversal')}{most}."
+
+
+LONGEST = 1500
+"""The number of steps of a longer walk that are told."""
+
+
+def steps_of(
+    walk: ToldWalk, views: Sequence[View], name: str, follows: Sequence[str]
+) -> ET.Element:
+    """The list of the first :data:`LONGEST` steps.
+
+    Args:
+        walk: which one.
+        views: the pictures in which it is followed.
+        name: of the walk, with which the names of its steps begin.
+        follows: a name for each view, by which its picture finds the robot in a step.
+    """
+    items = [_step(walk, i, f"{name}-step-{i}") for i in range(len(walk.walked.walked[:LONGEST]))]
+    for followed, view in zip(follows, views, strict=True):
+        for item, dart in zip(items, view.trail, strict=False):
+            item.set(f"data-{followed}", str(dart))
+    _tell_tests(items, walk.tests, walk.walked)
+    return tag(
+        "ol",
+        *items,
+        class_="walk compared" if walk.elsewhere else "walk",
+        start="0",
+        role="list",
+        aria_label="The walk, step by step",
+    )
+
+
+def _step(walk: ToldWalk, i: int, name: str) -> ET.Element:
+    walked, parts = walk.walked, i == walk.parting
+    action = walked.transcript.steps[i - 1][0] if i else None
+    item = tag(
+        "li",
+        tag("a", str(i), href=f"#{name}", class_="step", aria_label=f"step {i}"),
+        tag("span", str(action) if action else "start", class_="motion"),
+        tag("span", f"at {walked.place(walked.walked[i])}", class_="place"),
+        tag("span", f"sensed: {walked.sensed[i]}", class_="sensed"),
+        id=name,
+        class_="parting" if parts else None,
+        data_moved="" if type(action) is Move else None,
+    )
+    if walk.elsewhere and i < len(walk.elsewhere.percepts):
+        other = walk.elsewhere.percepts[i]
+        sign, kind = ("=", "fits") if other == walked.sensed[i] else ("≠", "misfits")
+        item.append(tag("span", f"{sign} {walk.elsewhere.where}: {other}", class_=kind))
+    if parts:
+        item.append(tag("b", "belief and truth diverge here", class_="note"))
+    return item
+
+
+def _tell_tests(steps: Sequence[ET.Element], tests: Sequence[Hypothesis], story: Walked) -> None:
+    """Add to each step the hypothesis under test, and the result of the test at its end."""
+    told: dict[int, list[str]] = {}
+    for test in tests:
+        for step, dart in enumerate(test.supposed, test.first):
+            if step >= len(steps):
+                break
+            steps[step].set("data-tested", str(test.dart))
+            steps[step].set("data-supposed", str(dart))
+            words = told.setdefault(step, [])
+            if step == test.first:
+                words.append(f"whether it has come by dart {test.dart}")
+            else:
+                words.append(f"if by dart {test.dart}, it is now at {story.place(dart)}")
+            if step == test.last:
+                words[-1] += ": yes" if test.right else ": no"
+    for step, words in told.items():
+        steps[step].append(tag("span", f"test: {'; '.join(words)}", class_="test"))
+
 
 ROOM = 700_000
 """The characters of a page for walks that are opened one at a time; if they need more, the first

@@ -47,11 +47,11 @@ if TYPE_CHECKING:
         class_of as class_of,
         projection_of as projection_of,
     )
-    from allworlds.studies.ambiguity.smt.controls import (
+    from allworlds.studies.ambiguity.smt.result import SearchResult as SearchResult
+    from allworlds.studies.ambiguity.smt.solvers import (
         REQUIREMENTS as REQUIREMENTS,
         has_model_without as has_model_without,
     )
-    from allworlds.studies.ambiguity.smt.result import SearchResult as SearchResult
     from allworlds.studies.ambiguity.smt.twin_search import search as search
     from allworlds.studies.ambiguity.telling_apart import (
         ComparedWorlds as ComparedWorlds,

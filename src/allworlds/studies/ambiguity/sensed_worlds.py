@@ -24,8 +24,7 @@ from allworlds.maps import (
 )
 from allworlds.outcome import Disagreement
 from allworlds.protocol import Percept
-from allworlds.studies.ambiguity.marked_code import is_least_rooting
-from allworlds.studies.ambiguity.members import projection_of
+from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
 from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
 from allworlds.world import InvalidWorld, LighthouseKind, Position, World
 

@@ -1,7 +1,8 @@
-"""The exhaustive check, level by level, from its options to its report."""
+"""A check, level by level to a report; in worlds of the user's own, too."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from contextlib import suppress
 from typing import Any
 
@@ -10,6 +11,7 @@ from typing_extensions import override
 from allworlds.document import replace
 from allworlds.engines import (
     ENGINES,
+    WHOLE,
     EngineKind,
     Given,
     Identity,
@@ -29,15 +31,13 @@ from allworlds.engines import (
 )
 from allworlds.explorers import Subject
 from allworlds.inputs import InputError, a_path, answers, show
+from allworlds.maps import Extent, numbering
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, Verdict
 from allworlds.studies.check.confirmation import UNREPEATED
-from allworlds.studies.check.gate import GateCell, count_gate, missing_witnesses
-from allworlds.studies.check.given_worlds import extent_of, given_worlds
 from allworlds.studies.check.known_findings import UserCorpus
-from allworlds.studies.check.report import CheckReport
+from allworlds.studies.check.report import CheckReport, GateCell, count_gate, missing_witnesses
 from allworlds.studies.check.requests import CheckRequest, EstimateRequest
-from allworlds.studies.check.run_identity import rules_known, subject_of_record
-from allworlds.studies.check.tally_sweep import TallySweep
+from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
 from allworlds.studies.check.time_estimate import (
     LONG,
     Guess,
@@ -48,6 +48,65 @@ from allworlds.studies.check.time_estimate import (
     one_larger,
 )
 from allworlds.words import duration
+from allworlds.world import LighthouseKind, World, kind_of
+
+EXCLUSIVE = ("edges", "vertices", "where", "lighthouse", "run", "corpus")
+"""The options that name other worlds, or need worlds that another command can name."""
+
+
+def given_worlds(worlds: Iterable[object], request: CheckRequest) -> tuple[Given, LighthouseKind]:
+    """The worlds of a request as a check goes through them, and the lighthouse of all of them.
+
+    Raises:
+        InputError: if there are none, if one is no world, has another lighthouse or is not of the
+            class, or if the request names worlds in another way, too.
+    """
+    for name in EXCLUSIVE:
+        if getattr(request, name) is not None:
+            given = show(str(getattr(request, name)))
+            raise InputError(f"{name} = {given} cannot be given together with worlds")
+    if request.shard != WHOLE:
+        raise InputError(f"shard = {request.shard} cannot be given together with worlds")
+    try:
+        met = [*worlds]
+    except TypeError:
+        raise InputError(f"worlds = {show(worlds)} is no series of worlds") from None
+    if not met:
+        raise InputError("worlds = [] is empty; legal is one world or more")
+    rooted = [_rooted(world, number, request) for number, world in enumerate(met)]
+    kinds = [kind_of(world.lighthouse) for world in rooted]
+    for number, kind in enumerate(kinds):
+        if kind != kinds[0]:
+            raise InputError(
+                f"worlds[{number}] has the lighthouse {show(str(kind))}, and worlds[0] has "
+                f"{show(str(kinds[0]))}; legal is one lighthouse for all"
+            )
+    placed = [(world, _place(world)) for world in rooted]
+    return Given(tuple(sorted(placed, key=lambda each: each[0].map.edge_count))), kinds[0]
+
+
+def extent_of(given: Given, request: CheckRequest) -> Extent:
+    """The class of the request, as far as the largest of the given worlds."""
+    return Extent(request.map_class, given.sizes[-1])
+
+
+def _rooted(world: object, number: int, request: CheckRequest) -> World:
+    """The world with its darts numbered from the start, which is dart 0."""
+    if not isinstance(world, World):
+        raise InputError(f"worlds[{number}] = {show(world)} is no World")
+    map_ = world.map
+    if not request.map_class.includes(map_):
+        raise InputError(f"worlds[{number}] is not of the class {request.map_class}: {show(map_)}")
+    names = [0] * len(map_.darts)
+    for name, dart in enumerate(numbering(map_.sigma, map_.alpha, world.start)):
+        names[dart] = name
+    return world.relabelled(names)
+
+
+def _place(world: World) -> int:
+    """The number of the lighthouse's place among all that the map has; 0 of another one."""
+    places = world.lighthouse.as_kind.places(world.map, 0)
+    return next((i for i, place in enumerate(places) if place == world.lighthouse), 0)
 
 
 @answers(CheckRequest)

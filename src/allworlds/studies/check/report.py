@@ -1,8 +1,8 @@
-"""The outcome of a check: a verdict that never comes without its scope."""
+"""The verdict of a check with its scope: gate, witnesses, most expensive runs."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Literal, TypeAlias
 
 from typing_extensions import override
@@ -24,26 +24,95 @@ from allworlds.document import (
 )
 from allworlds.engines import (
     GOES_BY_HASHES,
+    AtRun,
     EndedReport,
     EngineName,
     Given,
+    Limits,
     Portion,
     Sample,
     Scope,
     Shard,
+    SingleRun,
     SweptExit,
     Tally,
     TriedPlaces,
+    single_run,
+    subject_of,
     told_scope,
     tried_places,
 )
-from allworlds.judging import Finding, checked_laws
-from allworlds.maps import Extent, source_of
+from allworlds.explorers import Subject
+from allworlds.inputs import InputError
+from allworlds.judging import Finding, Rules, Task, checked_laws
+from allworlds.maps import CombinatorialMap, Extent, named_map, source_of
 from allworlds.outcome import Completed, Verdict
-from allworlds.studies.check.gate import GateCell
 from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
-from allworlds.studies.check.requests import CheckRequest
-from allworlds.studies.check.shared_files import SharedFile
+from allworlds.studies.check.requests import CheckRequest, SharedFile
+from allworlds.world import World
+
+
+class GateCell(Document):
+    """One comparison of the count gate."""
+
+    edges: Edges
+    vertices: Vertices
+    enumerated: Annotated[Natural, about("rooted maps that were visited")]
+    counted: Annotated[Natural, about("those that there are")]
+    source: Annotated[Text, about("says who")]
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the enumeration and the source give the same count."""
+        return self.counted == self.enumerated
+
+
+def count_gate(extent: Extent, edges: int, tally: Tally) -> list[GateCell]:
+    """Counts of the enumerated maps of a level, beside those of an independent source.
+
+    There are none under a condition that has no source.
+    """
+    source = source_of(extent)
+    if source is None:
+        return []
+    counted = source.cells(edges)
+    cells: list[GateCell] = []
+    for vertices in range(1, extent.vertex_limit(edges) + 1):
+        row = tally.rows.get((edges, vertices))
+        enumerated = row.worlds if row else 0
+        known = counted.get(vertices, 0)
+        if enumerated or known:
+            cells.append(
+                GateCell(
+                    edges=edges,
+                    vertices=vertices,
+                    enumerated=enumerated,
+                    counted=known,
+                    source=source.name,
+                )
+            )
+    return cells
+
+
+SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
+"""For each event that needs no explorer the smallest map in which it occurs."""
+
+
+def missing_witnesses(
+    extent: Extent, subject: Subject, task: Task, seen: Mapping[str, int]
+) -> tuple[str, ...]:
+    """The events that a check of the whole extent must have seen and has not.
+
+    Those of the explorer itself are about maps: with another task a run may be over before, and
+    under a condition they may not occur.
+    """
+    simple, last = extent.map_class.simple, extent.levels[-1]
+    required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
+    for event, least in subject.witnesses.items() if task.is_map and extent.where is None else ():
+        match least[simple]:
+            case (edges, vertices) if edges <= last and vertices <= extent.vertex_limit(last):
+                required.add(event)
+    return tuple(sorted(event for event in required if not seen.get(event)))
 
 
 class SampleReport(Document):
@@ -261,3 +330,27 @@ def _remarks(tally: Tally) -> Iterator[str]:
             yield text if times == 1 else f"{text} ({times} times)"
         elif not more_than_hashes:
             yield text
+
+
+def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
+    """The most expensive run of each size, ascending; empty if the explorer has no name.
+
+    Of several it is the least.
+
+    Cost: an episode each.
+    """
+    limits, rules = Limits(), report.asked.rules
+    try:
+        subject = subject_of(report.explorer, limits)
+    except InputError:  # it was handed over as a function that no name leads to
+        return
+    for _, row in sorted(report.tally.rows.items()):
+        if row.most_expensive is not None:
+            world = world_at(row.most_expensive, rules)
+            yield single_run(subject, world, rules, row.most_expensive.choices, limits)
+
+
+def world_at(run: AtRun, rules: Rules) -> World:
+    """The world of the run under these rules."""
+    map_ = CombinatorialMap(run.sigma, run.alpha)
+    return World(map_, [*rules.kind.places(map_, 0)][run.place], 0)

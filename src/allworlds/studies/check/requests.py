@@ -1,12 +1,12 @@
-"""Requests of ``check`` and of similar verbs."""
+"""What a check is asked for; files that hold an explorer, and code that judges it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, TypeAlias
 
-from allworlds.document import Bounded, about, replace
+from allworlds.document import Bounded, IfAny, about, replace
 from allworlds.engines import (
     AskedCluster,
     AskedDirectory,
@@ -14,7 +14,7 @@ from allworlds.engines import (
     AskedShard,
     Limits,
 )
-from allworlds.explorers import AskedExplorer, Subject
+from allworlds.explorers import AskedExplorer, Subject, files_of_explorer
 from allworlds.inputs import (
     EFFORT,
     RULES,
@@ -27,10 +27,26 @@ from allworlds.inputs import (
     show,
 )
 from allworlds.judging import Among, AskedRules, Rules
-from allworlds.maps import DEFAULT_EDGES, AskedClass, AskedExtent, Extent
+from allworlds.maps import DEFAULT_EDGES, AskedClass, AskedExtent, Condition, Extent
 from allworlds.protocol import Schedule, a_schedule
-from allworlds.studies.check.shared_files import shared_file
-from allworlds.world import AskedLighthouse, AskedWhere, World
+from allworlds.world import AskedLighthouse, AskedWhere, World, files_of_condition
+
+SharedFile: TypeAlias = Annotated[
+    IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")
+]
+"""A key of the scope of every verb that judges runs."""
+
+
+def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
+    """The name of the explorer's file where code that judges it is loaded from it; else empty.
+
+    Such code runs where verdicts are made, and could make one.
+    """
+    files = (*rules.files, *files_of_condition(where))
+    if not files:
+        return ""
+    theirs = {file.resolve() for file in files_of_explorer(explorer)}
+    return next((file.name for file in files if file in theirs), "")
 
 
 class ManyWorlds(AskedListener, Limits, AskedRules, AskedLighthouse, AskedClass):

@@ -27,13 +27,13 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
     from allworlds.studies.compare.comparison import (
         ComparedRow as ComparedRow,
         Comparison as Comparison,
+        ContestReport as ContestReport,
     )
     from allworlds.studies.compare.contest import compare as compare, compared as compared
-    from allworlds.studies.compare.contest_report import ContestReport as ContestReport
+    from allworlds.studies.compare.contestants import InWorld as InWorld
     from allworlds.studies.compare.growth import (
         CostRatio as CostRatio,
         Exponent as Exponent,
@@ -41,12 +41,12 @@ if TYPE_CHECKING:
         Growth as Growth,
         Shape as Shape,
     )
-    from allworlds.studies.compare.in_world import InWorld as InWorld
     from allworlds.studies.compare.intervals import (
         LEAST_SIZES as LEAST_SIZES,
         LEAST_WORLDS as LEAST_WORLDS,
         LEVEL as LEVEL,
         mean_interval as mean_interval,
     )
+    from allworlds.studies.compare.requests import CompareRequest as CompareRequest
 else:
     open_door(__name__)

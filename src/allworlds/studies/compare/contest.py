@@ -29,8 +29,6 @@ from allworlds.maps import CombinatorialMap, Extent
 from allworlds.outcome import Ending, Stopped
 from allworlds.studies.check import GateCell, count_gate
 from allworlds.studies.compare.climb import GrowingWorlds, growing
-from allworlds.studies.compare.compare_keywords import CompareKeywords, SameWorldsKeywords
-from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.comparison import (
     ComparedRow,
     Comparison,
@@ -42,13 +40,15 @@ from allworlds.studies.compare.comparison import (
 from allworlds.studies.compare.contestants import (
     Contest,
     Contestant,
+    CostsOfAll,
+    InWorld,
+    UnitOfOne,
     contestants_known,
     contestants_of,
 )
 from allworlds.studies.compare.growing_families import Member, form_of
 from allworlds.studies.compare.growth import Growth
-from allworlds.studies.compare.in_world import InWorld
-from allworlds.studies.compare.side_by_side import CostsOfAll, UnitOfOne
+from allworlds.studies.compare.requests import CompareKeywords, CompareRequest, SameWorldsKeywords
 from allworlds.world import World
 
 

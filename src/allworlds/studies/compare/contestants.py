@@ -1,11 +1,13 @@
-"""Explorers that are compared, each under its own rules."""
+"""Explorers that are run in the same worlds, their shares of a job, and their costs."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypeVar
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
+from itertools import groupby
+from typing import Any, NamedTuple, Self, TypeVar
 
-from msgspec import Struct
+from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document import replace
@@ -14,12 +16,16 @@ from allworlds.engines import (
     By,
     CostEngine,
     CostTally,
+    GivenWorlds,
     Job,
+    PartialResult,
     Portion,
     ReadyEngine,
     Scope,
     Sweep,
     SweptLevel,
+    Transport,
+    UnitOfRuns,
     from_kept,
     players_for,
     subject_of,
@@ -36,9 +42,122 @@ from allworlds.studies.check import (
     rules_record,
     subject_of_record,
 )
-from allworlds.studies.compare.compare_request import CompareRequest
-from allworlds.studies.compare.side_by_side import CostsOfAll, SideBySide
+from allworlds.studies.compare.requests import CompareRequest
 from allworlds.world import World
+
+
+class InWorld(NamedTuple):
+    """An explorer's runs in one world.
+
+    Attributes:
+        map: rooted at dart 0.
+        member: the words that name the world in a family; empty where there is no family.
+        explorer: its name.
+        costs: traversals by the number of the lighthouse's place.
+        places: the number of all places.
+        bound: on the traversals of a run, the same in each place; None without one.
+        drawn_from: the number of different worlds of this size that seeds draw, where it is known.
+        finished: all worlds of this size were run.
+    """
+
+    map: CombinatorialMap
+    member: str
+    explorer: str
+    costs: Mapping[int, int]
+    places: int
+    bound: int | None
+    drawn_from: int | None = None
+    finished: bool = True
+
+    @property
+    def mean(self) -> float:
+        """The mean cost of the runs."""
+        return sum(self.costs.values()) / len(self.costs)
+
+
+class UnitOfOne(Struct, frozen=True):
+    """A unit of runs that one contestant plays."""
+
+    number: int
+    unit: UnitOfRuns
+
+    @property
+    def key(self) -> str:
+        """Key of the unit in a run directory: ``NUMBER/KEY``."""
+        return f"{self.number}/{self.unit.key}"
+
+    @property
+    def runs(self) -> int:
+        """The number of its runs, if they are those of given worlds."""
+        return len(self.unit.worlds) if isinstance(self.unit, GivenWorlds) else 0
+
+
+class CostsOfAll(Struct):
+    """Costs of the runs of each contestant, which add up in any order.
+
+    Attributes:
+        of: by the number of the contestant.
+    """
+
+    of: dict[int, CostTally] = field(default_factory=dict)
+
+    @property
+    def worlds(self) -> int:
+        """The number of rooted maps, counted once for each contestant."""
+        return sum(tally.worlds for tally in self.of.values())
+
+    @property
+    def findings(self) -> list[Any]:
+        """The smallest finding of each contestant."""
+        return [found for tally in self.of.values() for found in tally.findings]
+
+    def one(self, number: int) -> CostTally:
+        """The costs of a single contestant."""
+        return self.of.setdefault(number, CostTally(keep=1))
+
+    def add(self, other: CostsOfAll) -> None:
+        """Add the costs of another part."""
+        for number, tally in other.of.items():
+            self.one(number).add(tally)
+
+    def under(self, rules: Sequence[Rules]) -> Self:
+        """Return the costs under the rules of each contestant."""
+        for number, tally in self.of.items():
+            tally.under(rules[number])
+        return self
+
+
+class SideBySide:
+    """The transports of all contestants as one; each contestant uses its own.
+
+    Args:
+        transports: by the number of the contestant; contexts as long as this one is.
+    """
+
+    def __init__(self, transports: Sequence[Transport[Any]]) -> None:
+        self._transports, self._stack = transports, ExitStack()
+
+    def __enter__(self) -> Self:
+        with ExitStack() as stack:
+            for transport in self._transports:
+                stack.enter_context(transport)
+            self._stack = stack.pop_all()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        raised: Any = error
+        self._stack.__exit__(*raised)
+
+    def map(
+        self, engine: Sequence[CostEngine], units: Iterable[UnitOfOne]
+    ) -> Iterator[PartialResult[UnitOfOne, CostsOfAll]]:
+        """Yield the parts of all units as they come. The units of a contestant stand together."""
+        for number, own in groupby(units, key=lambda unit: unit.number):
+            transport = self._transports[number]
+            for part in transport.map(engine[number], (each.unit for each in own)):
+                result = CostsOfAll({number: part.result})
+                yield PartialResult(UnitOfOne(number, part.unit), result, part.last)
+
 
 Answer = TypeVar("Answer")
 

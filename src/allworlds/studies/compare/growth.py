@@ -24,9 +24,9 @@ from allworlds.document import (
 )
 from allworlds.maps import CombinatorialMap
 from allworlds.outcome import Verdict
-from allworlds.studies.compare.contest_report import ContestReport
+from allworlds.studies.compare.comparison import ContestReport
+from allworlds.studies.compare.contestants import InWorld
 from allworlds.studies.compare.growing_families import member_named
-from allworlds.studies.compare.in_world import InWorld
 from allworlds.studies.compare.intervals import (
     LEAST_SIZES,
     LEAST_WORLDS,

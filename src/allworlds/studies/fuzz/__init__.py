@@ -17,8 +17,10 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.fuzz.drive import fuzz as fuzz
-    from allworlds.studies.fuzz.fuzz_request import MapsRequest as MapsRequest
-    from allworlds.studies.fuzz.given import refuted_in as refuted_in
+    from allworlds.studies.fuzz.drive import (
+        MapsRequest as MapsRequest,
+        fuzz as fuzz,
+        refuted_in as refuted_in,
+    )
 else:
     open_door(__name__)

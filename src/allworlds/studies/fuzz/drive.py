@@ -1,13 +1,17 @@
-"""A fuzzing run from its options to its report."""
+"""Samples of worlds beyond the bound: request, shrinking, and the loop; of given worlds, too."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
+from typing import Annotated
 
 from typing_extensions import override
 
 from allworlds.engines import (
+    AskedCluster,
+    AskedDirectory,
+    AskedShard,
     GivenWorlds,
     Identity,
     Listener,
@@ -21,6 +25,7 @@ from allworlds.engines import (
     Tally,
     TimeIsUp,
     Transport,
+    confirmed,
     gather,
     players_for,
     shards_of,
@@ -28,19 +33,131 @@ from allworlds.engines import (
     workers_for,
 )
 from allworlds.explorers import Subject
-from allworlds.inputs import InputError, an_integer, answers, show
+from allworlds.inputs import (
+    SCOPE,
+    InputError,
+    Option,
+    Request,
+    an_integer,
+    answers,
+    integer_of,
+    show,
+)
 from allworlds.judging import Finding, Rules
-from allworlds.maps import Extent
+from allworlds.maps import Code, CombinatorialMap, Extent, contracted, deleted, moved, rooted_code
 from allworlds.outcome import Completed, Ending
 from allworlds.studies.check import (
     CheckReport,
+    ManyRuns,
     TallySweep,
     rules_known,
     subject_of_record,
 )
-from allworlds.studies.fuzz.fuzz_request import FuzzRequest
 from allworlds.studies.fuzz.sample import batches
-from allworlds.studies.fuzz.shrink import shrink
+from allworlds.world import AskedWhere, World
+
+
+class AskedSample(Request):
+    """Options for drawing worlds: their sizes and their number."""
+
+    edges: Annotated[int, Option(SCOPE, "M", "At most M edges.", parse=integer_of)]
+    min_edges: Annotated[
+        int,
+        Option(
+            SCOPE,
+            "L",
+            "At least L edges; choose more than an exhaustive check has tried.",
+            parse=integer_of,
+        ),
+    ] = 1
+    runs: Annotated[int, Option(SCOPE, "R", "The number of worlds.", parse=integer_of)]
+    seed: Annotated[int, Option(SCOPE, "S", "Which sample.", parse=integer_of)] = 0
+
+
+class MapsRequest(ManyRuns, AskedWhere):
+    """Request for runs in given maps: an explorer, the class and a condition, rules and effort."""
+
+
+class FuzzRequest(AskedDirectory, AskedCluster, AskedShard, MapsRequest, AskedSample):
+    """Request of ``fuzz``: an explorer, the sample, rules and effort."""
+
+
+Refute = Callable[[Sequence[GivenWorlds]], Finding | None]
+"""The smallest finding among these worlds, or None."""
+
+CHUNK = 50
+"""The worlds that one worker tries at a time."""
+
+WAVE = 8
+"""The chunks that are tried before the next, larger worlds are begun."""
+
+
+def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
+    """Yield ever smaller refuting worlds, until no neighbour in the size order refutes.
+
+    First an edge is deleted or contracted as long as that is possible; then, with as many
+    edges, a dart may move and the start and the marker may turn, towards fewer vertices and
+    the smaller code.  Every neighbour is rooted everywhere and lit from every place, and the
+    smallest refuting one is taken, so the result depends on nothing but the finding.
+
+    Cost: O(m^3) runs for each step with fewer edges.
+    """
+    smaller: Finding | None = finding
+    while smaller:
+        finding, map_ = smaller, smaller.world.map
+        smaller = _smallest(refute, _picked(scope, finding, _fewer_edges(map_)))
+        if smaller is None:
+            smaller = _smallest(refute, _picked(scope, finding, [map_, *moved(map_)]))
+        if smaller:
+            yield smaller
+
+
+def _smallest(refute: Refute, picked: Sequence[GivenWorlds]) -> Finding | None:
+    """The smallest finding among worlds in ascending order; larger ones are not tried."""
+    waves = (refute(picked[i : i + WAVE]) for i in range(0, len(picked), WAVE))
+    return next((found for found in waves if found), None)
+
+
+def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
+    for dart, _ in map_.edges:
+        for other in (deleted(map_, dart), contracted(map_, dart)):
+            if other is not None:
+                yield other
+
+
+def _picked(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
+    """Rootings and places of these maps that are smaller than the finding, ascending."""
+    kind, size = scope.rules.kind, finding.key[:4]
+    ordered = []
+    for key in rootings(maps, scope.extent):
+        if key > size[:3]:
+            break
+        map_ = CombinatorialMap.trusted(*key[2])
+        for place, lighthouse in enumerate(kind.places(map_, 0)):
+            if (*key, place) < size:
+                ordered.append((World(map_, lighthouse), place))
+    return in_chunks(ordered)
+
+
+def rootings(maps: Iterable[CombinatorialMap], extent: Extent) -> list[tuple[int, int, Code]]:
+    """Rootings of these maps of the class, each once; ordered by edges, vertices and code.
+
+    A condition of the extent must be true of them; its bounds do not matter.
+    """
+    return sorted(
+        {
+            (map_.edge_count, map_.vertex_count, rooted_code(map_.sigma, map_.alpha, start))
+            for map_ in maps
+            if extent.map_class.includes(map_) and extent.admits(map_)
+            for start in map_.darts
+        }
+    )
+
+
+def in_chunks(worlds: Sequence[tuple[World, int]]) -> list[GivenWorlds]:
+    """Worlds with the numbers of their places, in pieces that one worker tries at a time."""
+    return [GivenWorlds(tuple(worlds[i : i + CHUNK])) for i in range(0, len(worlds), CHUNK)]
+
 
 MANY_EDGES = 10_000_000
 """The total number of edges above which a notice says that the run takes long."""
@@ -172,3 +289,46 @@ def smallest_from(finding: Finding, workers: Transport[RunCounter], scope: Scope
         for smaller in shrink(finding, scope, refute):
             finding = smaller
     return finding
+
+
+def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Finding | None:
+    """The smallest finding that the shrinker reaches from these maps; None where no law is broken.
+
+    The explorer starts at every dart of each map, with every place of the lighthouse.  Maps
+    that are not of the class, or of which the condition is not true, are left out.
+
+    Args:
+        maps: of any size.
+        request: for an explorer, the class, a condition, rules and limits.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+        TimeIsUp: at the time limit.
+        Unsettled: if what happened to the explorer cannot be told.
+
+    Cost: O(m) runs for each map with m edges.
+    """
+    limits = request.limits
+    subject = subject_of(request.explore, limits)
+    rules = request.rules(subject)
+    met = [*maps]
+    most = max((map_.edge_count for map_ in met), default=1)
+    scope = Scope(Extent(request.map_class, most, where=request.where), rules)
+    given = [*_rooted(met, scope)]
+    if not given:
+        return None
+    tally = Tally(keep=1)
+    with workers_for(subject, limits, limits.deadline()) as workers:
+        gather(workers, RunCounter(scope, tally.keep), in_chunks(given), tally, Silent())
+        for found in tally.findings:
+            smallest = smallest_from(found, workers, scope)
+            return confirmed(smallest, subject, limits, scope.extent)
+    return None
+
+
+def _rooted(maps: Iterable[CombinatorialMap], scope: Scope) -> Iterator[tuple[World, int]]:
+    """Rooted maps with every place, each once, smallest first."""
+    for *_, code in rootings(maps, scope.extent):
+        map_ = CombinatorialMap.trusted(*code)
+        for place, lighthouse in enumerate(scope.rules.kind.places(map_, 0)):
+            yield World(map_, lighthouse), place

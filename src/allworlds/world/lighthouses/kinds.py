@@ -18,11 +18,10 @@ from allworlds.world.lighthouses.cluster import Cluster
 from allworlds.world.lighthouses.compass import Compass
 from allworlds.world.lighthouses.composed import PLUS, Composed, composed, composed_from_json
 from allworlds.world.lighthouses.directional import Directional
-from allworlds.world.lighthouses.knowledge import Knowledge
+from allworlds.world.lighthouses.knowledge import Knowledge, Nothing
 from allworlds.world.lighthouses.labels import Labels
 from allworlds.world.lighthouses.movable import Movable
 from allworlds.world.lighthouses.natural import Natural
-from allworlds.world.lighthouses.nothing import Nothing
 from allworlds.world.lighthouses.options import (
     ensure_options,
     kind_with,

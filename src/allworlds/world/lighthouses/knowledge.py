@@ -1,4 +1,4 @@
-"""Numbers of the world that the robot is told before the start."""
+"""Lighthouses without a marker: what is told, or nothing."""
 
 from __future__ import annotations
 
@@ -9,6 +9,17 @@ from typing import Annotated, ClassVar, Literal, TypeAlias
 from allworlds.document import Different, about, narrowed
 from allworlds.maps import CombinatorialMap
 from allworlds.world.lighthouses.base import PlacelessLighthouse
+
+
+@dataclass(frozen=True, slots=True)
+class Nothing(PlacelessLighthouse):
+    """No marker and no direction: only the degree is sensed.
+
+    Source: Section III of the paper ('lacking any position and orientation information').
+    """
+
+    kind: ClassVar[str] = "none"
+
 
 ToldName: TypeAlias = Literal["n", "m", "d", "g"]
 

@@ -1,4 +1,4 @@
-"""Solvers of DIMACS files: z3, python-sat's CaDiCaL for proofs, or an external CaDiCaL."""
+"""Solvers of formulas, each in a way that can be stopped."""
 
 from __future__ import annotations
 
@@ -15,6 +15,27 @@ from msgspec import Struct
 
 from allworlds.inputs import InputError, show
 from allworlds.outcome import Disagreement
+from allworlds.studies.ambiguity.smt.formula import read_dimacs, write_dimacs
+from allworlds.studies.ambiguity.smt.pair import ALIKE, DIFFERENT
+
+REQUIREMENTS = (DIFFERENT, ALIKE)
+"""The sections of a formula that only together can rule out a pair."""
+
+
+def has_model_without(formula: Path, requirement: str) -> bool:
+    """Whether z3 finds a model of a formula's file, one requirement left out.
+
+    Raises:
+        ValueError: if the formula has no such section.
+    """
+    variables, clauses = read_dimacs(formula, leave_out=requirement)
+    weaker = formula.with_suffix(".control.cnf")
+    write_dimacs(weaker, variables, clauses)
+    try:
+        return solve_with_z3(weaker, Clock(None)).status == "sat"
+    finally:
+        weaker.unlink()
+
 
 Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 

@@ -18,7 +18,7 @@ from allworlds.engines import Listener, Silent
 from allworlds.inputs import INSTALL, InputError, a_path, answers, at_most, show
 from allworlds.outcome import COMPLETED, Completed, Ending, ended
 from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest
-from allworlds.studies.ambiguity.smt.decode import decoded
+from allworlds.studies.ambiguity.smt.decode import decoded, same_world_from
 from allworlds.studies.ambiguity.smt.formula import Formula, read_dimacs
 from allworlds.studies.ambiguity.smt.lrat import check_lrat
 from allworlds.studies.ambiguity.smt.one_world import Size
@@ -37,7 +37,6 @@ from allworlds.studies.ambiguity.smt.solvers import (
     solve_with_python_sat,
     solve_with_z3,
 )
-from allworlds.studies.ambiguity.smt.witness import same_world_from
 
 PROOF_LIMIT = 10_000_000
 """Bytes of DRAT that the checker of this package accepts: a minute or two."""

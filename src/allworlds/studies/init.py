@@ -1,4 +1,4 @@
-"""Skeletons of explorers and of ledgers, and the C header."""
+"""A skeleton of an explorer, with the gate that CI needs; or of a paper's ledger."""
 
 from __future__ import annotations
 

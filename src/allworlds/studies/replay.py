@@ -1,8 +1,9 @@
-"""``replay``: running a finding again, to see whether it still stands."""
+"""A finding, or an entry of the corpus, run again."""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Callable
+from typing import Annotated, Any, Literal
 
 from allworlds.document import (
     EXIT_CODE,
@@ -17,19 +18,62 @@ from allworlds.document import (
     replace,
 )
 from allworlds.engines import (
+    AskedPatience,
     SingleRun,
     single_run,
     subject_of,
     unused_choice,
 )
+from allworlds.explorers import ProgramWords
 from allworlds.inputs import (
+    SCOPE,
     InputError,
+    Named,
+    Option,
+    Request,
     answers,
     show,
 )
-from allworlds.judging import Finding, LawName, recorded_trail
+from allworlds.judging import AskedFinding, Finding, LawName, recorded_trail
 from allworlds.outcome import Exit, Facts
-from allworlds.studies.replay.replay_request import ReplayRequest
+
+
+class AnotherExplorer(Request):
+    """An explorer in place of the recorded one, as the command line names it."""
+
+    explorer: Annotated[str | None, Option(SCOPE, "E", "In place of the recorded explorer.")] = None
+    command: Annotated[
+        str | None,
+        Option(
+            SCOPE,
+            "COMMAND",
+            "In place of the recorded explorer: a program that speaks JSON lines.",
+            "exec",
+        ),
+    ] = None
+    native: Annotated[
+        str | None,
+        Option(
+            SCOPE,
+            "PATH",
+            "In place of the recorded explorer: a shared library with the functions of "
+            "allworlds.h.",
+        ),
+    ] = None
+
+    def value(self) -> str | None:
+        """The name of the explorer, if one is given."""
+        return ProgramWords(command=self.command, native=self.native).named(self.explorer)
+
+
+class ReplayRequest(AskedPatience, AskedFinding, kw_only=False):
+    """Request of ``replay``: a finding, and another explorer if wanted."""
+
+    explore: Annotated[
+        str | Callable[..., Any] | None,
+        Named(AnotherExplorer, "an explorer in place of the recorded one"),
+    ] = None
+
 
 TRIES = 8
 """The number of runs, each in two fresh processes, before ``not-reproduced`` is said."""

@@ -1,12 +1,13 @@
-"""Request of ``compare``: explorers, worlds, rules and effort."""
+"""What 'compare' is asked for."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import Annotated, Any
+from pathlib import Path
+from typing import Annotated, Any, TypedDict
 
 from allworlds.document import Natural, Positive, Some, Text, about
-from allworlds.engines import AskedCluster, AskedDirectory, AskedRows, AskedShard
+from allworlds.engines import AskedCluster, AskedDirectory, AskedRows, AskedShard, Listener, Portion
 from allworlds.explorers import ExplorersWords
 from allworlds.inputs import (
     SCOPE,
@@ -18,9 +19,10 @@ from allworlds.inputs import (
     integer_of,
     show,
 )
-from allworlds.maps import FORMS, AskedExtent
+from allworlds.judging import Bound, Judge, Task
+from allworlds.maps import FORMS, AskedExtent, Condition
 from allworlds.studies.check import ManyWorlds
-from allworlds.world import HOLES, AskedWhere
+from allworlds.world import HOLES, AskedWhere, GivenLighthouse, Predicate
 
 
 def _families(given: object) -> tuple[str, ...] | None:
@@ -122,3 +124,40 @@ class CompareRequest(
             "or more.",
         ),
     ] = ()
+
+
+class SameWorldsKeywords(TypedDict, total=False):
+    """The fields of a request but the explorers, for worlds that do not grow."""
+
+    edges: int | None
+    vertices: int | None
+    map_class: str
+    where: str | Predicate | Condition | Sequence[str | Predicate | Condition] | None
+    family: str | Sequence[str] | None
+    holes: str | None
+    seed: int | None
+    shard: tuple[int, int] | Portion | None
+    lighthouse: GivenLighthouse | None
+    task: str | Judge | Task
+    policy: str
+    bound: str | int | Bound | None
+    laws: Iterable[str] | None
+    step_budget: int | None
+    answer_timeout: float
+    start_timeout: float
+    workers: int
+    time_limit: float | None
+    memory: int | None
+    listener: Listener | None
+    dask: str | None
+    dask_timeout: float
+    run: str | Path | None
+    by: str | None
+
+
+class CompareKeywords(SameWorldsKeywords, total=False):
+    """All fields of a request but the explorers."""
+
+    to: int | None
+    worlds: int | None
+    places: int | None

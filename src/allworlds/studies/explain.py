@@ -1,4 +1,4 @@
-"""``explain``: a finding in plain words."""
+"""A finding in words."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Progress of a run directory, also while a job adds to it."""
+"""The progress of a run directory."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The report of a job from the run directories of all its shards."""
+"""Run directories that are joined."""
 
 from __future__ import annotations
 

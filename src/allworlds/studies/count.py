@@ -1,4 +1,4 @@
-"""Enumeration of a class with its counts, beside those of independent sources."""
+"""Counts of maps of a class, each made twice: by enumeration, and by an independent source."""
 
 from __future__ import annotations
 
