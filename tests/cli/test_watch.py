@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from allworlds.cli.watch import watched
+from allworlds.cli.check import watched
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
@@ -38,7 +38,7 @@ def meanwhile(monkeypatch, file):
                 file.write_text(event)
                 os.utime(file, ns=(before + 10**9, before + 10**9))
 
-        monkeypatch.setattr("allworlds.cli.watch.sleep", sleep)
+        monkeypatch.setattr("allworlds.cli.check.sleep", sleep)
         return left
 
     return happens

@@ -13,7 +13,7 @@ from allworlds.engines.tally import AtRun, Row
 from allworlds.inputs import InputError
 from allworlds.maps import Quotient
 from allworlds.protocol import Percept
-from allworlds.studies.ambiguity.sensed_worlds import SensedParts
+from allworlds.studies.ambiguity.marked_worlds import SensedParts
 from allworlds.studies.compare.contestants import CostsOfAll
 from allworlds.studies.count import Counted
 from allworlds.studies.worst.all_worlds import ScheduleCosts, ScheduleCostsBySize

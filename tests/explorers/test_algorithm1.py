@@ -5,8 +5,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from allworlds.explorers import BUILT_IN, algorithm1
-from allworlds.explorers.builtin.partial_map import PartialMap
-from allworlds.explorers.builtin.paths import simple_path
+from allworlds.explorers.builtin.partial_map import PartialMap, simple_path
 from allworlds.maps import (
     CombinatorialMap,
     MapClass,

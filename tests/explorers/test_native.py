@@ -12,8 +12,6 @@ import pytest
 import small
 from allworlds.engines.players import NATIVE_MEMORY
 from allworlds.explorers import NativeExplorer, load, shared_library as libraries, threads_left
-from allworlds.explorers.shared_library.guarded_memory import Guarded
-from allworlds.explorers.shared_library.header import header_text
 from allworlds.explorers.shared_library.library import (
     INTERFACE_VERSION,
     KINDS_OF_ACTION,
@@ -21,7 +19,9 @@ from allworlds.explorers.shared_library.library import (
     CAction,
     CPercept,
     Library,
+    header_text,
 )
+from allworlds.explorers.shared_library.native import Guarded
 from allworlds.inputs import InputError
 from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass

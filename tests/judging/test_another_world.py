@@ -9,7 +9,7 @@ from allworlds import Move, Percept
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.judging import explain, fold
 from allworlds.judging.explanations import another_world as another
-from allworlds.judging.explanations.another_world import another_world
+from allworlds.judging.explanations.by_law import another_world
 from allworlds.judging.laws.second_opinion import same_pose
 from allworlds.protocol import Transcript
 from allworlds.studies.check import check

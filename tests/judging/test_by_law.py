@@ -8,8 +8,7 @@ import pytest
 from allworlds.document import replace
 from allworlds.inputs import InputError
 from allworlds.judging import PRECEDENCE, Finding, Rules, explain
-from allworlds.judging.explanations.by_law import TELLERS
-from allworlds.judging.explanations.whose_bound import tell_whose_bound
+from allworlds.judging.explanations.by_law import TELLERS, tell_whose_bound
 from allworlds.judging.laws.bounds import BOUNDS
 from allworlds.protocol import Estimate
 from allworlds.studies.run import run

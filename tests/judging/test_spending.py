@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds.judging import Spending, explain
-from allworlds.reports.cost_curve import LONGEST, cost_lines, cost_picture
+from allworlds.reports.plain_text import LONGEST, cost_lines, cost_picture
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from small import PATH

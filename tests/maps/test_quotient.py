@@ -17,7 +17,7 @@ from allworlds.maps import (
     rooted_maps,
 )
 from allworlds.maps.build import cycle
-from allworlds.maps.refinement import coarsest_partition
+from allworlds.maps.quotient import coarsest_partition
 
 
 def moore(labels, permutations):

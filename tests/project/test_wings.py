@@ -67,7 +67,7 @@ HOMES = {
     ],
     "matplotlib": ["reports.formats.plot"],
     "networkx": [
-        "maps.postman",
+        "maps.surgery",
         "maps.networks",
         "maps.counting.atlas",
         "judging.laws.second_opinion",
@@ -90,7 +90,7 @@ INPUTS = {"inputs", "inputs.checks", "inputs.requests"}
 """The door to checks of values, and what is behind it."""
 
 DOCUMENT = {
-    *("document", "document.key_types", "document.reading", "document.report"),
+    *("document", "document.struct", "document.reading", "document.report"),
     "document.struct",
 }
 """The door to documents, and what is behind it."""

@@ -11,8 +11,7 @@ import pytest
 
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, cycles, family, named_map
-from allworlds.reports.drawing.mesh import mesh, place
-from allworlds.reports.drawing.planar import planar
+from allworlds.reports.drawing.planar import mesh, place, planar
 from allworlds.reports.drawing.scene import Names, Scene
 from allworlds.reports.drawing.svg import in_words, picture
 from curves import flat, points

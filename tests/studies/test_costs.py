@@ -15,7 +15,7 @@ from allworlds.reports import game, text
 from allworlds.reports.tellings.played import LEAST, NAMES
 from allworlds.studies.play import LARGEST, Walker, play
 from allworlds.world import LIGHTHOUSES, Directional, World
-from allworlds.world.enumeration import worlds
+from allworlds.world.own_condition import worlds
 from small import LOLLIPOP, PATH
 
 

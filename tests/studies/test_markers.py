@@ -14,7 +14,7 @@ from allworlds.maps import MapClass
 from allworlds.protocol import Drop, Move, Percept, Pick, Transcript
 from allworlds.reports import text
 from allworlds.world import Movable, World
-from allworlds.world.lighthouses.labels import Labels
+from allworlds.world.lighthouses.everywhere import Labels
 from small import EDGE, LOLLIPOP, PATH
 
 pytestmark = pytest.mark.usefixtures("without_workers")

@@ -11,7 +11,7 @@ from allworlds.engines import finding_from_record, finding_to_record
 from allworlds.explorers import CONVENTIONS
 from allworlds.inputs import InputError
 from allworlds.judging import Finding, canonical_world, explain as told_of_run
-from allworlds.judging.explanations.misread import MOST, trial_worlds
+from allworlds.judging.explanations.explanation import MOST, trial_worlds
 from allworlds.maps import CombinatorialMap, Extent, MapClass, condition_named, rooted_maps
 from allworlds.studies.check import check
 from allworlds.world import World

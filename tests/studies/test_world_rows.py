@@ -10,8 +10,8 @@ from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap, named_map, rooted_isomorphism
 from allworlds.reports import file_of
 from allworlds.world import Directional, World, code_of, map_of_family, world_named
-from allworlds.world.enumeration import worlds
 from allworlds.world.named import map_of_code
+from allworlds.world.own_condition import worlds
 from allworlds.world.world import at_place
 
 

@@ -293,7 +293,7 @@ def test_what_is_no_lighthouse_is_refused_in_one_line(folder, name, said):
     ],
 )
 def test_an_error_in_a_lighthouse_is_bad_input_that_names_it(folder, kind, said, monkeypatch):
-    monkeypatch.setattr("allworlds.protocol.model_calls._Limit.seconds", 0.2)
+    monkeypatch.setattr("allworlds.protocol.importing._Limit.seconds", 0.2)
     monkeypatch.setattr("allworlds.world.lighthouses.own_kind.MOST_PLACES", 100)
     with pytest.raises(InvalidWorld, match=said) as error:
         next(worlds(edges=1, lighthouse=f"bad.py:{kind}"))

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from allworlds.maps import family
-from allworlds.maps.corridor import CorridorShape, apart, corridor_skeleton, hub_types, usual_degree
+from allworlds.maps.families import CorridorShape, apart, corridor_skeleton, hub_types, usual_degree
 from small import long, slow
 
 ALL = 1000

@@ -29,13 +29,24 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from msgspec import UNSET as UNSET, Meta as Meta, UnsetType as UnsetType
 
-    from allworlds.document.key_types import (
+    from allworlds.document.reading import taken as taken
+    from allworlds.document.report import (
+        SCHEMA as SCHEMA,
+        Host as Host,
+        MadeBy as MadeBy,
+        Paged as Paged,
+        Pictured as Pictured,
+        Report as Report,
+    )
+    from allworlds.document.struct import (
         ASIDE as ASIDE,
+        EXIT_CODE as EXIT_CODE,
         IF_ANY as IF_ANY,
         AllRows as AllRows,
         Aside as Aside,
         Bounded as Bounded,
         Different as Different,
+        Document as Document,
         Edges as Edges,
         Entries as Entries,
         ExitCode as ExitCode,
@@ -53,30 +64,17 @@ if TYPE_CHECKING:
         Vertices as Vertices,
         WhichShard as WhichShard,
         Why as Why,
-        about as about,
-        narrowed as narrowed,
-        one_of as one_of,
-        read_by as read_by,
-    )
-    from allworlds.document.reading import taken as taken
-    from allworlds.document.report import (
-        SCHEMA as SCHEMA,
-        Host as Host,
-        MadeBy as MadeBy,
-        Paged as Paged,
-        Pictured as Pictured,
-        Report as Report,
-    )
-    from allworlds.document.struct import (
-        EXIT_CODE as EXIT_CODE,
-        Document as Document,
         WrittenByFields as WrittenByFields,
+        about as about,
         computed as computed,
         key as key,
         keys_of as keys_of,
         names_of as names_of,
+        narrowed as narrowed,
+        one_of as one_of,
         plain as plain,
         plain_at_once as plain_at_once,
+        read_by as read_by,
         replace as replace,
     )
 

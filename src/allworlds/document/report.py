@@ -6,8 +6,7 @@ from typing import Annotated, Any, Final, Literal
 
 from msgspec import UNSET, Meta, UnsetType
 
-from allworlds.document.key_types import Figure, Positive, Seconds, Text, about
-from allworlds.document.struct import Document
+from allworlds.document.struct import Document, Figure, Positive, Seconds, Text, about
 from allworlds.lazy import loaded
 from allworlds.outcome import Exit, Facts
 

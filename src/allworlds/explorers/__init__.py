@@ -80,8 +80,10 @@ if TYPE_CHECKING:
         own_lighthouse as own_lighthouse,
     )
     from allworlds.explorers.program import Program as Program
-    from allworlds.explorers.shared_library.header import header_text as header_text
-    from allworlds.explorers.shared_library.library import INTERFACE_VERSION as INTERFACE_VERSION
+    from allworlds.explorers.shared_library.library import (
+        INTERFACE_VERSION as INTERFACE_VERSION,
+        header_text as header_text,
+    )
     from allworlds.explorers.shared_library.native import (
         NativeExplorer as NativeExplorer,
         threads_left as threads_left,
@@ -100,6 +102,7 @@ if TYPE_CHECKING:
     )
     from allworlds.explorers.spelling import short_names as short_names, whole_name as whole_name
     from allworlds.explorers.subject import (
+        CONVENTIONS as CONVENTIONS,
         HASH_SEED as HASH_SEED,
         Subject as Subject,
         built_in as built_in,
@@ -108,6 +111,5 @@ if TYPE_CHECKING:
         with_shield as with_shield,
         with_translator as with_translator,
     )
-    from allworlds.explorers.translated import CONVENTIONS as CONVENTIONS
 else:
     open_door(__name__)

@@ -39,35 +39,32 @@ if TYPE_CHECKING:
         play as play,
         unchecked as unchecked,
     )
-    from allworlds.judging.explanations.chirality import (
-        chiral_worlds as chiral_worlds,
-        chirality_in as chirality_in,
-        narrowest_class as narrowest_class,
-        needs_a_chiral_world as needs_a_chiral_world,
-    )
     from allworlds.judging.explanations.explanation import (
         Explanation as Explanation,
+        chiral_worlds as chiral_worlds,
+        chirality_in as chirality_in,
         explain as explain,
-    )
-    from allworlds.judging.explanations.misread import (
         may_be_misread as may_be_misread,
+        narrowest_class as narrowest_class,
+        needs_a_chiral_world as needs_a_chiral_world,
         trial_worlds as trial_worlds,
     )
-    from allworlds.judging.explanations.named_walk import Walked as Walked
-    from allworlds.judging.explanations.spending import Spending as Spending
-    from allworlds.judging.explanations.story import Belief as Belief, Story as Story
+    from allworlds.judging.explanations.slips import Spending as Spending
+    from allworlds.judging.explanations.story import (
+        Belief as Belief,
+        Story as Story,
+        Walked as Walked,
+    )
     from allworlds.judging.findings.asked_finding import (
         AskedFinding as AskedFinding,
         FindingWords as FindingWords,
+        file_name as file_name,
+        kept_findings as kept_findings,
+        write_finding as write_finding,
     )
     from allworlds.judging.findings.belief import (
         believed_walk as believed_walk,
         find_parting as find_parting,
-    )
-    from allworlds.judging.findings.directory import (
-        file_name as file_name,
-        kept_findings as kept_findings,
-        write_finding as write_finding,
     )
     from allworlds.judging.findings.finding import (
         Chirality as Chirality,

@@ -96,9 +96,13 @@ if TYPE_CHECKING:
         from_networkx as from_networkx,
         to_networkx as to_networkx,
     )
-    from allworlds.maps.postman import covering_walk as covering_walk
     from allworlds.maps.quotient import Quotient as Quotient, project as project
-    from allworlds.maps.surgery import contracted as contracted, deleted as deleted, moved as moved
+    from allworlds.maps.surgery import (
+        contracted as contracted,
+        covering_walk as covering_walk,
+        deleted as deleted,
+        moved as moved,
+    )
 
 # For other parts of the program.
 if TYPE_CHECKING:
@@ -122,7 +126,6 @@ if TYPE_CHECKING:
         Sigma as Sigma,
         cycles as cycles,
     )
-    from allworlds.maps.completion_counts import completions as completions
     from allworlds.maps.conditions import (
         AND as AND,
         CONDITIONS as CONDITIONS,
@@ -132,7 +135,11 @@ if TYPE_CHECKING:
         condition_named as condition_named,
         narrowing as narrowing,
     )
-    from allworlds.maps.count_source import source_name as source_name, source_of as source_of
+    from allworlds.maps.count_source import (
+        completions as completions,
+        source_name as source_name,
+        source_of as source_of,
+    )
     from allworlds.maps.counting.sources import source_for as source_for
     from allworlds.maps.criterion import pose_count as pose_count
     from allworlds.maps.enumeration import Gluing as Gluing, prefixes as prefixes

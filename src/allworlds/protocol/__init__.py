@@ -27,6 +27,7 @@ if TYPE_CHECKING:
         Action as Action,
         Drop as Drop,
         Move as Move,
+        Percept as Percept,
         Pick as Pick,
         Write as Write,
         action_numbered as action_numbered,
@@ -60,23 +61,20 @@ if TYPE_CHECKING:
         IllegalAction as IllegalAction,
     )
     from allworlds.protocol.importing import (
+        START_TIMEOUT as START_TIMEOUT,
         SourceText as SourceText,
         attribute_of as attribute_of,
         bytes_of as bytes_of,
         imported as imported,
+        limit_calls as limit_calls,
+        limited_loading as limited_loading,
         module_file as module_file,
         module_named as module_named,
         module_of_text as module_of_text,
         points_of as points_of,
         text_of as text_of,
-    )
-    from allworlds.protocol.model_calls import (
-        START_TIMEOUT as START_TIMEOUT,
-        limit_calls as limit_calls,
-        limited_loading as limited_loading,
         tried as tried,
     )
-    from allworlds.protocol.percept import Percept as Percept
     from allworlds.protocol.player import Player as Player, Told as Told
     from allworlds.protocol.playing import (
         A_QUOTIENT as A_QUOTIENT,

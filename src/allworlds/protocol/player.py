@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Generator, Mapping
 from typing import Any, Protocol, TypeAlias
 
+from allworlds.protocol.actions import Percept
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.percept import Percept
 
 Told: TypeAlias = int | Mapping[str, int] | None
 """The number, or the numbers by their names, that an explorer is told before the start."""

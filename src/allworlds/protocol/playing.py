@@ -23,11 +23,10 @@ from allworlds.inputs import (
     show,
 )
 from allworlds.maps import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import Drop, Move, Pick, Write
+from allworlds.protocol.actions import Drop, Move, Percept, Pick, Write
 from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
 from allworlds.protocol.choices import Choices
 from allworlds.protocol.faults import BeyondRecord, ExplorerFault, IllegalAction
-from allworlds.protocol.percept import Percept
 from allworlds.protocol.player import Player, Told
 
 FREE = 10

@@ -9,8 +9,7 @@ from typing import Annotated, Any, Literal, assert_never
 
 from allworlds.document import Document, Natural, Paged, about, plain
 from allworlds.inputs import integer, show
-from allworlds.protocol.actions import Action, Drop, Move, Pick, Write
-from allworlds.protocol.percept import Percept
+from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick, Write
 
 
 class AtStart(Document, forbid_unknown_fields=False):

@@ -31,13 +31,14 @@ from allworlds.protocol.importing import (
     digest_of_file,
     files_imported,
     imported,
+    loaded,
     module_file,
     module_named,
     module_of_text,
     points_of,
     text_of,
+    tried,
 )
-from allworlds.protocol.model_calls import loaded, tried
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint

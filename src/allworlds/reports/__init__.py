@@ -39,11 +39,11 @@ if TYPE_CHECKING:
         file_of as file_of,
         formats_of as formats_of,
     )
-    from allworlds.reports.markup import tag as tag
     from allworlds.reports.play.page import game as game
     from allworlds.reports.rendering import (
         brief as brief,
         finding_in_words as finding_in_words,
+        tag as tag,
         text as text,
     )
     from allworlds.reports.text_layout import table as table

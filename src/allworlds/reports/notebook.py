@@ -12,8 +12,7 @@ from allworlds.judging import Finding
 from allworlds.protocol import Transcript
 from allworlds.reports.formats.csv import rows_of
 from allworlds.reports.formats.html import html
-from allworlds.reports.markup import tag
-from allworlds.reports.rendering import finding_in_words, text, told, verb_of
+from allworlds.reports.rendering import finding_in_words, tag, text, told, verb_of
 from allworlds.reports.tellings.finding import finding_section, headline_of
 from allworlds.reports.text_layout import table
 from allworlds.reports.web.frame import Page, framed

@@ -24,30 +24,37 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.protocol import IllegalAction as IllegalAction
-    from allworlds.world.enumeration import worlds as worlds
-    from allworlds.world.lighthouses.base import Lighthouse as Lighthouse
-    from allworlds.world.lighthouses.cluster import Cluster as Cluster
-    from allworlds.world.lighthouses.compass import Compass as Compass
+    from allworlds.world.lighthouses.base import (
+        Lighthouse as Lighthouse,
+        Sensing as Sensing,
+        Where as Where,
+    )
     from allworlds.world.lighthouses.composed import Composed as Composed
-    from allworlds.world.lighthouses.directional import Directional as Directional
+    from allworlds.world.lighthouses.everywhere import Compass as Compass, Labels as Labels
     from allworlds.world.lighthouses.kinds import (
         LIGHTHOUSES as LIGHTHOUSES,
         lighthouse_named as lighthouse_named,
     )
     from allworlds.world.lighthouses.knowledge import Knowledge as Knowledge, Nothing as Nothing
-    from allworlds.world.lighthouses.labels import Labels as Labels
-    from allworlds.world.lighthouses.movable import Movable as Movable
-    from allworlds.world.lighthouses.natural import Natural as Natural
-    from allworlds.world.lighthouses.place_checks import InvalidWorld as InvalidWorld
-    from allworlds.world.lighthouses.position import Position as Position
-    from allworlds.world.lighthouses.sensing import Sensing as Sensing, Where as Where
-    from allworlds.world.lighthouses.written import Ports as Ports, Whiteboard as Whiteboard
+    from allworlds.world.lighthouses.left import (
+        Movable as Movable,
+        Ports as Ports,
+        Whiteboard as Whiteboard,
+    )
+    from allworlds.world.lighthouses.marked import (
+        Cluster as Cluster,
+        Directional as Directional,
+        Natural as Natural,
+        Position as Position,
+    )
+    from allworlds.world.lighthouses.options import InvalidWorld as InvalidWorld
     from allworlds.world.named import (
         code_of as code_of,
         map_of_code as map_of_code,
         names_of_worlds as names_of_worlds,
         world_named as world_named,
     )
+    from allworlds.world.own_condition import worlds as worlds
     from allworlds.world.state import State as State
     from allworlds.world.world import World as World, at_place as at_place
 
@@ -74,8 +81,8 @@ if TYPE_CHECKING:
         parts_of as parts_of,
     )
     from allworlds.world.lighthouses.knowledge import TOLD as TOLD
+    from allworlds.world.lighthouses.left import NumberRoom as NumberRoom
     from allworlds.world.lighthouses.options import place_keys as place_keys
-    from allworlds.world.lighthouses.written import NumberRoom as NumberRoom
     from allworlds.world.named import (
         HOLES as HOLES,
         LIGHTHOUSE as LIGHTHOUSE,

@@ -18,7 +18,7 @@ from allworlds.world.lighthouses.kinds import (
     LighthouseKind,
     lighthouse_kind,
 )
-from allworlds.world.lighthouses.place_checks import InvalidWorld, Unsteady
+from allworlds.world.lighthouses.options import InvalidWorld, Unsteady
 from allworlds.world.world import World
 
 TRIED_EDGES = 3

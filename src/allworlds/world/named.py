@@ -35,7 +35,6 @@ from allworlds.maps import (
 )
 from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.corpus import own_corpus
-from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
     OWN,
@@ -44,6 +43,7 @@ from allworlds.world.lighthouses.kinds import (
     kind_of,
     lighthouse_kind,
 )
+from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.world import World, at_place
 
 WORLD = Argument("", "WORLD", "Inline JSON, @file, or a name such as k4, wheel:4, cycle:5.")

@@ -1,11 +1,11 @@
-"""Conditions that narrow a class of maps, as requests ask for them: ours, and the user's own."""
+"""Conditions of users', and every world of a class."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from random import Random
-from typing import Annotated, ClassVar, TypeAlias
+from typing import Annotated, ClassVar, Literal, TypeAlias
 
 from msgspec import Struct
 
@@ -13,15 +13,22 @@ from allworlds.document import IfAny, Text, about
 from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, a_text, show
 from allworlds.maps import (
     AND,
+    DEFAULT_EDGES,
     LEGAL,
     AllOf,
     CombinatorialMap,
     Condition,
+    Extent,
     Gluing,
+    MapClass,
     condition_named,
     rooted_maps,
 )
 from allworlds.protocol import LocalCode, Role, UserCode, tried
+from allworlds.world.asked_lighthouse import tried_kind
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.kinds import GivenLighthouse
+from allworlds.world.world import World
 
 PREDICATE = Role(
     "where",
@@ -183,3 +190,45 @@ class AskedWhere(Request):
 def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
     """The files of the user's that a condition needs."""
     return tuple(file for code in getattr(condition, "codes", ()) for file in code.files)
+
+
+def worlds(
+    *,
+    edges: int | None = None,
+    vertices: int | None = None,
+    map_class: str = "maps",
+    lighthouse: GivenLighthouse = "directional",
+    places: Literal["all", "first"] = "first",
+    where: str | Predicate | Condition | None = None,
+) -> Iterator[World]:
+    """Every world of a class, in the fixed order.
+
+    Args:
+        edges: the largest number of edges (default: one that takes seconds).
+        vertices: the largest number of vertices.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
+        lighthouse: the kind of lighthouse.
+        places: ``first``: one world a rooted map, as reports count worlds; ``all``: one for
+            every place of the lighthouse, as reports count runs.
+        where: what besides is true of the maps, as ``--where`` takes it, or any function of a map.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    if edges is None and vertices is None:
+        edges = DEFAULT_EDGES
+    extent = Extent(MapClass.named(map_class), edges, vertices, a_condition(where, local=True))
+    kind = tried_kind(lighthouse).as_class
+    if places not in ("all", "first"):
+        raise InputError(f"places {show(places)} is not one of all, first")
+    return _worlds(extent, kind, places)
+
+
+def _worlds(extent: Extent, kind: type[Lighthouse], places: str) -> Iterator[World]:
+    for level in extent.levels:
+        bounds = (level, extent.map_class, extent.vertices)
+        for map_ in rooted_maps(*bounds, where=extent.where):
+            for placed in kind.places(map_, 0):
+                yield World(map_, placed, 0)
+                if places == "first":
+                    break

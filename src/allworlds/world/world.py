@@ -20,9 +20,9 @@ from allworlds.maps import (
 )
 from allworlds.protocol import Action, IllegalAction, Move, Percept, Told
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
-from allworlds.world.lighthouses.place_checks import InvalidWorld, refuse_other_keys
+from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys
 from allworlds.world.state import State, without_markers
 
 

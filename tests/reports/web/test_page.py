@@ -17,7 +17,7 @@ from allworlds.document import replace
 from allworlds.judging import Finding, explain
 from allworlds.maps import named_map
 from allworlds.reports import file_of
-from allworlds.reports.markup import legal
+from allworlds.reports.rendering import legal
 from allworlds.studies.check import GateCell, check
 from allworlds.studies.fuzz import fuzz
 from allworlds.words import escaped

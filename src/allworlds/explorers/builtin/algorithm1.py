@@ -25,8 +25,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 from typing import TypeAlias, TypeVar
 
-from allworlds.explorers.builtin.partial_map import PartialMap
-from allworlds.explorers.builtin.paths import simple_path, walks
+from allworlds.explorers.builtin.partial_map import PartialMap, simple_path, walks
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import Checkpoint, Choices, Estimate, Move, Percept
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
-from allworlds.explorers.builtin.partial_map import PartialMap, bearing_of
-from allworlds.explorers.builtin.paths import walks
+from allworlds.explorers.builtin.partial_map import PartialMap, bearing_of, walks
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import Choices, Estimate, Move, Percept
 

@@ -20,8 +20,7 @@ from collections.abc import Callable, Generator
 from typing import TypeAlias, TypeVar
 
 from allworlds.explorers.builtin.algorithm1 import nobody
-from allworlds.explorers.builtin.partial_map import PartialMap
-from allworlds.explorers.builtin.paths import walks
+from allworlds.explorers.builtin.partial_map import PartialMap, walks
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import Action, Checkpoint, Choices, Drop, Estimate, Move, Percept, Pick
 

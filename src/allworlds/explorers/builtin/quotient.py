@@ -1,36 +1,108 @@
-"""The quotient of the world, learnt by experiments: all that a robot with position only can know.
-
-The darts of one class are indistinguishable, so the robot learns the classes: their number, and
-how sigma and alpha lead from class to class.  The robot can undo its motions, so every experiment
-can be made from any dart that it has ever stood at.
-
-* A *word* is a row of letters ``s`` (turn to the next dart) and ``a`` (go through); a dart's *row*
-  consists of the percepts after each word of a growing set, which holds every end of its words.
-* The *table* holds one dart for each row that was seen; it is closed if turning at these darts, and
-  going through them, leads to rows that it has.  Then it predicts the percept after every word.
-* A wrong prediction adds a word that splits a class.
-
-The robot stops when the following predictions are right, and then the table is right.  Let J be the
-darts of v0 whose row is that of the start, and t_c for each class c a word that leads to it from
-there.  The predictions are: the dart reached from each dart of J by t_c has the row of c; and going
-on from it by a letter, which should lead to class c', and then back along the word of c', ends at
-v0 at a dart with the start's row, so at one of J.  Hence these darts are closed under both letters:
-they are all darts of the world.  And each has one row, with which the row of the next is given: so
-the classes are those of the quotient.
-
-Where the class of worlds with this quotient has one member (`its criterion
-<../ambiguity.md>`_), that is the answer; else the quotient is.  Source: Angluin 1987 for the table.
-"""
+"""The explorer of the quotient, and its experiments."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
-from allworlds.explorers.builtin.experiments import Experiments, TreeDart
 from allworlds.maps import CombinatorialMap
-from allworlds.protocol import Ambiguous, Choices, Estimate, Percept
+from allworlds.protocol import Ambiguous, Choices, Estimate, Move, Percept
+
+
+class TreeDart(NamedTuple):
+    """A dart of the tree: the dart ``turn`` places clockwise of a node's dart of entry."""
+
+    node: int
+    turn: int
+
+
+class Experiments:
+    """The tree of all walks from the start: each arrival that is not a way back is a new node.
+
+    The tree does not know which nodes are one vertex.  Node 0 is the start.
+
+    Attributes:
+        start: the dart that the robot faces at the start.
+        here: the robot's place.
+
+    Cost: a step that was made before costs nothing, unless the robot must go where a new one
+    is to be made: then as many traversals as the tree has edges between.
+    """
+
+    def __init__(self, first: Percept) -> None:
+        self.start = self.here = TreeDart(0, 0)
+        self._percept = [first]
+        self._beyond: list[dict[int, int]] = [{}]
+        # The dart of the parent by which a node was found; the root has none.
+        self._from = [self.start]
+
+    def sensed(self, place: TreeDart) -> Percept:
+        """The percept of the robot at a dart of the tree."""
+        return self._percept[place.node]
+
+    def walk(self, word: Sequence[str], place: TreeDart | None = None) -> Walk[TreeDart]:
+        """Walk a word of ``s`` (turn) and ``a`` (go through), by default from the start."""
+        at = self.start if place is None else place
+        for letter in word:
+            if letter == "s":
+                at = TreeDart(at.node, (at.turn + 1) % self.sensed(at).degree)
+            else:
+                at = yield from self._through(at)
+        return at
+
+    def word_to(self, place: TreeDart) -> tuple[str, ...]:
+        """The word that leads from the start to a place along the tree."""
+        word: list[str] = []
+        while True:
+            word = [*"s" * place.turn, *word]
+            if not place.node:
+                return tuple(word)
+            word = ["a", *word]
+            place = self._from[place.node]
+
+    def _through(self, at: TreeDart) -> Walk[TreeDart]:
+        known = self._known(at)
+        if known is not None:
+            return known
+        yield from self._go(at.node)
+        seen = yield Move(at.turn - self.here.turn)
+        node = len(self._percept)
+        self._percept.append(seen)
+        self._beyond.append({})
+        self._from.append(at)
+        self._beyond[at.node][at.turn] = node
+        self.here = TreeDart(node, 0)
+        return self.here
+
+    def _known(self, at: TreeDart) -> TreeDart | None:
+        """The other end, if it was reached; a node's dart of entry leads back to its parent."""
+        if at.node and at.turn == 0:
+            return self._from[at.node]
+        node = self._beyond[at.node].get(at.turn)
+        return None if node is None else TreeDart(node, 0)
+
+    def _go(self, goal: int) -> Walk[None]:
+        """Walk to a node: up to where the ways from the root part, and down."""
+        below = self._line(goal)
+        while self.here.node not in below:
+            yield from self._step(TreeDart(self.here.node, 0))
+        for node in reversed(below[: below.index(self.here.node)]):
+            yield from self._step(self._from[node])
+
+    def _line(self, node: int) -> list[int]:
+        """The node, its parent, and so on to the root."""
+        line = [node]
+        while line[-1]:
+            line.append(self._from[line[-1]].node)
+        return line
+
+    def _step(self, dart: TreeDart) -> Walk[None]:
+        yield Move(dart.turn - self.here.turn)
+        other = self._known(dart)
+        assert other is not None
+        self.here = other
+
 
 Word: TypeAlias = tuple[str, ...]
 Row: TypeAlias = tuple[Percept, ...]

@@ -1,4 +1,4 @@
-"""A shared library with the interface of ``allworlds.h``, loaded into this process."""
+"""A shared library, loaded; and its header."""
 
 from __future__ import annotations
 
@@ -9,6 +9,12 @@ from pathlib import Path
 from typing import Any
 
 from allworlds.inputs import InputError, existing_file, is_loop_of_links, show
+
+
+def header_text() -> str:
+    """The text of ``allworlds.h``."""
+    return Path(__file__).with_name("allworlds.h").read_text(encoding="utf-8")
+
 
 INTERFACE_VERSION = 2
 """The value of ``ALLWORLDS_VERSION``."""

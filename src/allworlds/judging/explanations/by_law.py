@@ -1,25 +1,345 @@
-"""The explanation of each law by the law's name.
-
-``TELLERS`` is **the** table.  A new law is explained by a function from a :class:`Story` to a
-:class:`Telling` beside its kin here, and an entry of the table.
-"""
+"""What is said of a finding, law by law."""
 
 from __future__ import annotations
 
 import re
+from collections import Counter
+from collections.abc import Iterator
 
 from allworlds.explorers import is_program
-from allworlds.inputs import an_integer
-from allworlds.judging.explanations.another_world import another_world
-from allworlds.judging.explanations.parting import tell_open_darts, tell_parting
-from allworlds.judging.explanations.slips import tell_rounds, telling_line, the_slip
-from allworlds.judging.explanations.spending import spending
+from allworlds.inputs import InputError, an_integer
+from allworlds.judging.episode import default_step_budget
+from allworlds.judging.explanations.slips import (
+    bearings_anticlockwise,
+    mirror_image,
+    spending,
+    tell_rounds,
+    telling_line,
+    the_slip,
+)
 from allworlds.judging.explanations.story import Belief, Story, Teller, Telling
-from allworlds.judging.explanations.whose_bound import tell_whose_bound, tell_whose_budget
-from allworlds.judging.explanations.wrong_pose import tell_pose
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import BUILT, NO_MAP
-from allworlds.words import plural, size
+from allworlds.judging.findings.belief import Parting
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.walks import true_walk
+from allworlds.judging.laws.bounds import paper_terms
+from allworlds.judging.laws.folding import Folded, fold
+from allworlds.maps import CombinatorialMap, Dart, carries, cycles, numbering, rooted_isomorphism
+from allworlds.protocol import BUILT, NO_MAP, Transcript
+from allworlds.words import listed, plural, size
+from allworlds.world import Directional, IllegalAction, World
+
+
+def another_world(world: World, transcript: Transcript) -> World | None:
+    """A world that is not this one, and agrees with the log; None if the log determines it.
+
+    The other world extends the folded log: its open darts are joined with each other, or lead to
+    new vertices.  Of these worlds it is one with the fewest edges, and simple if the world is.
+
+    Cost: exponential in the number of these darts at the worst; the first try is nearly always
+    another world.
+    """
+    folded = fold(transcript)
+    if not folded.open_darts:
+        return None
+    return next(
+        other
+        for map_ in _completions(folded)
+        if (map_.is_simple or not world.map.is_simple)
+        and (other := _agreeing(map_, transcript))
+        and not rooted_isomorphism(other.map, other.start, world.map, world.start)
+    )
+
+
+def _agreeing(map_: CombinatorialMap, transcript: Transcript) -> World | None:
+    """The world of this map with the marker of the log; None if it does not have this log."""
+    bearing = transcript.first.bearing
+    assert bearing is not None
+    other = World(map_, Directional(map_.turn(0, bearing)), 0)
+    try:
+        sensed = [percept for _, percept in true_walk(other, transcript)]
+    except IllegalAction:
+        return None
+    return other if sensed == transcript.percepts else None
+
+
+def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
+    """The folded log with every open dart joined or led to a new vertex, fewest edges first."""
+    unsettled = [dart for dart, end in enumerate(folded.alpha) if dart == end]
+    for leaves in range(len(unsettled) % 2, len(unsettled) + 1, 2):
+        for pairs in _matchings(unsettled, leaves):
+            yield _completed(folded, pairs, [1] * leaves)
+    # Leaves everywhere may be the world itself; then one of them goes on.
+    yield _completed(folded, [], [2, *[1] * (len(unsettled) - 1)])
+
+
+def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart]]]:
+    """Every way to pair the darts with ``leaves`` of them left over."""
+    if not darts:
+        yield []
+        return
+    first, *others = darts
+    for other in others if len(darts) > leaves else ():
+        for pairs in _matchings([dart for dart in others if dart != other], leaves):
+            yield [(first, other), *pairs]
+    if leaves:
+        yield from _matchings(others, leaves - 1)
+
+
+def _completed(
+    folded: Folded, pairs: list[tuple[Dart, Dart]], degrees: list[int]
+) -> CombinatorialMap:
+    """The folded log with these darts joined; the others lead to new vertices of these degrees.
+
+    From a new vertex of degree 2 an edge leads on to a leaf.
+    """
+    sigma, alpha = [*folded.sigma], [*folded.alpha]
+
+    def join(a: Dart, b: Dart) -> None:
+        alpha[a], alpha[b] = b, a
+
+    def grow(degree: int) -> list[Dart]:
+        new = [*range(len(sigma), len(sigma) + degree)]
+        sigma.extend([*new[1:], new[0]])
+        alpha.extend(new)
+        return new
+
+    for a, b in pairs:
+        join(a, b)
+    unsettled = [dart for dart, end in enumerate(alpha) if dart == end]
+    for dart, degree in zip(unsettled, degrees, strict=True):
+        back, *onward = grow(degree)
+        join(dart, back)
+        for end in onward:
+            join(end, *grow(1))
+    return CombinatorialMap(sigma, alpha)
+
+
+NAMED = 3
+"""The number of open darts that are named, the others are counted."""
+
+
+def tell_parting(belief: Belief) -> list[str]:
+    """Tell where the walk and its image in the answer diverge, and how that could be sensed."""
+    parting, misfits = belief.parting, belief.misfits
+    if parting is None:
+        fits = (
+            "The answer is another world that fits the whole log: nothing that the robot sensed "
+            "tells the two apart, so it was guessed."
+        )
+        return [fits, *tell_open_darts(belief.story)]
+    sentences = [_say_parting(belief, parting)]
+    if parting.step in misfits:
+        return sentences
+    if misfits:
+        step, misfit = misfits[0], _say_misfit(belief, misfits[0])
+        sentences.append(f"The first percept against the answer came at step {step}: {misfit}.")
+        return sentences
+    sentences.append(
+        "Every percept fits the answer, too: the walk was too short to tell the two apart."
+    )
+    return sentences + tell_open_darts(belief.story)
+
+
+def _say_parting(belief: Belief, parting: Parting) -> str:
+    """The step at which they diverge, as one sentence."""
+    story = belief.story
+    step, robot, taken_for = parting.step, parting.robot, parting.taken_for
+    vertex = story.vertex(robot)
+    misfit = _say_misfit(belief, step) if step in belief.misfits else ""
+    if step == 0:
+        return f"They part at the start, at {vertex}: {misfit}."
+    if parting.fresh:
+        truth = f"At step {step} the robot came to {vertex} for the first time"
+    else:
+        truth = f"At step {step} the robot was back at {vertex}, {story.last_left(robot, step)}"
+    if taken_for == (None if parting.fresh else robot):
+        return f"{truth}, and so it is in its answer, but {misfit}."
+    if taken_for is None:
+        taken = "its answer takes the place for a new vertex"
+    elif story.vertex(taken_for) != vertex:
+        left = story.last_left(taken_for, step)
+        taken = f"its answer takes the place for {story.vertex(taken_for)}, {left}"
+    else:
+        taken = f"in its answer it came by dart {taken_for}, in truth by dart {robot}"
+    return f"{truth}, but {taken}{': ' if misfit else ''}{misfit}."
+
+
+def _say_misfit(belief: Belief, step: int) -> str:
+    expected, sensed = belief.expected[step], belief.story.sensed[step]
+    return f"it sensed '{sensed}', where the answer predicts '{expected}'"
+
+
+def tell_open_darts(story: Story) -> list[str]:
+    """Tell the open darts of the folded log, and the vertices that it has several times.
+
+    No sentence if no dart is open, or if the lighthouse allows no folding.
+    """
+    if not story.world.lighthouse.as_kind.folds:
+        return []
+    folded, map_ = fold(story.transcript), story.map
+    image = {0: story.world.start}
+    for x in (queue := [0]):
+        for y, true in ((folded.sigma[x], map_.sigma), (folded.alpha[x], map_.alpha)):
+            if y not in image:
+                image[y] = true[image[x]]
+                queue.append(y)
+    unsettled = {image[x] for x, y in enumerate(folded.alpha) if x == y}
+    if not unsettled:
+        return []
+    named = [f"dart {dart} of {story.vertex(dart)}" for dart in sorted(unsettled)]
+    if len(named) > NAMED:
+        named[NAMED:] = [plural(len(named) - NAMED, "other dart")]
+    open_ = f"where {listed(named)} {'lead' if len(named) > 1 else 'leads'}"
+    copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
+    twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
+    told = [f"After this walk it is not known {open_}."]
+    if twice:
+        one = "each of these" if len(twice) > 1 else "this"
+        told.append(
+            f"The robot came to {listed(twice)}, and the log does not show that {one} is one "
+            "vertex."
+        )
+    return told
+
+
+def tell_whose_bound(finding: Finding) -> list[str]:
+    """Tell that the answer is right, whose bound it is, and how to check without it."""
+    others = [law for law in finding.rules.applying if law != "bound"]
+    rest = f"every other law that was checked holds: {listed(others)}" if others else ""
+    if {"map", "pose"} <= {*others}:
+        right = "The map and the pose are right; the walk is longer than the bound allows."
+    else:
+        right = f"The walk is longer than the bound allows{'; ' if rest else ''}{rest}."
+    other = "4*m" if finding.rules.the_bound.name == "2*m" else "2*m"
+    without = (
+        "The option --bound none checks the other laws alone; --bound EXPR checks another cost, "
+        f"such as --bound '{other}'."
+    )
+    return [right, _whose(finding), without]
+
+
+def tell_whose_budget(finding: Finding) -> str:
+    """Tell where the step budget comes from, and how to get another one."""
+    rules, map_ = finding.rules, finding.world.map
+    if rules.step_budget is not None:
+        return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
+    value = rules.budget(map_)
+    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    world = size(map_.edge_count, map_.vertex_count)
+    told = "the bound that the explorer names"
+    if value == default_step_budget(new + closing):
+        told = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
+    return (
+        f"In a world with {world} the budget is {plural(value, 'traversal')}, {told}. An explorer "
+        "that is right and walks more needs a larger budget: --step-budget N."
+    )
+
+
+def _whose(finding: Finding) -> str:
+    rules, map_ = finding.rules, finding.world.map
+    name, value = rules.the_bound.name, finding.expected
+    world = size(map_.edge_count, map_.vertex_count)
+    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    paper = (
+        "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
+        "find a new vertex, and (2), the passes that close an edge between known ones"
+    )
+    sums = f"In a world with {world} that is {new} + {closing}"
+    if name == "paper":
+        return f"The bound 'paper' is {paper}. {sums} = {value}."
+    if name == "two-vertices":
+        return (
+            f"The bound 'two-vertices' is {paper}; with two traversals for each test of a "
+            f"hypothesis, and the search among the darts of the start. {sums}, with those {value}."
+        )
+    own = rules.the_bound == rules.own_bound
+    owner = "the explorer's own" if own else "the one that was asked for"
+    return f"The bound is {owner}: {name}, which is {value} in a world with {world}."
+
+
+TURNED, ELSEWHERE = "off by a turn", "another vertex"
+"""The names of a wrong ``here``, at the robot's vertex and at another one."""
+
+HERE, BOTH = "'here' is wrong", "This world is its own mirror image"
+
+
+def tell_pose(story: Story) -> Telling:
+    """Tell where the robot is, where the answer says that it is, and where the walks diverge.
+
+    If the answer is also right as a mirror image, another world may have decided.
+    """
+    belief = Belief(story)
+    images = _images(belief)
+    alike = len(images) - 1
+    symmetry = f" (for this symmetric map {plural(alike, 'other dart')} would be right, too)"
+    where = f"{_say_where(belief, images)}{symmetry if alike else ''}"
+    turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
+    name = TURNED if turned else ELSEWHERE
+    mirrored, bearings = mirror_image(belief), bearings_anticlockwise(belief)
+    shown = story.finding.chirality
+    decided = not mirrored or (shown is not None and shown.rotations != "unknown")
+    if not decided:
+        causes = [HERE, "the rotations are anticlockwise"]
+        causes += ["the bearings are counted anticlockwise"] if bearings else []
+        reason = "'allworlds explain' plays the explorer in another one"
+        if shown:
+            reason = f"no other one decides: {shown.where}"
+        told = [
+            f"Either {', or '.join(causes)}: {where}.",
+            f"{BOTH} and does not show which; {reason}.",
+        ]
+    elif mirrored and shown and shown.rotations == "anticlockwise":
+        name = mirrored.name
+        told = [
+            mirrored.sentence,
+            f"{BOTH}, but in {shown.where}, the explorer's map is the mirror image, too.",
+            f"Therefore {HERE}: {where}.",
+        ]
+    elif bearings and not story.finding.misreading:  # which says so before
+        name = bearings.name
+        told = [f"The map is right, but {HERE}: {where}.", f"Or: {bearings.sentence}"]
+    else:
+        told = [f"The map is right, but {HERE}: {where}."]
+        if mirrored and shown:
+            told.append(
+                f"The rotations are clockwise, as they should be: in {shown.where}, the "
+                "explorer's map is right."
+            )
+    return Telling([*told, *tell_parting(belief)], belief.step, belief.answer, slip=name)
+
+
+def _images(belief: Belief) -> list[Dart]:
+    """The darts of the world that ``here`` can stand for: one, or more by symmetry."""
+    answer, map_ = belief.answer, belief.story.map
+    sigma, alpha = answer.map.sigma, answer.map.alpha
+    order = numbering(sigma, alpha, answer.here)
+    images = [d for d in map_.darts if carries(sigma, alpha, order, map_.sigma, map_.alpha, d)]
+    if not images:
+        raise InputError("the finding's answer is not the map of its world, so its law is not pose")
+    return images
+
+
+def _say_where(belief: Belief, images: list[Dart]) -> str:
+    """Tell where the robot stands, and where the answer says that it stands."""
+    story = belief.story
+    map_, robot = story.map, story.walked[-1]
+    stands = f"the robot stands at {story.place(robot)}, and the answer says"
+    parting = belief.parting
+    meant = parting.taken_for if parting and parting.step == len(story.walked) - 1 else None
+    near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
+    if not near:
+        said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
+        told = f"{stands} {story.place(said)}, which is another vertex"
+    else:
+        said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
+        turned, degree = map_.offset(said, robot), map_.degree_at[robot]
+        back = degree - turned
+        darts, way = (turned, "anticlockwise") if turned < back else (back, "clockwise")
+        told = f"{stands} dart {said} of the same vertex, {plural(darts, 'dart')} too far {way}"
+    if said != map_.alpha[robot] or len(story.walked) == 1:
+        return told
+    return f"{told}; dart {said} is the other end of the edge by which the robot came"
+
 
 GUESSED = "guessed"
 """The cause of a wrong answer that is no slip in drawing the map."""

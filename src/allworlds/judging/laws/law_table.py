@@ -12,10 +12,9 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 
 from allworlds.document import one_of
-from allworlds.judging.laws.case import Case, Violation
+from allworlds.judging.laws.case import Case, Violation, ambiguity_law
 from allworlds.judging.laws.folding import fold
 from allworlds.judging.laws.invariants import invariant_1, invariant_2, variant
-from allworlds.judging.laws.quotient_answers import ambiguity_law
 from allworlds.protocol import Estimate
 
 Check: TypeAlias = Callable[[Case], Violation | None]

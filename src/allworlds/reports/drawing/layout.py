@@ -11,8 +11,7 @@ from math import pi, tau
 from msgspec import Struct
 
 from allworlds.maps import CombinatorialMap, Dart, Mismatch, cycles, isomorphism, unrooted_code
-from allworlds.reports.drawing.mesh import mesh, place
-from allworlds.reports.drawing.planar import PlanarMap, drawings
+from allworlds.reports.drawing.planar import PlanarMap, drawings, mesh, place
 
 ROUND_VERTEX, ROUND_CROSSING = 40.0, 30.0
 """In pixels: so near to a vertex or to a crossing of theirs edges may come near each other."""

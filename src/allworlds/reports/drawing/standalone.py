@@ -13,7 +13,7 @@ from allworlds.maps import CombinatorialMap
 from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.drawing.svg import picture
 from allworlds.reports.drawing.text import draw as drawn_in_characters
-from allworlds.reports.markup import tag
+from allworlds.reports.rendering import tag
 from allworlds.words import size
 from allworlds.world import World
 

@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 from allworlds.maps import Dart
 from allworlds.reports.drawing.layout import CHIP, DISC, HIGH, Layout, bridges_of, layout, rim
 from allworlds.reports.drawing.scene import Scene
-from allworlds.reports.markup import Child, tag
+from allworlds.reports.rendering import Child, tag
 
 FLAG = 12.0
 """The length of the head of the arrow that stands for a marker's direction, in pixels."""

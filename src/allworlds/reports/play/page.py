@@ -11,7 +11,7 @@ from allworlds.inputs import InputError
 from allworlds.judging import bound_named
 from allworlds.protocol import Pick
 from allworlds.reports.drawing.scene import scene_of
-from allworlds.reports.markup import record, tag
+from allworlds.reports.rendering import record, tag
 from allworlds.reports.tellings.played import LEAST, NAMES
 from allworlds.reports.web.frame import Own, Page, framed
 from allworlds.reports.web.viewer import figure

@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 
 from msgspec import Struct
 
-from allworlds.reports.markup import document, raw, record, tag
+from allworlds.reports.rendering import document, raw, record, tag
 from allworlds.version import __version__
 
 

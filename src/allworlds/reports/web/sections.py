@@ -10,10 +10,10 @@ from allworlds.document import replace
 from allworlds.judging import Walked
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Move
-from allworlds.reports.cost_curve import cost_picture
 from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
 from allworlds.reports.drawing.layout import Layout, layout
-from allworlds.reports.markup import record, tag
+from allworlds.reports.plain_text import cost_picture
+from allworlds.reports.rendering import record, tag
 from allworlds.reports.telling import (
     Block,
     Costs,

@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 from allworlds.reports.drawing.layout import Layout
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import picture
-from allworlds.reports.markup import tag
+from allworlds.reports.rendering import tag
 
 KEYS = (
     "Left and right arrow, Home and End step along the walk, the space bar plays it, "

@@ -1,9 +1,13 @@
-"""The census: every map with a marked vertex, and which of them cannot be told apart."""
+"""Every marked world of a class, and which of them look alike."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any, TypeAlias
+import json
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from typing import Annotated, Any, TypeAlias, TypeVar
 
+from msgspec import Struct, field
 from msgspec.structs import asdict
 from typing_extensions import override
 
@@ -21,6 +25,7 @@ from allworlds.document import (
 from allworlds.engines import (
     GATE,
     WHOLE,
+    LevelUnit,
     ReadyEngine,
     Sweep,
     SweptLevel,
@@ -32,17 +37,224 @@ from allworlds.engines import (
     told_scope,
     tried_places,
 )
-from allworlds.inputs import answers
-from allworlds.maps import Extent, MapClass
-from allworlds.outcome import Ending
-from allworlds.studies.ambiguity.ambiguity_requests import CensusRequest
-from allworlds.studies.ambiguity.sensed_worlds import (
-    PartBySensing,
-    SensedParts,
-    SizeCounts,
-    ensure_stands,
+from allworlds.inputs import InputError, answers
+from allworlds.maps import (
+    CombinatorialMap,
+    Extent,
+    MapClass,
+    Quotient,
+    class_size,
+    is_ambiguous,
+    numbering,
+    project,
+    rooted_code,
 )
-from allworlds.world import LighthouseKind, Position, World
+from allworlds.outcome import Disagreement, Ending
+from allworlds.protocol import Percept
+from allworlds.studies.ambiguity.ambiguity_requests import CensusRequest
+from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
+from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
+from allworlds.world import InvalidWorld, LighthouseKind, Position, World
+
+BATCH = 200
+"""Maps after which a part of a unit is handed over."""
+
+Size: TypeAlias = tuple[int, int]
+"""The numbers of edges and of vertices."""
+
+Key = TypeVar("Key")
+
+
+class SizeCounts(Struct):
+    """Counts of the worlds of some sizes.
+
+    Attributes:
+        marked_worlds: maps with a lighthouse in them, up to isomorphism.
+        ambiguous_worlds: those with a twin, of any size.
+        classes: parts with two or more members, one of which is among these worlds.
+        largest_class: the number of members of the largest of these parts; 0: there is none.
+    """
+
+    marked_worlds: int = 0
+    ambiguous_worlds: int = 0
+    classes: int = 0
+    largest_class: int = 0
+
+    def add(self, members: int, of: int) -> None:
+        """Add some worlds that are members of one part with ``of`` members."""
+        self.marked_worlds += members
+        if of > 1:
+            self.ambiguous_worlds += members
+            self.classes += 1
+            self.largest_class = max(self.largest_class, of)
+
+
+class SensedParts(Struct):
+    """Counts and quotients of some worlds.
+
+    Attributes:
+        worlds: rooted maps.
+        alone: by size, how many worlds there are of which it is known that they have no twin.
+        parts: for each quotient the other maps, with what is sensed in them, that have it: the
+            document of a world of each, up to isomorphism.
+    """
+
+    worlds: Natural = 0
+    alone: Counter[tuple[int, int]] = field(default_factory=Counter)
+    parts: dict[str, dict[str, dict[str, Any]]] = field(default_factory=dict)
+
+    def add(self, other: SensedParts) -> None:
+        """Add the counts of another part."""
+        self.worlds += other.worlds
+        self.alone.update(other.alone)
+        for quotient, worlds in other.parts.items():
+            mine = self.parts.setdefault(quotient, {})
+            for key, world in worlds.items():
+                mine.setdefault(key, world)
+
+    def meet(self, world: World) -> None:
+        """Take in one world: a start of the map, with the lighthouse at a place."""
+        quotient = project((world.map, world.percepts, world.start)).quotient
+        roots = (quotient.rerooted(q) for q in range(len(quotient.sigma)))
+        key = json.dumps([min(map(_quotient_code, roots)), _told(world)])
+        self.parts.setdefault(key, {}).setdefault(_world_code(world), world.to_json())
+
+    def meet_marked(self, map_: CombinatorialMap) -> None:
+        """Take in a map with its root's vertex marked; of all roots there one is taken in.
+
+        Of such worlds the quotient alone tells whether there is a twin.
+        """
+        if not is_least_rooting(map_):
+            return
+        world = World(map_, Position(0), 0)
+        # A marked vertex of degree 1 is alone at what is sensed there, and so is every other one.
+        if map_.sigma[0] != 0 and is_ambiguous(projection_of(world).quotient):
+            self.meet(world)
+        else:
+            self.alone[map_.edge_count, map_.vertex_count] += 1
+
+    def counts(self, name: Callable[[Size], Key]) -> dict[Key, SizeCounts]:
+        """The counts of the worlds of each size, or of those whose sizes have one name."""
+        found: dict[Key, SizeCounts] = {}
+        for size, number in self.alone.items():
+            found.setdefault(name(size), SizeCounts()).marked_worlds += number
+        for worlds in self.parts.values():
+            names = Counter(name(_size(world)) for world in worlds.values())
+            for each, members in names.items():
+                found.setdefault(each, SizeCounts()).add(members, of=len(worlds))
+        return found
+
+    def smallest_pair(self) -> ComparedWorlds | None:
+        """Two worlds of one part, with the proof that no motion tells them apart."""
+        pairs = [
+            sorted((_size(world), code) for code, world in worlds.items())[:2]
+            for worlds in self.parts.values()
+            if len(worlds) > 1
+        ]
+        if not pairs:
+            return None
+        one, other = min(pairs, key=lambda pair: pair[::-1])
+        (worlds,) = (w for w in self.parts.values() if one[1] in w and other[1] in w)
+        return _apart(*(World.from_json(worlds[code]) for _, code in (one, other)))
+
+    def ensure_counted(self) -> None:
+        """Raise Disagreement unless each class has as many members as Burnside's count says.
+
+        It counts all maps with a marked vertex that look alike.
+        """
+        for worlds in self.parts.values():
+            world = World.from_json(next(iter(worlds.values())))
+            quotient = projection_of(world).quotient
+            if len(worlds) != class_size(quotient):
+                raise Disagreement(
+                    f"{len(worlds)} worlds were met of a class of {class_size(quotient)}, "
+                    f"with the quotient {quotient}"
+                )
+
+
+class PartBySensing(Struct, frozen=True):
+    """The engine of the census."""
+
+    extent: Extent
+    kind: LighthouseKind
+
+    def parts(self, unit: LevelUnit) -> Iterator[SensedParts]:
+        """The maps of the unit, some at a time."""
+        met, marked = SensedParts(), self.kind.name == Position.kind
+        for map_ in unit.maps(self.extent):
+            met.worlds += 1
+            if marked:
+                met.meet_marked(map_)
+            else:
+                for place in self.kind.as_class.places(map_, 0):
+                    met.meet(World(map_, place, 0))
+            if met.worlds == BATCH:
+                yield met
+                met = SensedParts()
+        yield met
+
+
+def ensure_stands(kind: LighthouseKind) -> None:
+    """Raise InputError for a lighthouse of which the robot makes the marks itself."""
+    if kind.as_class.leaves_marks:
+        raise InputError(
+            f"under the lighthouse {kind} the robot leaves marks itself, and a census is of what "
+            f"motions alone can tell apart; legal are {standing()}"
+        )
+
+
+def _size(world: Mapping[str, Any]) -> Size:
+    """The size of a world, by its document."""
+    map_ = CombinatorialMap.trusted(tuple(world["sigma"]), tuple(world["alpha"]))
+    return map_.edge_count, map_.vertex_count
+
+
+def _label(percept: Percept) -> list[int]:
+    return [percept.marks, -1 if percept.bearing is None else percept.bearing]
+
+
+def _quotient_code(quotient: Quotient) -> list[Any]:
+    labels = [_label(label) for label in quotient.labels if isinstance(label, Percept)]
+    return [list(quotient.sigma), list(quotient.alpha), list(quotient.degree), labels]
+
+
+def _told(world: World) -> Any:
+    """The value told in the world before the start; numbers with names stand in order."""
+    return sorted(world.told.items()) if isinstance(world.told, Mapping) else world.told
+
+
+def _world_code(world: World) -> str:
+    """The map, what is sensed in it and what is told, whatever the start: a canonical text."""
+    map_ = world.map
+    return min(
+        json.dumps(
+            [
+                rooted_code(map_.sigma, map_.alpha, dart),
+                [_label(world.percepts[d]) for d in numbering(map_.sigma, map_.alpha, dart)],
+                _told(world),
+            ]
+        )
+        for dart in map_.darts
+    )
+
+
+def _apart(one: World, other: World) -> ComparedWorlds:
+    """The two compared, the second from the first start from which it looks the same.
+
+    Where the lighthouse cannot stand in the same place from that start, it stands in another one
+    in which the same is sensed and told.
+    """
+    code, kind = _world_code(other), other.lighthouse.as_kind
+    for start in other.map.darts:
+        for place in (other.lighthouse, *kind.places(other.map, start)):
+            try:
+                world = World(other.map, place, start)
+            except InvalidWorld:  # the lighthouse cannot stand there when one starts here
+                continue
+            if _world_code(world) == code and (found := twins(one, world)).bisimulation:
+                return found
+    raise AssertionError(f"{one} and {other} have one quotient, and are told apart")
+
 
 MarkedWorlds: TypeAlias = Annotated[
     Natural, about("maps with a lighthouse in them, as one marked vertex, up to isomorphism")
@@ -196,12 +408,12 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
                     edges=level.edges,
                     rooted=rooted,
                     counted=level.worlds,
-                    **_told(by_edges.get(level.edges, SizeCounts()), whole=whole),
+                    **_counts_told(by_edges.get(level.edges, SizeCounts()), whole=whole),
                 )
                 for level, rooted in self._levels
             ),
             by_vertices=tuple(
-                CensusCell(edges=edges, vertices=vertices, **_told(counts, whole=whole))
+                CensusCell(edges=edges, vertices=vertices, **_counts_told(counts, whole=whole))
                 for (edges, vertices), counts in sorted(by_size.items())
             ),
             pair=pair.worlds if pair else (),
@@ -209,6 +421,6 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
         )
 
 
-def _told(counts: SizeCounts, *, whole: bool) -> dict[str, int]:
+def _counts_told(counts: SizeCounts, *, whole: bool) -> dict[str, int]:
     """The keys of the counts; of a shard those that do not depend on other shards."""
     return asdict(counts) if whole else {"marked_worlds": counts.marked_worlds}

@@ -41,7 +41,7 @@ from allworlds.judging import AskedRules, Finding
 from allworlds.outcome import Verdict
 from allworlds.studies.check import SharedFile
 from allworlds.studies.compare.contestants import Contestant, InWorld
-from allworlds.studies.compare.growing_families import Member
+from allworlds.studies.compare.growth import Member
 from allworlds.studies.compare.intervals import geometric_mean
 from allworlds.studies.compare.requests import AskedContestWorlds
 from allworlds.world import AskedLighthouse, World

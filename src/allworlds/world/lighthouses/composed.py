@@ -15,8 +15,7 @@ from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Percept, Told
 from allworlds.world.lighthouses.base import Lighthouse, WalkInAnswer
 from allworlds.world.lighthouses.knowledge import Knowledge
-from allworlds.world.lighthouses.options import value_of
-from allworlds.world.lighthouses.place_checks import InvalidWorld
+from allworlds.world.lighthouses.options import InvalidWorld, value_of
 from allworlds.world.state import State
 
 PLUS = "+"

@@ -13,30 +13,25 @@ from msgspec.structs import replace
 from allworlds.inputs import InputError, a_text, show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Role, UserCode
-from allworlds.world.lighthouses.base import Lighthouse, WalkInAnswer
-from allworlds.world.lighthouses.cluster import Cluster
-from allworlds.world.lighthouses.compass import Compass
+from allworlds.world.lighthouses.base import Lighthouse, Sensing, WalkInAnswer, Where
 from allworlds.world.lighthouses.composed import PLUS, Composed, composed, composed_from_json
-from allworlds.world.lighthouses.directional import Directional
+from allworlds.world.lighthouses.everywhere import Compass, Labels
 from allworlds.world.lighthouses.knowledge import Knowledge, Nothing
-from allworlds.world.lighthouses.labels import Labels
-from allworlds.world.lighthouses.movable import Movable
-from allworlds.world.lighthouses.natural import Natural
+from allworlds.world.lighthouses.left import Movable, Ports, Whiteboard
+from allworlds.world.lighthouses.marked import Cluster, Directional, Natural, Position
 from allworlds.world.lighthouses.options import (
+    InvalidWorld,
     ensure_options,
     kind_with,
     name_of,
     options_in,
     options_of,
     place_keys,
+    refuse_other_keys,
     value_of,
     with_arguments,
 )
 from allworlds.world.lighthouses.own_kind import own_kind
-from allworlds.world.lighthouses.place_checks import InvalidWorld, refuse_other_keys
-from allworlds.world.lighthouses.position import Position
-from allworlds.world.lighthouses.sensing import Sensing, Where
-from allworlds.world.lighthouses.written import Ports, Whiteboard
 
 LIGHTHOUSES: dict[str, type[Lighthouse]] = {
     kind.kind: kind

@@ -14,8 +14,7 @@ from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Percept, Told, UserCode, tried
 from allworlds.words import plural
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.options import kind_with, options_in
-from allworlds.world.lighthouses.place_checks import InvalidWorld, Unsteady
+from allworlds.world.lighthouses.options import InvalidWorld, Unsteady, kind_with, options_in
 from allworlds.world.state import State
 
 SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
