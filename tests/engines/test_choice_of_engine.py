@@ -22,6 +22,8 @@ from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.studies.check.time_estimate import is_worth_a_guess
+from native_libraries import attack, example
+from shared_fixtures import EXPLORERS
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -134,6 +136,26 @@ def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, 
 
 
 @pytest.mark.no_cover
+@pytest.mark.parametrize("name", ["right", "everywhere", "here_of_another", "planted", "raises"])
+def test_both_judges_of_a_users_explorer_count_and_find_the_same(name):
+    compiled, general = (
+        check(f"{EXPLORERS / 'wrong.py'}:{name}", edges=2, engine=engine).to_json()
+        for engine in ("kernel", "python")
+    )
+    for report in (compiled, general):
+        del report["engine"]
+    assert compiled == general
+
+
+def test_both_judges_of_a_library_count_and_find_the_same():
+    library = f"native:{example('c/algorithm1.c')}"
+    compiled, general = (check(library, edges=2, engine=each) for each in ("kernel", "python"))
+    assert (compiled.rows, compiled.exit_code) == (general.rows, 0)
+    wrong = f"native:{attack('abort()')}"
+    law, other = (check(wrong, edges=2, engine=each).findings for each in ("kernel", "python"))
+    assert [found.key for found in law] == [found.key for found in other]
+
+
 def test_ctrl_c_leaves_the_finished_levels():
     listener = Stopper(after=50_000)
     report = check(edges=8, engine="kernel", workers=2, listener=listener)

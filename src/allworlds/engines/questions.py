@@ -84,4 +84,5 @@ def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, tally: Tally) -> Tally:
         # Where a run has a bound without a value, this says so.
         bound = scope.rules.the_bound.value(n, unit.edges, d0, largest, 0, 0)
         tally.row(unit.edges, n).bound_of(bound)
+    tally.witnesses = +tally.witnesses  # as the Python engine has them: without zeros
     return tally
