@@ -42,7 +42,7 @@ from allworlds.protocol import POLICIES, SEEDED, Schedule
 from allworlds.reports import FORMATS, formats_of, schemas, text
 from allworlds.studies.ambiguity.smt.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
-from allworlds.studies.compare.growth import GROWING
+from allworlds.studies.compare.growing_families import GROWING
 from allworlds.studies.fuzz.sample import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, VERBS

@@ -163,7 +163,7 @@ def test_rows_are_numbers_and_words_and_a_missing_one_is_an_empty_cell():
 
 NEW_FORMAT = '''"""A telling in one loud line."""
 
-from allworlds.reports.format_table import Format
+from allworlds.reports.file_format import Format
 
 FORMAT = Format(lambda telling: telling.subject.upper(), "Also shout.")
 '''

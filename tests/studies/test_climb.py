@@ -30,7 +30,7 @@ from allworlds.reports import file_of, text as text_of
 from allworlds.studies.compare import CompareRequest, GrowRow, Growth
 from allworlds.studies.compare.climb import GrowingWorlds
 from allworlds.studies.compare.contestants import Contestant
-from allworlds.studies.compare.growth import GROWING, GrownWorld, distinct, members_of
+from allworlds.studies.compare.growing_families import GROWING, GrownWorld, distinct, members_of
 from allworlds.world import Directional, World, map_of_family
 from allworlds.world.named import map_of_code
 from kept_jobs import EXPLORERS

@@ -102,7 +102,6 @@ if TYPE_CHECKING:
     )
     from allworlds.explorers.spelling import short_names as short_names, whole_name as whole_name
     from allworlds.explorers.subject import (
-        CONVENTIONS as CONVENTIONS,
         HASH_SEED as HASH_SEED,
         Subject as Subject,
         built_in as built_in,
@@ -111,5 +110,6 @@ if TYPE_CHECKING:
         with_shield as with_shield,
         with_translator as with_translator,
     )
+    from allworlds.explorers.translated import CONVENTIONS as CONVENTIONS
 else:
     open_door(__name__)

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.subject import CONVENTIONS
+from allworlds.explorers.translated import CONVENTIONS
 from allworlds.inputs import InputError, show
 from allworlds.protocol import points_of
 

@@ -1,4 +1,4 @@
-"""The subject of a check: an explorer, its name, and what it may be wrapped in."""
+"""Explorers under test: their keywords, and the ways in which they are played."""
 
 from __future__ import annotations
 
@@ -27,84 +27,8 @@ from allworlds.explorers.names import (
 )
 from allworlds.explorers.program import Program
 from allworlds.explorers.shared_library.native import NativeExplorer
-from allworlds.protocol import Move, Percept, Player, SourceText
-
-
-def _as_it_is(number: int) -> int:
-    return number
-
-
-class Convention(Struct, frozen=True):
-    """A wrong way to count darts.
-
-    Attributes:
-        wrong: what the explorer does, after 'the explorer'.
-        right: the rule that it misses.
-        motion: the motion that is meant by the one that the explorer makes.
-        bearing: the bearing that the explorer must be told, for the one that is sensed.
-    """
-
-    wrong: str
-    right: str
-    motion: Callable[[int], int] = _as_it_is
-    bearing: Callable[[int], int] = _as_it_is
-
-
-_MOTIONS = "Motion k leaves by the k-th dart clockwise from the dart by which the robot came"
-
-CONVENTIONS = {
-    "motions-anticlockwise": Convention(
-        "counts motions anticlockwise (or else sigma and bearings)",
-        f"{_MOTIONS}.",
-        motion=lambda k: -k,
-    ),
-    "motions-from-1": Convention(
-        "counts motions from 1", f"{_MOTIONS}, and that dart is number 0.", motion=lambda k: k - 1
-    ),
-    "motions-from-next": Convention(
-        "counts motions from the next dart, as if that were number 0",
-        f"{_MOTIONS}, and that dart is number 0.",
-        motion=lambda k: k + 1,
-    ),
-    "bearings-anticlockwise": Convention(
-        "counts bearings anticlockwise (or else sigma and motions)",
-        "A bearing counts the darts clockwise, from the dart by which the robot arrives to the "
-        "pointed dart.",
-        bearing=lambda b: -b,
-    ),
-}
-"""The conventions by their names; the likelier ones first."""
-
-
-class Translated:
-    """An explorer behind a translator: a generator function that takes what the explorer takes."""
-
-    def __init__(
-        self, explorer: Callable[..., Generator[Any, Any, Any]], convention: Convention
-    ) -> None:
-        self.explorer, self.convention = explorer, convention
-        self.__signature__ = inspect.signature(explorer)
-
-    def __call__(self, first: Percept, **keywords: Any) -> Generator[Any, Any, Any]:
-        """Explore as the explorer does that is meant."""
-        with closing(self.explorer(self._heard(first), **keywords)) as walk:
-            heard = None
-            while True:
-                try:
-                    message = walk.send(heard)
-                except StopIteration as end:
-                    return end.value
-                if type(message) is Move and type(message.k) is int:
-                    message = Move(self.convention.motion(message.k))
-                reply = yield message
-                heard = None if reply is None else self._heard(reply)
-
-    def _heard(self, percept: Percept) -> Percept:
-        if percept.bearing is None:
-            return percept
-        bearing = self.convention.bearing(percept.bearing) % percept.degree
-        return Percept(percept.degree, percept.marks, bearing)
-
+from allworlds.explorers.translated import CONVENTIONS, Translated
+from allworlds.protocol import Player, SourceText
 
 HASH_SEED = "PYTHONHASHSEED"
 """The variable of the environment from which an interpreter takes its hash seed."""

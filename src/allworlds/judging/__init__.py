@@ -49,9 +49,9 @@ if TYPE_CHECKING:
         needs_a_chiral_world as needs_a_chiral_world,
         trial_worlds as trial_worlds,
     )
-    from allworlds.judging.explanations.slips import Spending as Spending
     from allworlds.judging.explanations.story import (
         Belief as Belief,
+        Spending as Spending,
         Story as Story,
         Walked as Walked,
     )

@@ -12,12 +12,11 @@ from allworlds.judging.episode import default_step_budget
 from allworlds.judging.explanations.slips import (
     bearings_anticlockwise,
     mirror_image,
-    spending,
     tell_rounds,
     telling_line,
     the_slip,
 )
-from allworlds.judging.explanations.story import Belief, Story, Teller, Telling
+from allworlds.judging.explanations.story import Belief, Story, Teller, Telling, spending
 from allworlds.judging.findings.belief import Parting
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import true_walk

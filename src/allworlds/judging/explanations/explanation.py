@@ -10,8 +10,8 @@ from allworlds.document import Aside, Natural, Positive, Report, Some, Text, abo
 from allworlds.explorers import CONVENTIONS, TRANSLATED
 from allworlds.inputs import InputError, show
 from allworlds.judging.explanations.by_law import teller_of
-from allworlds.judging.explanations.slips import Spending, mirror_image
-from allworlds.judging.explanations.story import Belief, Story
+from allworlds.judging.explanations.slips import mirror_image
+from allworlds.judging.explanations.story import Belief, Spending, Story
 from allworlds.judging.findings.finding import Chirality, Finding
 from allworlds.judging.laws.law_table import LawName
 from allworlds.maps import (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from allworlds.explorers import place_of_explorer
 from allworlds.outcome import Verdict
-from allworlds.reports.format_table import Format
+from allworlds.reports.file_format import Format
 from allworlds.reports.project import project_folder
 from allworlds.reports.rendering import finding_in_words
 from allworlds.reports.telling import ToldResult

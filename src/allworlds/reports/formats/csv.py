@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 
-from allworlds.reports.format_table import Binary, Format, NeededLibrary
+from allworlds.reports.file_format import Binary, Format, NeededLibrary
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.telling import ToldResult, ToldWalk
 

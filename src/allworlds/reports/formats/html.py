@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.reports.format_table import Format
+from allworlds.reports.file_format import Format
 from allworlds.reports.telling import ToldResult
 
 

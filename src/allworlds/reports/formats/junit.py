@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Mapping
 from xml.etree import ElementTree as ET
 
-from allworlds.reports.format_table import Format
+from allworlds.reports.file_format import Format
 from allworlds.reports.plain_text import text_of
 from allworlds.reports.telling import ToldResult
 from allworlds.verbs import CASES

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from allworlds.reports.format_table import Format
+from allworlds.reports.file_format import Format
 from allworlds.reports.plain_text import text_of
 from allworlds.reports.telling import (
     Section,

@@ -10,7 +10,7 @@ import io
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
-from allworlds.reports.format_table import Format, NeededLibrary
+from allworlds.reports.file_format import Format, NeededLibrary
 from allworlds.reports.telling import ToldResult
 from allworlds.verbs import GROWTH
 

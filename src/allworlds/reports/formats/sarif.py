@@ -12,7 +12,7 @@ from allworlds.explorers import SourceLine, place_of_explorer
 from allworlds.judging import ASKED, Finding, file_name as name_of_finding, true_trail
 from allworlds.outcome import Verdict
 from allworlds.protocol import Move
-from allworlds.reports.format_table import Format
+from allworlds.reports.file_format import Format
 from allworlds.reports.project import project_folder
 from allworlds.reports.rendering import finding_in_words
 from allworlds.reports.telling import ToldResult

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from allworlds.explorers import short_names
-from allworlds.reports.rows import CsvRows, rows_of_worlds
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,
     Cell,
@@ -19,6 +19,7 @@ from allworlds.reports.telling import (
 from allworlds.reports.tellings.finding import finding_section
 from allworlds.reports.tellings.scope import SAID, explorers_told, maps_words, options_told
 from allworlds.reports.tellings.single_run import run_section
+from allworlds.reports.world_rows import rows_of_worlds
 from allworlds.studies.compare import (
     LEAST_SIZES,
     LEAST_WORLDS,

@@ -30,9 +30,9 @@ if TYPE_CHECKING:
     from allworlds.studies.compare.comparison import (
         ComparedRow as ComparedRow,
         Comparison as Comparison,
-        ContestReport as ContestReport,
     )
     from allworlds.studies.compare.contest import compare as compare, compared as compared
+    from allworlds.studies.compare.contest_report import ContestReport as ContestReport
     from allworlds.studies.compare.contestants import InWorld as InWorld
     from allworlds.studies.compare.growth import (
         CostRatio as CostRatio,

@@ -23,16 +23,8 @@ from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of, rootings
 from allworlds.outcome import Ending
 from allworlds.studies.compare.contestants import Contest, Contestant, CostsOfAll, UnitOfOne
-from allworlds.studies.compare.growth import (
-    FORMS,
-    LEAST,
-    GrownWorld,
-    GrowRow,
-    Growth,
-    Member,
-    distinct,
-    members_of,
-)
+from allworlds.studies.compare.growing_families import FORMS, LEAST, Member, distinct, members_of
+from allworlds.studies.compare.growth import GrownWorld, GrowRow, Growth
 from allworlds.studies.compare.requests import CompareRequest
 from allworlds.world import Lighthouse, World
 
@@ -47,7 +39,7 @@ def growing(contestants: Sequence[Contestant], request: CompareRequest, to: int)
 
     Args:
         contestants: the explorers.
-        request: for families of :data:`~allworlds.studies.compare.growth.GROWING`, with
+        request: for families of :data:`~allworlds.studies.compare.growing_families.GROWING`, with
             a degree where they have one: ``regular:6``.
         to: the largest number of edges.
 

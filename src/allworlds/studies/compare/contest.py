@@ -46,7 +46,8 @@ from allworlds.studies.compare.contestants import (
     contestants_known,
     contestants_of,
 )
-from allworlds.studies.compare.growth import Growth, Member, form_of
+from allworlds.studies.compare.growing_families import Member, form_of
+from allworlds.studies.compare.growth import Growth
 from allworlds.studies.compare.requests import CompareKeywords, CompareRequest, SameWorldsKeywords
 from allworlds.world import World
 
