@@ -11,8 +11,8 @@ import allworlds
 
 ROOT = Path(__file__).parents[2]
 FOLDERS = {
-    Path(allworlds.__file__).parent: 300,
-    ROOT / "tests": 300,
+    Path(allworlds.__file__).parent: 250,
+    ROOT / "tests": 250,
     ROOT / "benchmarks": 5,
     ROOT / "proofs": 20,
     ROOT / "docsite": 5,

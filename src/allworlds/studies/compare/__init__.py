@@ -6,10 +6,10 @@ the explorers has no place is left out for all.  Of a growing family a few membe
 drawn from seeds, and isomorphic ones count once; every member has a name that gives it back
 (``allworlds run algorithm1 --family torus:6x6 --seed 1``).
 
-``compare_request``, ``compare_keywords``
+``compare_request``
     what is asked for;
-``contestants``, ``side_by_side``
-    explorers that are run in the same worlds, and how they share the units of a job;
+``contestants``
+    explorers that are run in the same worlds, how they share the units of a job, and their costs;
 ``contest_report``
     what the reports of all of them have in common;
 ``contest``, ``comparison``
@@ -17,9 +17,7 @@ drawn from seeds, and isomorphic ones count once; every member has a name that g
 ``growing_families``, ``climb``, ``growth``
     families and their members, the runs in them, and cost by size with fitted exponents;
 ``intervals``
-    intervals of means, ratios and exponents, by a bootstrap over the worlds;
-``in_world``
-    costs in one world, as rows for programs have them.
+    intervals of means, ratios and exponents, by a bootstrap over the worlds.
 """
 
 from typing import TYPE_CHECKING
@@ -27,6 +25,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
     from allworlds.studies.compare.comparison import (
         ComparedRow as ComparedRow,
         Comparison as Comparison,
@@ -47,6 +46,5 @@ if TYPE_CHECKING:
         LEVEL as LEVEL,
         mean_interval as mean_interval,
     )
-    from allworlds.studies.compare.requests import CompareRequest as CompareRequest
 else:
     open_door(__name__)

@@ -22,10 +22,10 @@ from allworlds.engines import (
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of, rootings
 from allworlds.outcome import Ending
+from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.contestants import Contest, Contestant, CostsOfAll, UnitOfOne
 from allworlds.studies.compare.growing_families import FORMS, LEAST, Member, distinct, members_of
 from allworlds.studies.compare.growth import GrownWorld, GrowRow, Growth
-from allworlds.studies.compare.requests import CompareRequest
 from allworlds.world import Lighthouse, World
 
 WORLDS, PLACES, SEED = 10, 8, 1

@@ -29,6 +29,11 @@ from allworlds.maps import CombinatorialMap, Extent
 from allworlds.outcome import Ending, Stopped
 from allworlds.studies.check import GateCell, count_gate
 from allworlds.studies.compare.climb import GrowingWorlds, growing
+from allworlds.studies.compare.compare_request import (
+    CompareKeywords,
+    CompareRequest,
+    SameWorldsKeywords,
+)
 from allworlds.studies.compare.comparison import (
     ComparedRow,
     Comparison,
@@ -48,7 +53,6 @@ from allworlds.studies.compare.contestants import (
 )
 from allworlds.studies.compare.growing_families import Member, form_of
 from allworlds.studies.compare.growth import Growth
-from allworlds.studies.compare.requests import CompareKeywords, CompareRequest, SameWorldsKeywords
 from allworlds.world import World
 
 

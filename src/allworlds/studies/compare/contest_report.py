@@ -29,8 +29,8 @@ from allworlds.engines import (
 from allworlds.judging import AskedRules, Finding
 from allworlds.outcome import Verdict
 from allworlds.studies.check import SharedFile
+from allworlds.studies.compare.compare_request import AskedContestWorlds
 from allworlds.studies.compare.contestants import Contestant
-from allworlds.studies.compare.requests import AskedContestWorlds
 from allworlds.world import AskedLighthouse
 
 

@@ -42,7 +42,7 @@ from allworlds.studies.check import (
     rules_record,
     subject_of_record,
 )
-from allworlds.studies.compare.requests import CompareRequest
+from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.world import World
 
 
