@@ -194,7 +194,9 @@ def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
         ("lazy", "map", ""),
     ],
 )
-@pytest.mark.usefixtures("without_workers")  # that the program is another one suffices
+@pytest.mark.usefixtures(
+    "no_orphans", "without_workers"
+)  # that the program is another one suffices
 def test_the_law_that_a_program_breaks(program, kind, law, seen):
     finding = only_finding(program(kind))
     assert (finding.law, finding.world) == (law, LOOP)  # fewer vertices than the edge
