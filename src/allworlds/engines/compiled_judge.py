@@ -7,7 +7,6 @@ judged by the other one from the same bytes, and that alone makes the finding.
 
 from __future__ import annotations
 
-import mmap
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
@@ -172,9 +171,7 @@ class CompiledJudge:
     def _unit(self, unit: LevelRuns) -> tuple[UnitJudge, tuple[Stretch, Stretch]]:
         scope, edges = self.engine.scope, unit.edges
         if edges not in self._memories:
-            size = Stretch.size(edges)
-            one, other = (Stretch(mmap.mmap(-1, size), edges) for _ in range(2))
-            self._memories[edges] = one, other
+            self._memories[edges] = Stretch(edges), Stretch(edges)
         level = level_of(self.python.referee.explorer, scope.rules, scope.extent, edges)
         memories = self._memories[edges]
         return UnitJudge(level, unit.prefix, self.engine.keep, *memories), memories

@@ -6,7 +6,6 @@ A run leaves a log (:mod:`allworlds.log`), which is judged elsewhere.  The twin 
 
 from __future__ import annotations
 
-import mmap
 from collections.abc import MutableSequence, Sequence
 from functools import cache
 from itertools import pairwise
@@ -67,7 +66,7 @@ class LibraryPlayer:
         """The lengths of the logs, and the logs; None if they do not fit, or threads are left."""
         edges, runs, again = batch["edges"], batch["runs"], batch["again"]
         if edges not in self._memories:
-            self._memories[edges] = Stretch(mmap.mmap(-1, Stretch.size(edges)), edges)
+            self._memories[edges] = Stretch(edges)
         memory = self._memories[edges]
         memory.heads[:runs] = frombuffer(batch["heads"], c_int).reshape(runs, layout.HEAD)
         if again:
@@ -114,7 +113,7 @@ def load_player() -> None:
     """Load or compile the code by which a library plays."""
     memory = [bytearray(4 * length) for length in (3, 2, 1, 1, 1, 1, 1)]
     handed = _handed([0] * 5, memory, bytearray(16))
-    no_runs = Stretch(mmap.mmap(-1, Stretch.size(1)), 1).shared
+    no_runs = Stretch(1).shared
     play(handed, no_runs, array([], int64), again=False)
 
 
