@@ -244,7 +244,7 @@ def test_a_server_plays_what_it_is_given(module, served):
     explorer = load(f"{module}:explore")
     ((letter, content),) = served(explorer, runs(2))
     assert letter == player.LOGS
-    logs = players.logs_of(content, 2)
+    logs = players.Logs(content, 2)
     assert {*logs} == {entries.motion(0) + entries.answer((0, 1), (1, 0), 1)}
 
 

@@ -102,7 +102,8 @@ class RunBatch:
         judge: the judge in Python.
         work: the unit.
         judged: each of them, once its log is.
-        logs: of the first and of the second play, by the numbers of the runs in the batch.
+        logs: of the first and of the second play, by the numbers of the runs in the batch;
+            a sequence if all came at once.
         by: what judges it.
         plain: whether Python plays the runs.
         lost: the runs in which a player was lost, and so is their walk, or its end.
@@ -112,7 +113,7 @@ class RunBatch:
         self.judge, self.work, self._runs = judge, work, [*runs]
         self.by: Any = judge
         self.judged: list[Judged] = []
-        self.logs: tuple[dict[int, bytes], dict[int, bytes]] = {}, {}
+        self.logs: list[Any] = [{}, {}]
         self.lost: set[int] = set()
         self.plain = True
 
@@ -123,6 +124,15 @@ class RunBatch:
 
     def __len__(self) -> int:
         return len(self.runs)
+
+    def take(self, which: int, rows: Sequence[int], logs: Sequence[bytes]) -> None:
+        """Take the logs of these runs, by one of the plays."""
+        if len(rows) == len(self):
+            self.logs[which] = logs
+            return
+        if not isinstance(self.logs[which], dict):
+            self.logs[which] = dict(enumerate(self.logs[which]))
+        self.logs[which].update(zip(rows, logs, strict=True))
 
     def worlds(self, rows: Sequence[int], *, hear: bool = False) -> dict[str, Any]:
         """The message to a player that plays these runs in their worlds."""
@@ -152,7 +162,7 @@ class RunBatch:
 
     def written_anew(self, row: int, log: bytes) -> None:
         """Take the log of a run that Python has played."""
-        self.logs[0][row] = log
+        self.take(0, [row], [log])
 
     def follow_ups(self) -> list[Due]:
         """The runs with the next schedules, where every schedule is due."""

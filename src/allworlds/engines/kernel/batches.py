@@ -50,7 +50,8 @@ class UnitJudge:
         self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, records: Stretch
     ) -> None:
         self._stretch, self._records, self.noted = stretch, records, 0
-        self._ahead, self._job, self._robot = new(JOB), new(JOB), _robot()
+        self._ahead, self._job = _JOBS.pop() if _JOBS else (new(JOB), new(JOB))
+        self._robot = _robot()
         for job in (self._ahead, self._job):
             engine.set_up(job, self._robot, level)
         self._unit = engine.unit_of(level, prefix, keep)
@@ -94,7 +95,14 @@ class UnitJudge:
         heads[:] = self.heads
         heads[:, layout.RUN_NUMBER] = 0  # who plays again is not to know which runs these are
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
-        return engine.rows_of(unit, job, self._robot), good
+        rows = engine.rows_of(unit, job, self._robot)
+        if batch.last:
+            _JOBS.append((self._ahead, job))
+        return rows, good
+
+
+_JOBS: list[tuple[Any, Any]] = []
+"""Memories of units that are done, for the next ones: they are large."""
 
 
 @cache
