@@ -13,6 +13,7 @@ from random import Random
 from typing import Any, NamedTuple
 
 from allworlds.engines.examiner import LOST, Outcome, Referee, name_run
+from allworlds.engines.players import Logs
 from allworlds.engines.scope import NumberedRun, UnitOfRuns
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.inputs import InputError, show
@@ -127,10 +128,10 @@ class RunBatch:
 
     def take(self, which: int, rows: Sequence[int], logs: Sequence[bytes]) -> None:
         """Take the logs of these runs, by one of the plays."""
-        if len(rows) == len(self):
+        if isinstance(logs, Logs) and len(logs) == len(self):
             self.logs[which] = logs
             return
-        if not isinstance(self.logs[which], dict):
+        if isinstance(self.logs[which], Logs):
             self.logs[which] = dict(enumerate(self.logs[which]))
         self.logs[which].update(zip(rows, logs, strict=True))
 
@@ -316,13 +317,6 @@ def drawn_order(random: Random, runs: int) -> list[int]:
     """The numbers of the runs, in an order that is drawn."""
     order = [*range(runs)]
     random.shuffle(order)
-    return order
-
-
-def with_one_again(random: Random, order: list[int]) -> list[int]:
-    """The order, in which one run may stand twice: who counts runs does not know which comes."""
-    if random.getrandbits(1):
-        order.insert(random.randrange(len(order)), random.choice(order))
     return order
 
 

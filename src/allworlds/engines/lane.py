@@ -40,7 +40,6 @@ from allworlds.engines.judge import (
     RunBatch,
     Work,
     drawn_order,
-    with_one_again,
 )
 from allworlds.engines.players import (
     Logs,
@@ -414,13 +413,7 @@ class Lane:
     def _in_words(self, batch: RunBatch, row: int) -> Outcome:
         """The outcome of a run whose log compiled code has written, by a play in Python."""
         before = batch.outcome(row)
-        player = started(self._setup, self._seeds[FIRST])
-        try:
-            (log,) = answered(player, batch.worlds([row], hear=True))
-        except Lost as lost:
-            log = lost_log(bytes(player.part), lost)
-        finally:
-            player.close()
+        (log,), _ = self._anew_from(self._seeds[FIRST], batch.worlds([row], hear=True))
         batch.written_anew(row, log)
         one = batch.outcome(row)
         if not self._differ(before.log, one.log):
@@ -493,17 +486,22 @@ class Lane:
         return self._fresh(seed, batch.records(rows, range(len(rows))), rows)
 
     def _fresh(self, seed: int, message: dict[str, Any], rows: Sequence[int]) -> dict[int, Log]:
+        """The logs of these runs by a fresh player; each alone if it is lost over them."""
+        logs, lost = self._anew_from(seed, message)
+        if lost and len(rows) > 1:
+            alone = singles(message, rows)
+            return {row: self._fresh(seed, each, [row])[row] for row, each in alone}
+        return dict(zip(rows, map(Log.of, logs), strict=True))
+
+    def _anew_from(self, seed: int, message: dict[str, Any]) -> tuple[Sequence[bytes], Lost | None]:
+        """The logs of a fresh player, and its loss, whose log is then the only one."""
         player = started(self._setup, seed)
         try:
-            logs = answered(player, message | {"hear": len(rows) == 1})
+            return answered(player, message | {"hear": message["runs"] == 1}), None
         except Lost as lost:
-            if len(rows) > 1:
-                alone = singles(message, rows)
-                return {row: self._fresh(seed, each, [row])[row] for row, each in alone}
-            logs = [lost_log(bytes(player.part), lost)]
+            return [lost_log(bytes(player.part), lost)], lost
         finally:
             player.close()
-        return dict(zip(rows, map(Log.of, logs), strict=True))
 
     # ---------------------------------------------------------------- other seeds
 
@@ -583,8 +581,7 @@ class Lane:
             return batch.worlds(rows)
         if not batch.plain:  # a library's player draws it
             return batch.records(rows, ())
-        order = drawn_order(self._random, len(rows))
-        return batch.records(rows, with_one_again(self._random, order))
+        return batch.records(rows, drawn_order(self._random, len(rows)))
 
     def _alone(self, which: int, batch: RunBatch, row: int, lost: Lost) -> bytes:
         """The log of a run in which a player was lost, by a fresh player that plays it alone."""
@@ -594,16 +591,11 @@ class Lane:
             batch.lost.add(row)
             return lost_log(b"", lost)
         message = batch.worlds([row]) if which == FIRST else batch.records([row], [0])
-        player = started(self._setup, self._seeds[which])
-        assert isinstance(player, PlayerProcess)
-        try:
-            (log,) = answered(player, message | {"hear": True})
-        except Lost as again:
+        (log,), again = self._anew_from(self._seeds[which], message)
+        if again:
             self._repeated.add(again.law)
             batch.lost.add(row)
-            return lost_log(bytes(player.part), again)
-        finally:
-            player.close()
+            return log
         self._unrepeated[lost.law] += 1
         if not lost.machine or (lost.law == "timeout" and self._unrepeated["timeout"] > 1):
             batch.lost.add(row)

@@ -274,10 +274,12 @@ class PlayerProcess:
                 return True
             self._filled += got
             if self._filled == len(self._coming):
-                size = int.from_bytes(self._coming, "little") if self._head else 0
-                if not self._head:
-                    self._came.append(self._coming)
-                self._coming, self._filled, self._head = bytearray(size or 4), 0, bool(not size)
+                size, self._filled = int.from_bytes(self._coming, "little"), 0
+                if self._head and size:
+                    self._coming, self._head = bytearray(size), False
+                else:  # a message is whole, perhaps an empty one
+                    self._came.append(bytearray() if self._head else self._coming)
+                    self._coming, self._head = bytearray(4), True
         return ended
 
     def _messages(self) -> Iterable[bytearray]:
@@ -285,7 +287,7 @@ class PlayerProcess:
             yield self._came.popleft()
 
     def _message(self, message: bytearray) -> Answer | None:
-        letter = message[0]
+        letter = message[0] if message else -1
         if letter == PART:
             self.part += message[1:]
             return None

@@ -13,11 +13,9 @@ from typing_extensions import override
 from allworlds.document import replace
 from allworlds.engines import (
     WHOLE,
-    CostTally,
     GivenWorlds,
     Identity,
     Listener,
-    MapKey,
     Portion,
     Shard,
     SweptLevel,
@@ -48,7 +46,7 @@ from allworlds.studies.compare.contestants import (
 from allworlds.studies.compare.growing_families import Member, form_of
 from allworlds.studies.compare.growth import Growth
 from allworlds.studies.compare.in_world import InWorld
-from allworlds.studies.compare.side_by_side import CostsOfAll, UnitOfOne
+from allworlds.studies.compare.side_by_side import CostsOfAll, CostTally, MapKey, UnitOfOne
 from allworlds.world import World
 
 

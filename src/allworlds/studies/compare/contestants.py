@@ -12,8 +12,6 @@ from allworlds.document import replace
 from allworlds.engines import (
     WHOLE,
     By,
-    CostEngine,
-    CostTally,
     Job,
     Portion,
     ReadyEngine,
@@ -37,7 +35,7 @@ from allworlds.studies.check import (
     subject_of_record,
 )
 from allworlds.studies.compare.compare_request import CompareRequest
-from allworlds.studies.compare.side_by_side import CostsOfAll, SideBySide
+from allworlds.studies.compare.side_by_side import CostEngine, CostsOfAll, CostTally, SideBySide
 from allworlds.world import World
 
 Answer = TypeVar("Answer")
