@@ -151,7 +151,7 @@ def without_workers(monkeypatch):
             monkeypatch.setattr(f"allworlds.engines.{module}.started", player)
         monkeypatch.setattr(
             "allworlds.engines.lanes.Lanes",
-            lambda subject, limits, deadline, _models: OneLane(subject, limits, deadline),
+            lambda subject, limits, deadline, *_: OneLane(subject, limits, deadline),
         )
         monkeypatch.setattr("allworlds.explorers.program.Program._pass_stderr_on", lambda _: None)
         yield

@@ -96,6 +96,7 @@ def test_an_explorer_of_this_process_is_not_sent(here):
         check(explore, edges=1, dask=here)
 
 
+@pytest.mark.usefixtures("compiled")  # else a line on compiling comes first
 def test_no_scheduler_is_refused(refused, monkeypatch):
     monkeypatch.setattr(cluster, "PATIENCE", 0.5)
     for address, why in (
@@ -134,6 +135,7 @@ def another_service(words):
         (b"\0" * 400, "what answers there is no scheduler"),
     ],
 )
+@pytest.mark.usefixtures("compiled")
 def test_what_answers_may_be_no_scheduler(refused, monkeypatch, words, told):
     monkeypatch.setattr(cluster, "PATIENCE", 0.5)
     with another_service(words) as address:
@@ -142,6 +144,7 @@ def test_what_answers_may_be_no_scheduler(refused, monkeypatch, words, told):
     assert said.count("\n") == 1
 
 
+@pytest.mark.usefixtures("compiled")  # else a line on compiling comes first
 def test_the_address_of_a_worker_is_refused(refused, here):
     with distributed.Client(here) as client:
         worker = next(iter(client.scheduler_info()["workers"]))

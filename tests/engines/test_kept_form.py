@@ -7,14 +7,14 @@ import pytest
 
 from allworlds import check
 from allworlds.document import replace
-from allworlds.engines import CostTally, Tally
+from allworlds.engines import Tally
 from allworlds.engines.kept_form import from_kept, to_kept
 from allworlds.engines.tally import AtRun, Row
 from allworlds.inputs import InputError
 from allworlds.maps import Quotient
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.marked_worlds import SensedParts
-from allworlds.studies.compare.contestants import CostsOfAll
+from allworlds.studies.compare.contestants import CostsOfAll, CostTally
 from allworlds.studies.count import Counted
 from allworlds.studies.worst.all_worlds import ScheduleCosts, ScheduleCostsBySize
 

@@ -1,7 +1,5 @@
 """The bytes of a log that is judged: choices are passed over, unknown codes are strange."""
 
-import mmap
-
 import pytest
 
 from allworlds.document import replace
@@ -29,9 +27,7 @@ PLAIN = bytes((0,)) + EDGE + ANSWER
 def judged(log):
     """The judge of the one run, its rows, and whether the log could be judged."""
     level = replace(any_level(), budgets=(9, 9, 9), laws=("map", "pose"))
-    first, second = (
-        Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges) for _ in range(2)
-    )
+    first, second = (Stretch(level.edges) for _ in range(2))
     judge = UnitJudge(level, (-1,), 1, first, second)
     batch = judge.lay_out(10)
     assert batch.runs == 1

@@ -75,7 +75,7 @@ def runs(times=1, **more):
 def test_a_player_plays_a_batch_in_worlds_and_against_records(module):
     one = PlayerProcess(setup_of(module), 0)
     try:
-        logs = answered(one, runs(3))
+        logs = [*answered(one, runs(3))]
         (first, *_) = logs
         assert logs == [first] * 3
         assert Log.of(first).actions == [0]
@@ -244,7 +244,7 @@ def test_a_server_plays_what_it_is_given(module, served):
     explorer = load(f"{module}:explore")
     ((letter, content),) = served(explorer, runs(2))
     assert letter == player.LOGS
-    logs = players.logs_of(content, 2)
+    logs = players.Logs(content, 2)
     assert {*logs} == {entries.motion(0) + entries.answer((0, 1), (1, 0), 1)}
 
 
@@ -264,7 +264,7 @@ def test_a_player_here_is_asked_as_one_elsewhere(module):
     here = PlayerHere(load(f"{module}:prints").player(), prints=True)
     elsewhere = PlayerProcess(setup_of(module), 0)
     try:
-        assert answered(here, runs(2)) == answered(elsewhere, runs(2))
+        assert [*answered(here, runs(2))] == [*answered(elsewhere, runs(2))]
     finally:
         elsewhere.close()
     assert here.prints.text == "here\n" * 2

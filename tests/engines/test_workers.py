@@ -157,8 +157,12 @@ def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, n
 
 
 def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong):
-    finding = only_finding(wrong("by_answer"), laws=["map"])
-    assert (finding.law, finding.seen) == ("nondeterministic", "the second answer differs")
+    # In three runs both plays may agree by chance; in the 300 of three edges they do not.
+    report = check(wrong("by_answer"), edges=3, laws=["map"])
+    assert report.exit_code == 1
+    (finding,) = report.findings
+    assert finding.law == "nondeterministic"
+    assert "answer differs" in finding.seen or "in some plays only" in finding.seen
 
 
 def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
@@ -194,7 +198,9 @@ def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
         ("lazy", "map", ""),
     ],
 )
-@pytest.mark.usefixtures("without_workers")  # that the program is another one suffices
+@pytest.mark.usefixtures(
+    "no_orphans", "without_workers"
+)  # that the program is another one suffices
 def test_the_law_that_a_program_breaks(program, kind, law, seen):
     finding = only_finding(program(kind))
     assert (finding.law, finding.world) == (law, LOOP)  # fewer vertices than the edge

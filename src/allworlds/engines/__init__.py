@@ -79,6 +79,7 @@ if TYPE_CHECKING:
     from allworlds.engines.examiner import (
         LOST as LOST,
         Examiner as Examiner,
+        Outcome as Outcome,
         Referee as Referee,
     )
     from allworlds.engines.here import Threads as Threads, here_or as here_or
@@ -141,16 +142,12 @@ if TYPE_CHECKING:
     )
     from allworlds.engines.tally import (
         AtRun as AtRun,
-        CostEngine as CostEngine,
-        CostTally as CostTally,
         EnginesDisagree as EnginesDisagree,
-        MapKey as MapKey,
         Row as Row,
         RunCounter as RunCounter,
         Tally as Tally,
         finding_from_record as finding_from_record,
         finding_to_record as finding_to_record,
-        key_of as key_of,
     )
     from allworlds.engines.units import (
         WHOLE as WHOLE,

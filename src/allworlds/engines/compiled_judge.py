@@ -7,7 +7,6 @@ judged by the other one from the same bytes, and that alone makes the finding.
 
 from __future__ import annotations
 
-import mmap
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
@@ -22,11 +21,15 @@ from allworlds.engines.kernel.records import (
     Stretch,
 )
 from allworlds.engines.kernel.rows import Rows
+from allworlds.engines.players import Logs
 from allworlds.engines.questions import level_of, tally_of
 from allworlds.engines.scope import LevelRuns
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.maps import Code, rooted_code
 from allworlds.protocol import Percept, numbers_of, percept_of
+
+LIBRARIES = 8
+"""The batches of libraries are so many times as large."""
 
 
 class CompiledBatch(RunBatch):
@@ -64,8 +67,9 @@ class CompiledBatch(RunBatch):
     def worlds(self, rows: Sequence[int], *, hear: bool = False) -> dict[str, Any]:
         """The message to a player that plays these runs in their worlds."""
         if self.by.native and not (self.plain or hear):
-            heads, tables = self.heads[[*rows]], self.tables[[*rows]]
-            return self._native(rows, heads) | {"again": False, "worlds": tables.tobytes()}
+            whole = len(rows) == len(self)
+            heads, tables = (each if whole else each[[*rows]] for each in (self.heads, self.tables))
+            return self._native(rows, heads) | {"again": False, "worlds": tables}
         rows = [*rows]
         told = [
             (table.tobytes(), None if said < 0 else said, False, budget, "", ())
@@ -79,7 +83,7 @@ class CompiledBatch(RunBatch):
         """The message to a player that plays recorded percepts."""
         whole = len(rows) == len(self) and not self.plain
         if self.by.native and whole:
-            sensed = {"again": True, "percepts": self.percepts, "starts": self.starts.tobytes()}
+            sensed = {"again": True, "percepts": self.percepts, "starts": self.starts}
             return self._native(rows, self.motioned) | sensed
         said = self.heads[[*rows]][:, [RUN_BUDGET, RUN_TOLD]].tolist()
         told = [
@@ -95,7 +99,7 @@ class CompiledBatch(RunBatch):
             "runs": len(rows),
             "seed": self.by.seed(),
             "policy": self.judge.rules.policy,
-            "heads": heads.tobytes(),
+            "heads": heads,
         }
 
     def _percepts(self, row: int) -> bytes:
@@ -159,7 +163,7 @@ class CompiledJudge:
         judge, (stretch, _) = self._unit(unit)
         last = False
         while not last:
-            laid = judge.lay_out(size())
+            laid = judge.lay_out(size() * (LIBRARIES if self.native else 1))
             last = laid.last
             worlds = stretch.worlds[: laid.runs].copy()
             batch = CompiledBatch(self, work, laid, judge.heads.copy(), worlds)
@@ -172,9 +176,7 @@ class CompiledJudge:
     def _unit(self, unit: LevelRuns) -> tuple[UnitJudge, tuple[Stretch, Stretch]]:
         scope, edges = self.engine.scope, unit.edges
         if edges not in self._memories:
-            size = Stretch.size(edges)
-            one, other = (Stretch(mmap.mmap(-1, size), edges) for _ in range(2))
-            self._memories[edges] = one, other
+            self._memories[edges] = Stretch(edges), Stretch(edges)
         level = level_of(self.python.referee.explorer, scope.rules, scope.extent, edges)
         memories = self._memories[edges]
         return UnitJudge(level, unit.prefix, self.engine.keep, *memories), memories
@@ -220,12 +222,9 @@ class CompiledJudge:
         """The rows of a batch, and whether all logs could be judged."""
         edges = batch.work.unit.edges  # type: ignore[attr-defined]
         stretch, records = self._memories[edges]
-        logs = [batch.logs[0][row] for row in range(len(batch))]
-        begins, at = array("i"), 0
-        for log in logs:
-            begins.append(at)
-            at += len(log)
-        size = stretch.put(b"".join(logs), begins)
+        given = batch.logs[0]
+        logs = Logs.of([given[row] for row in range(len(batch))] if type(given) is dict else given)
+        size = stretch.put(logs)
         judge = batch.unit_judge
         judge.heads = batch.heads
         rows, good = judge.judge(batch.laid, max(0, size))
@@ -285,7 +284,7 @@ class CompiledJudge:
                 numbers = batch.heads[:, RUN_NUMBER].tolist()
                 if not all(number in known for number in numbers):
                     break
-                batch.logs[0].update({i: known[number] for i, number in enumerate(numbers)})
+                batch.logs[0] = [known[number] for number in numbers]
                 self._compared = False
                 self.judge(batch)
         self._compared = False

@@ -13,6 +13,7 @@ from random import Random
 from typing import Any, NamedTuple
 
 from allworlds.engines.examiner import LOST, Outcome, Referee, name_run
+from allworlds.engines.players import Logs
 from allworlds.engines.scope import NumberedRun, UnitOfRuns
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.inputs import InputError, show
@@ -102,7 +103,8 @@ class RunBatch:
         judge: the judge in Python.
         work: the unit.
         judged: each of them, once its log is.
-        logs: of the first and of the second play, by the numbers of the runs in the batch.
+        logs: of the first and of the second play, by the numbers of the runs in the batch;
+            a sequence if all came at once.
         by: what judges it.
         plain: whether Python plays the runs.
         lost: the runs in which a player was lost, and so is their walk, or its end.
@@ -112,7 +114,7 @@ class RunBatch:
         self.judge, self.work, self._runs = judge, work, [*runs]
         self.by: Any = judge
         self.judged: list[Judged] = []
-        self.logs: tuple[dict[int, bytes], dict[int, bytes]] = {}, {}
+        self.logs: list[Any] = [{}, {}]
         self.lost: set[int] = set()
         self.plain = True
 
@@ -123,6 +125,15 @@ class RunBatch:
 
     def __len__(self) -> int:
         return len(self.runs)
+
+    def take(self, which: int, rows: Sequence[int], logs: Sequence[bytes]) -> None:
+        """Take the logs of these runs, by one of the plays."""
+        if isinstance(logs, Logs) and len(logs) == len(self):
+            self.logs[which] = logs
+            return
+        if isinstance(self.logs[which], Logs):
+            self.logs[which] = dict(enumerate(self.logs[which]))
+        self.logs[which].update(zip(rows, logs, strict=True))
 
     def worlds(self, rows: Sequence[int], *, hear: bool = False) -> dict[str, Any]:
         """The message to a player that plays these runs in their worlds."""
@@ -152,7 +163,7 @@ class RunBatch:
 
     def written_anew(self, row: int, log: bytes) -> None:
         """Take the log of a run that Python has played."""
-        self.logs[0][row] = log
+        self.take(0, [row], [log])
 
     def follow_ups(self) -> list[Due]:
         """The runs with the next schedules, where every schedule is due."""
@@ -306,13 +317,6 @@ def drawn_order(random: Random, runs: int) -> list[int]:
     """The numbers of the runs, in an order that is drawn."""
     order = [*range(runs)]
     random.shuffle(order)
-    return order
-
-
-def with_one_again(random: Random, order: list[int]) -> list[int]:
-    """The order, in which one run may stand twice: who counts runs does not know which comes."""
-    if random.getrandbits(1):
-        order.insert(random.randrange(len(order)), random.choice(order))
     return order
 
 

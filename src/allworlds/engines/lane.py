@@ -40,9 +40,17 @@ from allworlds.engines.judge import (
     RunBatch,
     Work,
     drawn_order,
-    with_one_again,
 )
-from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup, Unsettled, wait
+from allworlds.engines.players import (
+    Logs,
+    Lost,
+    PlayerHere,
+    PlayerProcess,
+    Setup,
+    Unsettled,
+    fresh,
+    wait,
+)
 from allworlds.engines.scope import LevelRuns, UnitOfRuns
 from allworlds.engines.tally import REPORT_EVERY, RunCounter
 from allworlds.engines.units import PartialResult, level_size
@@ -58,6 +66,9 @@ ONE_MORE, SIX_MORE = (2,), (2, 3, 4, 5, 6, 7)
 
 SMALL = 3
 """The largest m whose every record is played under one seed more."""
+
+AT_ONCE = 2
+"""The number of other seeds that are tried at a time."""
 
 KEPT = 64
 """The number of records of larger worlds that are played under six seeds more."""
@@ -163,7 +174,9 @@ class Lane:
         least = self.engine.compiled_from
         if least is None or not isinstance(unit, LevelRuns):
             return self.judge
-        if level_size(self.engine.scope.extent, unit.edges) < least:
+        extent = self.engine.scope.extent
+        following = min(unit.edges + 1, extent.levels[-1])  # it is kept for them, too
+        if max(level_size(extent, edges) for edges in (unit.edges, following)) < least:
             return self.judge
         if self._compiled is None and (least == 0 or self._is_compiled()):
             from allworlds.engines.compiled_judge import CompiledJudge
@@ -229,8 +242,8 @@ class Lane:
         """The tally of what other seeds show at the end, and of nothing else."""
         work = Work(self._kept[0][0].work.unit, self.engine.tally()) if self._kept else None
         if work is not None:
-            for seed in SIX_MORE:
-                self._under(seed, self._kept, work)
+            for i in range(0, len(SIX_MORE), AT_ONCE):
+                self._under(SIX_MORE[i : i + AT_ONCE], self._kept, work)
         self._kept = []
         return work.tally if work else self.engine.tally()
 
@@ -268,7 +281,8 @@ class Lane:
             batch = self._waiting.popleft()
             # Of a run in which a player was lost there is nothing to compare.
             rows = [row for row in range(len(batch)) if row not in batch.lost]
-            batch.logs[SECOND].update({row: batch.logs[FIRST][row] for row in batch.lost})
+            for row in batch.lost:
+                batch.take(SECOND, [row], [batch.logs[FIRST][row]])
             if rows:
                 self._player(SECOND).give(
                     RunsToPlay(batch, rows), self._message(SECOND, batch, rows)
@@ -327,7 +341,7 @@ class Lane:
                 job.batch.plain = True
                 player.give(job, self._message(which, job.batch, job.rows))
                 continue
-            job.batch.logs[which].update(zip(job.rows, answer.logs, strict=True))
+            job.batch.take(which, job.rows, answer.logs)
             self._played(which, job.batch)
         if answers and which == FIRST:
             slow = isinstance(player, PlayerHere) and time.monotonic() > began + REPORT_EVERY
@@ -340,7 +354,7 @@ class Lane:
         if which == FIRST:
             if not batch.by.judge(batch):  # Python plays them
                 batch.plain = True
-                batch.logs[FIRST].clear()
+                batch.logs[FIRST] = {}
                 self._play_first(batch)
                 return
             self._judged += len(batch)
@@ -359,10 +373,13 @@ class Lane:
 
     def _differing(self, batch: RunBatch) -> list[tuple[int, Log]]:
         """The runs whose logs differ, with the second ones."""
-        found = []
+        found: list[tuple[int, Log]] = []
+        first, again = batch.logs
+        if isinstance(first, Logs) and isinstance(again, Logs) and first.message == again.message:
+            return found
         for row in range(len(batch)):
-            if batch.logs[FIRST][row] != batch.logs[SECOND][row]:
-                second = Log.of(batch.logs[SECOND][row])
+            if first[row] != again[row]:
+                second = Log.of(again[row])
                 if self._differ(batch.outcome(row).log, second):
                     found.append((row, second))
         return found
@@ -396,13 +413,7 @@ class Lane:
     def _in_words(self, batch: RunBatch, row: int) -> Outcome:
         """The outcome of a run whose log compiled code has written, by a play in Python."""
         before = batch.outcome(row)
-        player = started(self._setup, self._seeds[FIRST])
-        try:
-            (log,) = answered(player, batch.worlds([row], hear=True))
-        except Lost as lost:
-            log = lost_log(bytes(player.part), lost)
-        finally:
-            player.close()
+        (log,), _ = self._anew_from(self._seeds[FIRST], batch.worlds([row], hear=True))
         batch.written_anew(row, log)
         one = batch.outcome(row)
         if not self._differ(before.log, one.log):
@@ -475,17 +486,22 @@ class Lane:
         return self._fresh(seed, batch.records(rows, range(len(rows))), rows)
 
     def _fresh(self, seed: int, message: dict[str, Any], rows: Sequence[int]) -> dict[int, Log]:
+        """The logs of these runs by a fresh player; each alone if it is lost over them."""
+        logs, lost = self._anew_from(seed, message)
+        if lost and len(rows) > 1:
+            alone = singles(message, rows)
+            return {row: self._fresh(seed, each, [row])[row] for row, each in alone}
+        return dict(zip(rows, map(Log.of, logs), strict=True))
+
+    def _anew_from(self, seed: int, message: dict[str, Any]) -> tuple[Sequence[bytes], Lost | None]:
+        """The logs of a fresh player, and its loss, whose log is then the only one."""
         player = started(self._setup, seed)
         try:
-            logs = answered(player, message | {"hear": len(rows) == 1})
+            return answered(player, message | {"hear": message["runs"] == 1}), None
         except Lost as lost:
-            if len(rows) > 1:
-                alone = singles(message, rows)
-                return {row: self._fresh(seed, each, [row])[row] for row, each in alone}
-            logs = [lost_log(bytes(player.part), lost)]
+            return [lost_log(bytes(player.part), lost)], lost
         finally:
             player.close()
-        return dict(zip(rows, map(Log.of, logs), strict=True))
 
     # ---------------------------------------------------------------- other seeds
 
@@ -497,26 +513,38 @@ class Lane:
             keeps = self._first_lane and edges == last
             self._kept += rows[: KEPT - len(self._kept)] if keeps else []
         else:
-            for seed in ONE_MORE:
-                self._under(seed, rows, batch.work)
+            self._under(ONE_MORE, rows, batch.work)
 
-    def _under(self, seed: int, rows: Sequence[tuple[RunBatch, int]], work: Work) -> None:
-        """Play these records once more under another seed; find what differs, and then no more."""
+    def _under(
+        self, seeds: Sequence[int], rows: Sequence[tuple[RunBatch, int]], work: Work
+    ) -> None:
+        """Play these records once more under other seeds; find what differs, and then no more."""
         if not self._seeds_more:
             return
-        player = self._others.pop(seed, None) or started(self._setup, seed)
         runs = [batch.record(row) for batch, row in rows]
-        message = self.judge.records_message(runs, drawn_order(self._random, len(runs)))
-        try:
-            logs = answered(player, message)
-        except Lost:
-            return  # what is lost is tried in the other players, too
-        else:
+        kept = [self._others.pop(seed) if seed in self._others else None for seed in seeds]
+        players = [one or started(self._setup, seed) for one, seed in zip(kept, seeds, strict=True)]
+        for player in players:
+            order = drawn_order(self._random, len(runs))
+            player.give(None, self.judge.records_message(runs, order))
+        for seed, player in zip(seeds, players, strict=True):
+            try:
+                logs = logs_from(player)
+            except Lost:
+                player.close()  # what is lost is tried in the other players, too
+                continue
             if rows[0][0].work is work:  # there may be more
                 self._others[seed] = player
-        finally:
-            if seed not in self._others:
+            else:
                 player.close()
+            self._compare_under(seed, rows, logs, work)
+
+    def _compare_under(
+        self, seed: int, rows: Sequence[tuple[RunBatch, int]], logs: Sequence[bytes], work: Work
+    ) -> None:
+        """Find what differs under another seed; then no more are tried."""
+        if not self._seeds_more:
+            return
         for (batch, row), log in zip(rows, logs, strict=True):
             second = Log.of(log)
             if self._differ(batch.outcome(row).log, second):
@@ -536,7 +564,7 @@ class Lane:
             if 0 <= number < len(job.rows):
                 batch, row = job.batch, job.rows[number]
                 log = self._alone(which, batch, row, lost)
-                batch.logs[which][row] = log
+                batch.take(which, [row], [log])
                 rest = [each for each in job.rows if each not in batch.logs[which]]
                 if rest:
                     player.jobs[0] = (RunsToPlay(batch, rest), self._message(which, batch, rest))
@@ -551,8 +579,9 @@ class Lane:
     def _message(self, which: int, batch: RunBatch, rows: Sequence[int]) -> dict[str, Any]:
         if which == FIRST:
             return batch.worlds(rows)
-        order = drawn_order(self._random, len(rows))
-        return batch.records(rows, with_one_again(self._random, order))
+        if not batch.plain:  # a library's player draws it
+            return batch.records(rows, ())
+        return batch.records(rows, drawn_order(self._random, len(rows)))
 
     def _alone(self, which: int, batch: RunBatch, row: int, lost: Lost) -> bytes:
         """The log of a run in which a player was lost, by a fresh player that plays it alone."""
@@ -562,16 +591,11 @@ class Lane:
             batch.lost.add(row)
             return lost_log(b"", lost)
         message = batch.worlds([row]) if which == FIRST else batch.records([row], [0])
-        player = started(self._setup, self._seeds[which])
-        assert isinstance(player, PlayerProcess)
-        try:
-            (log,) = answered(player, message | {"hear": True})
-        except Lost as again:
+        (log,), again = self._anew_from(self._seeds[which], message)
+        if again:
             self._repeated.add(again.law)
             batch.lost.add(row)
-            return lost_log(bytes(player.part), again)
-        finally:
-            player.close()
+            return log
         self._unrepeated[lost.law] += 1
         if not lost.machine or (lost.law == "timeout" and self._unrepeated["timeout"] > 1):
             batch.lost.add(row)
@@ -610,12 +634,12 @@ def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | Play
     """A player of the explorer: a process of its own, if it can be played there."""
     subject = setup.subject
     if subject.from_user and subject.importable:
-        return PlayerProcess(setup, seed)
+        return fresh(setup, seed)
     explorer = subject.player(notice) if notice and not subject.from_user else subject.player()
     return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
 
 
-def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> list[bytes]:
+def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Sequence[bytes]:
     """The logs that answer a message to a player that has no other job.
 
     Raises:
@@ -624,6 +648,11 @@ def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> lis
     if isinstance(player, PlayerProcess) and player.setup.prints:
         player.loaded()  # what is printed then is not of the run
     player.give(None, message)
+    return logs_from(player)
+
+
+def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
+    """The logs that answer its only job; raises as :func:`answered` does."""
     while True:
         wait([player], POLL)
         try:

@@ -1,6 +1,7 @@
 """The transport into lanes: here, or each in a process of its own.
 
-One lane is here, if no model of the user's, which could end the process, judges its runs.  Others
+One lane is here, if no model of the user's, which could end the process, judges its runs; with
+more workers it goes before the others, since a small job is done before they are ready.  Others
 are forked when everything is loaded; a lane that is lost takes no verdict with it, for its units
 are done again.  Units are dealt one at a time, as lanes can begin them.
 """
@@ -19,7 +20,7 @@ import warnings
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from itertools import islice
+from itertools import chain, islice
 from multiprocessing.connection import Connection, Pipe, wait
 from random import Random
 from typing import Any, NoReturn, Self
@@ -46,6 +47,9 @@ MOST_ATTEMPTS = 2
 AHEAD = 2
 """The number of units that a lane has."""
 
+ALONE = 1.5
+"""The seconds for which the lane here is the only one."""
+
 _TOLD = (InputError, Unsettled, EnginesDisagree, HarnessError)
 
 
@@ -62,11 +66,16 @@ class OneLane(Struct):
     limits: Limits
     deadline: float | None = None
     _lanes: list[tuple[RunCounter, Lane]] = field(default_factory=list)
+    _last: UnitOfRuns | None = None
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End the lane."""
         while self._lanes:
             self._lanes.pop()[1].close()
 
@@ -80,23 +89,34 @@ class OneLane(Struct):
             InputError: if the explorer cannot be loaded, or of a model of the user's.
             Unsettled: if processes are lost again and again.
         """
-        lane = self._lane(engine)
-        waiting = in_any_order(units) if self.subject.from_user else iter(units)
-        unit = next(waiting, None)
-        last = unit
-        while unit is not None or lane.busy:
-            while unit is not None and lane.hungry:
-                lane.offer(unit)
-                last, unit = unit, next(waiting, None)
+        yield from self.units(engine, in_any_order(units) if self.subject.from_user else units)
+        yield from self.end()
+
+    def units(
+        self, engine: RunCounter, units: Iterable[UnitOfRuns]
+    ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
+        """Yield the parts of these units, which are taken as they can be begun."""
+        lane, waiting, more = self._lane(engine), iter(units), True
+        while more or lane.busy:
+            while more and lane.hungry:
+                unit = next(waiting, None)
+                more = unit is not None
+                if unit is not None:
+                    lane.offer(unit)
+                    self._last = unit
             yield from lane.turn()
             check_deadline(self.deadline)
-        if last is not None and lane.keeps:
-            yield PartialResult(last, lane.end(), last=False)
+
+    def end(self) -> Iterator[PartialResult[UnitOfRuns, Any]]:
+        """Yield what is left to be done behind all units."""
+        for _, lane in self._lanes:
+            if self._last is not None and lane.keeps:
+                yield PartialResult(self._last, lane.end(), last=False)
 
     def _lane(self, engine: RunCounter) -> Lane:
         """One lane as long as the same is asked for: its players have loaded the explorer."""
         if self._lanes and self._lanes[0][0] != engine:
-            self.__exit__()
+            self.close()
         if not self._lanes:
             self._lanes.append((engine, Lane(self.subject, engine, self.limits)))
         return self._lanes[0][1]
@@ -148,12 +168,15 @@ class Lanes(Struct):
         limits: the number of lanes, and the limits of each.
         deadline: on the monotonic clock, or None.
         models: whether models of the user's judge the runs, or choose the worlds.
+        alone: the lane here that goes before them, if there is one.
     """
 
     subject: Subject
     limits: Limits
     deadline: float | None = None
     models: bool = False
+    alone: OneLane | None = None
+    _until: float | None = None
     _processes: list[_Process] = field(default_factory=list)
     _lost: Counter[str] = field(default_factory=Counter)
 
@@ -161,6 +184,8 @@ class Lanes(Struct):
         return self
 
     def __exit__(self, *_: object) -> None:
+        if self.alone is not None:
+            self.alone.close()
         for process in self._processes:
             process.end()
         self._processes.clear()
@@ -170,6 +195,15 @@ class Lanes(Struct):
     ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
         """Yield the parts of all units, as they come; raises as :class:`OneLane` does."""
         waiting = in_any_order(units) if self.subject.from_user else iter(units)
+        if self.alone is not None:
+            yield from self.alone.units(engine, self._early(waiting))
+            unit = next(waiting, None)
+            if unit is None:
+                yield from self.alone.end()
+                return
+            waiting = chain([unit], waiting)
+            self.alone.close()
+            self.alone = None
         again: list[UnitOfRuns] = []
         while True:
             while (process := self._idle()) and (
@@ -194,6 +228,12 @@ class Lanes(Struct):
                     process.units.remove(next(u for u in process.units if u.key == part.unit.key))
                 yield part
             check_deadline(self.deadline)
+
+    def _early(self, waiting: Iterator[UnitOfRuns]) -> Iterator[UnitOfRuns]:
+        """The units that are begun while the lane here is the only one."""
+        self._until = self._until or time.monotonic() + ALONE
+        while time.monotonic() < self._until and (unit := next(waiting, None)):
+            yield unit
 
     def _idle(self) -> _Process | None:
         """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
@@ -289,6 +329,9 @@ def workers_for(
     child_path()  # who has lost the current directory hears of it before a process starts
     here = subject.from_user and not subject.importable
     limited = limits.memory is not None and not subject.from_user
+    one = OneLane(subject, limits, deadline)
     if here or (limits.workers == 1 and not models and not limited):
-        return OneLane(subject, limits, deadline)
-    return Lanes(subject, limits, deadline, models)
+        return one
+    # Players of libraries load compiled code, which takes longer than a small job.
+    first = None if models or limited or subject.compiled else one
+    return Lanes(subject, limits, deadline, models, first)

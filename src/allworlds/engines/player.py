@@ -15,7 +15,8 @@ import mmap
 import os
 import signal
 import sys
-from collections.abc import Callable
+from array import array
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -77,8 +78,7 @@ def main(parent: int) -> None:
             os.dup2(nothing, 1)
             os.dup2(nothing, 2)
             os.close(nothing)
-    description = [sorted(subject.keywords), _digest(subject), _has_shield(subject)]
-    _answer(READY, marshal.dumps(description))
+    _answer(READY, marshal.dumps([sorted(subject.keywords), _has_shield(subject)]))
     with subject.running():
         server = _Server(subject, beat)
         while (batch := _read()) is not None:
@@ -160,7 +160,7 @@ class _Server:
                 os._exit(0)
         for timer in TIMERS:
             signal.setitimer(timer, 0)
-        _answer(LOGS, logs_message(logs))
+        _answer(LOGS, *logs_message(logs))
 
     def _run(self, batch: dict[str, Any], row: Any, number: int, make: Callable[..., Any]) -> bytes:
         from allworlds.protocol import play_run
@@ -191,7 +191,7 @@ class _Server:
             logs = None
         if os.getpid() != self._pid:
             os._exit(0)
-        _answer(NO_ROOM, b"") if logs is None else _answer(LOGS, logs)
+        _answer(NO_ROOM) if logs is None else _answer(LOGS, *logs)
 
 
 def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:
@@ -230,9 +230,9 @@ def _sender() -> Callable[[bytearray], None]:
     return send
 
 
-def logs_message(logs: list[bytes]) -> bytes:
-    """The lengths of the logs, and the logs."""
-    return b"".join([*(len(log).to_bytes(4, "little") for log in logs), *logs])
+def logs_message(logs: Sequence[bytes]) -> tuple[bytes, bytes]:
+    """The lengths of the logs, four bytes each, and the logs."""
+    return array("i", map(len, logs)).tobytes(), b"".join(logs)
 
 
 def _read() -> Any:
@@ -252,10 +252,12 @@ def _bytes(size: int) -> bytes:
     return b"".join(parts)
 
 
-def _answer(letter: int, content: bytes) -> None:
-    data = memoryview((len(content) + 1).to_bytes(4, "little") + bytes((letter,)) + content)
-    while data:
-        data = data[os.write(LINK, data) :]
+def _answer(letter: int, *parts: Any) -> None:
+    size = sum(map(len, parts)) + 1
+    for part in (size.to_bytes(4, "little") + bytes((letter,)), *parts):
+        data = memoryview(part)
+        while data:
+            data = data[os.write(LINK, data) :]
 
 
 def _flush() -> None:
@@ -267,24 +269,6 @@ def _flush() -> None:
 
 def _has_shield(subject: Subject | Function) -> bool:
     return type(subject.explore).__name__ == "Shield"  # without loading it
-
-
-def _digest(subject: Subject | Function) -> str:
-    """The SHA-256 of the explorer's file, or of the program's; empty if there is none."""
-    subject = subject.innermost
-    if subject.source is not None:
-        return subject.source.digest
-    import hashlib
-    import inspect
-
-    with suppress(Exception):  # whatever an explorer's module makes of being looked at
-        if subject.native is not None:
-            return subject.native.library.digest
-        path = subject.program.path if subject.program is not None else None
-        path = path or inspect.getsourcefile(inspect.unwrap(subject.explore)) or ""  # type: ignore[arg-type]
-        with open(path, "rb") as file:  # noqa: PTH123  # pathlib is not needed for it
-            return hashlib.sha256(file.read()).hexdigest()
-    return ""
 
 
 def _leave(program: Program) -> None:

@@ -16,18 +16,31 @@ import socket
 import sys
 import threading
 import time
+from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
+from itertools import accumulate
 from pathlib import Path
 from queue import SimpleQueue
 from typing import Any, NamedTuple
+from weakref import finalize
 
 from msgspec import Struct
+from typing_extensions import override
 
 from allworlds.engines import linux
 from allworlds.engines.effort import Limits
-from allworlds.engines.player import FAILURE, LOGS, NO_ROOM, NO_RUN, PART, READY, REFUSAL
+from allworlds.engines.player import (
+    FAILURE,
+    LOGS,
+    NO_ROOM,
+    NO_RUN,
+    PART,
+    READY,
+    REFUSAL,
+    logs_message,
+)
 from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs import InputError, show
@@ -73,18 +86,50 @@ class Lost(Exception):
 
 
 class Description(NamedTuple):
-    """The description of an explorer: its keywords, the digest of its code, a shield."""
+    """The description of an explorer: its keywords, and whether it has a shield."""
 
     keywords: frozenset[str]
-    digest: str
     has_shield: bool
+
+
+class Logs(Sequence[bytes]):
+    """The logs of a batch, in one piece, which is not copied.
+
+    Args:
+        message: the length of each, as four bytes, and the logs.
+        runs: their number.
+        at: the place where they begin in the message.
+
+    Raises:
+        ValueError: if these are not so many.
+    """
+
+    def __init__(self, message: bytes | bytearray, runs: int, at: int = 0) -> None:
+        self.message, begin = message, at + 4 * runs
+        lengths = array("i", bytes(message[at:begin]))
+        self.starts = [*accumulate(lengths, initial=begin)]
+        if len(lengths) != runs or self.starts[-1] != len(message):
+            raise ValueError(bytes(message[:16]))
+
+    @classmethod
+    def of(cls, logs: Sequence[bytes]) -> Logs:
+        """These logs."""
+        return logs if isinstance(logs, Logs) else cls(b"".join(logs_message(logs)), len(logs))
+
+    @override
+    def __len__(self) -> int:
+        return len(self.starts) - 1
+
+    @override
+    def __getitem__(self, row: Any) -> Any:
+        return bytes(self.message[self.starts[row] : self.starts[row + 1]])
 
 
 class Answer(NamedTuple):
     """An answer of a player: the logs of a job; None if a library's logs do not fit."""
 
     job: Any
-    logs: list[bytes] | None
+    logs: Sequence[bytes] | None
 
 
 class Setup(Struct, frozen=True):
@@ -127,7 +172,7 @@ class PlayerProcess:
     """
 
     def __init__(self, setup: Setup, seed: int) -> None:
-        self.setup, self.seed = setup, seed
+        self.setup, self.seed, self.owner = setup, seed, os.getpid()
         self.jobs: deque[tuple[Any, dict[str, Any]]] = deque()
         self.description: Description | None = None
         self._tries = 0
@@ -136,7 +181,9 @@ class PlayerProcess:
     def _start(self) -> None:
         self._tries += 1
         self.part, self.prints = bytearray(), Prints()
-        self._out, self._came, self._relayed = bytearray(), bytearray(), bytearray()
+        self._out, self._relayed = deque[memoryview](), bytearray()
+        self._came, self._coming, self._filled = deque[bytearray](), bytearray(4), 0
+        self._head = True
         self._link, theirs = socket.socketpair()
         for end in (self._link, theirs):
             end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 20)
@@ -176,13 +223,17 @@ class PlayerProcess:
 
             message = {**message, "rows": pickle.dumps(message["rows"])}
         data = marshal.dumps(message)
-        self._out += len(data).to_bytes(4, "little") + data
+        self._out += memoryview(len(data).to_bytes(4, "little")), memoryview(data)
         self._write()
 
     def _write(self) -> None:
         try:
             while self._out:
-                del self._out[: self._link.send(self._out)]
+                part = self._out[0][self._link.send(self._out[0]) :]
+                if part:
+                    self._out[0] = part
+                else:
+                    self._out.popleft()
         except BlockingIOError:
             pass
         except OSError:
@@ -214,43 +265,46 @@ class PlayerProcess:
         ended = self._code() is not None
         while True:
             try:
-                part = self._link.recv(1 << 20)
+                got = self._link.recv_into(memoryview(self._coming)[self._filled :])
             except BlockingIOError:
                 break
             except OSError:
                 return True
-            if not part:
+            if not got:
                 return True
-            self._came += part
+            self._filled += got
+            if self._filled == len(self._coming):
+                size, self._filled = int.from_bytes(self._coming, "little"), 0
+                if self._head and size:
+                    self._coming, self._head = bytearray(size), False
+                else:  # a message is whole, perhaps an empty one
+                    self._came.append(bytearray() if self._head else self._coming)
+                    self._coming, self._head = bytearray(4), True
         return ended
 
-    def _messages(self) -> Iterable[bytes]:
-        came = self._came
-        while len(came) >= 4 and len(came) >= 4 + (size := int.from_bytes(came[:4], "little")):
-            message = bytes(came[4 : 4 + size])
-            del came[: 4 + size]
-            yield message
-            if self._came is not came:
-                return
+    def _messages(self) -> Iterable[bytearray]:
+        while self._came:
+            yield self._came.popleft()
 
-    def _message(self, message: bytes) -> Answer | None:
-        letter, content = message[0] if message else -1, message[1:]
+    def _message(self, message: bytearray) -> Answer | None:
+        letter = message[0] if message else -1
         if letter == PART:
-            self.part += content
+            self.part += message[1:]
             return None
         if letter == REFUSAL:
-            raise InputError(content.decode(errors="surrogatepass"))
+            raise InputError(message[1:].decode(errors="surrogatepass"))
         if letter == FAILURE:
-            raise HarnessError(content.decode(errors="replace"))
+            raise HarnessError(message[1:].decode(errors="replace"))
         try:
             if letter == READY and self.description is None:
                 self._hear_prints()  # those before it are of the loading
-                keywords, digest, has_shield = marshal.loads(content)  # noqa: S302  # honest
-                self.description = Description(frozenset(keywords), digest, has_shield)
+                keywords, has_shield = marshal.loads(message[1:])  # noqa: S302  # honest
+                self.description = Description(frozenset(keywords), has_shield)
                 return None
             if letter in (LOGS, NO_ROOM) and self.jobs:
                 job, asked = self.jobs[0]
-                answer = Answer(job, None if letter == NO_ROOM else logs_of(content, asked["runs"]))
+                runs = asked["runs"]
+                answer = Answer(job, None if letter == NO_ROOM else Logs(message, runs, at=1))
                 self.jobs.popleft()
                 self._seen, self._since = None, time.monotonic()
                 return answer
@@ -312,6 +366,11 @@ class PlayerProcess:
                 self._status = os.waitstatus_to_exitcode(status)
         return self._status
 
+    @property
+    def lives(self) -> bool:
+        """Whether the process goes on."""
+        return self._code() is None
+
     def again(self) -> None:
         """Start anew, with the batches whose answers are due; a first message is not one."""
         self.close()
@@ -372,7 +431,7 @@ class PlayerHere:
         prints: those of the last job, if they are recorded.
     """
 
-    description = Description(frozenset(), "", has_shield=False)
+    description = Description(frozenset(), has_shield=False)
     files: tuple[int, ...] = ()
     seed = None
 
@@ -420,6 +479,36 @@ class PlayerHere:
         """Leave it."""
 
 
+_spare: list[PlayerProcess] = []
+"""Players that have loaded an explorer, and played nothing yet."""
+
+
+def keep(player: PlayerProcess, subject: Subject) -> None:
+    """Keep a player for who asks for one like it first; unused, it ends with its subject."""
+    _spare.append(player)
+    finalize(subject, _let_go, player)
+
+
+def fresh(setup: Setup, seed: int) -> PlayerProcess:
+    """A player that has played nothing: one that was kept, or a new one."""
+    for player in [*_spare]:
+        if player.owner == os.getpid() and (player.setup.told(), player.seed) == (
+            setup.told(),
+            seed,
+        ):
+            _spare.remove(player)
+            if player.lives:
+                return player
+            player.close()
+    return PlayerProcess(setup, seed)
+
+
+def _let_go(player: PlayerProcess) -> None:
+    if player in _spare and player.owner == os.getpid():
+        _spare.remove(player)
+        player.close()
+
+
 def wait(
     players: Sequence[PlayerProcess | PlayerHere], seconds: float, others: Sequence[int] = ()
 ) -> bool:
@@ -436,23 +525,6 @@ def wait(
         poll.register(file, select.POLLIN)
     ready = {file for file, _ in poll.poll(1000 * seconds)}
     return any(file in ready for file in others)
-
-
-def logs_of(content: bytes, runs: int) -> list[bytes]:
-    """The logs of an answer.
-
-    Raises:
-        ValueError: if these are not so many.
-    """
-    at = 4 * runs
-    sizes = [int.from_bytes(content[i : i + 4], "little") for i in range(0, at, 4)]
-    if at + sum(sizes) != len(content):
-        raise ValueError(content[:16])
-    logs = []
-    for size in sizes:
-        logs.append(content[at : at + size])
-        at += size
-    return logs
 
 
 # ---------------------------------------------------------------- starting

@@ -28,7 +28,7 @@ from allworlds.engines.effort import Limits
 from allworlds.engines.examiner import LOST, Examiner, Outcome, Referee, name_run
 from allworlds.engines.judge import Due, PythonJudge, Recorded
 from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
-from allworlds.engines.players import Lost, PlayerProcess, Setup
+from allworlds.engines.players import Lost, PlayerProcess, Setup, keep
 from allworlds.engines.scope import GivenWorlds, Scope
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.explorers import (
@@ -160,10 +160,13 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     player = PlayerProcess(Setup(subject, limits), 0)
     try:
         description = player.loaded()
-    finally:
+    except BaseException:
         player.close()
+        raise
     found = replace(subject, keywords=description.keywords)
-    return with_shield(found) if description.has_shield else found
+    found = with_shield(found) if description.has_shield else found
+    keep(player, found)
+    return found
 
 
 REPEATED = 5

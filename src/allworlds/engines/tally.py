@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import islice
-from typing import Annotated, Any, NamedTuple, Self, TypeAlias
+from typing import Annotated, Any, NamedTuple, Self
 
 from msgspec import Struct
 from msgspec.structs import asdict
@@ -17,7 +17,7 @@ from allworlds.engines.examiner import Outcome, Referee
 from allworlds.engines.kept_form import Form
 from allworlds.engines.scope import NumberedRun, Scope, UnitOfRuns, numbered_runs
 from allworlds.judging import Chirality, Finding, Misreading, Rules
-from allworlds.maps import CombinatorialMap, rooted_code
+from allworlds.maps import rooted_code
 from allworlds.world import World
 
 
@@ -272,44 +272,3 @@ class RunCounter(Struct, frozen=True):
         """Add the cost of a run's cheapest schedule to the tally, if every schedule is tried."""
         if self.scope.schedules == "all":
             tally.row(world.map.edge_count, world.map.vertex_count).best_of(cost)
-
-
-MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]
-"""Numbers of edges and vertices, sigma and alpha: sorts rooted maps from small to large."""
-
-
-@dataclass(slots=True)
-class CostTally(Tally):
-    """A tally that knows every run.
-
-    Attributes:
-        costs: by the rooted map, and the number of the lighthouse's place in it.
-    """
-
-    costs: dict[tuple[MapKey, int], int] = field(default_factory=dict)
-
-    def add(self, other: Tally) -> None:
-        """Take in another part's tally; no run is in two of them."""
-        # Zero-argument super() does not know a class with slots.
-        Tally.add(self, other)
-        if isinstance(other, CostTally):
-            self.costs.update(other.costs)
-
-
-class CostEngine(RunCounter, frozen=True):
-    """The counter that returns the cost of every run, too."""
-
-    def tally(self) -> CostTally:
-        """An empty tally."""
-        return CostTally(self.keep)
-
-    def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
-        """Add a run, which has one episode, to the tally, and its cost."""
-        super().count_outcome(world, place, outcome, tally)
-        assert isinstance(tally, CostTally)
-        tally.costs[key_of(world.map), place] = outcome.cost
-
-
-def key_of(map_: CombinatorialMap) -> MapKey:
-    """The key of a map that is rooted at its dart 0."""
-    return map_.edge_count, map_.vertex_count, tuple(map_.sigma), tuple(map_.alpha)

@@ -34,7 +34,7 @@ HASH_SEED = "PYTHONHASHSEED"
 """The variable of the environment from which an interpreter takes its hash seed."""
 
 
-class Subject(Struct, frozen=True):
+class Subject(Struct, frozen=True, weakref=True):
     """An explorer under test.
 
     Attributes:

@@ -6,8 +6,9 @@ order.  A library plays in :mod:`allworlds.engines.kernel.library_player`.
 
 from __future__ import annotations
 
-import mmap
 from collections.abc import Sequence
+from functools import cache
+from typing import Any
 
 from msgspec import Struct
 
@@ -49,7 +50,8 @@ class UnitJudge:
         self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, records: Stretch
     ) -> None:
         self._stretch, self._records, self.noted = stretch, records, 0
-        self._ahead, self._job, self._robot = new(JOB), new(JOB), new(ROBOT)
+        self._ahead, self._job = _JOBS.pop() if _JOBS else (new(JOB), new(JOB))
+        self._robot = _robot()
         for job in (self._ahead, self._job):
             engine.set_up(job, self._robot, level)
         self._unit = engine.unit_of(level, prefix, keep)
@@ -93,7 +95,20 @@ class UnitJudge:
         heads[:] = self.heads
         heads[:, layout.RUN_NUMBER] = 0  # who plays again is not to know which runs these are
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
-        return engine.rows_of(unit, job, self._robot), good
+        rows = engine.rows_of(unit, job, self._robot)
+        if batch.last:
+            _JOBS.append((self._ahead, job))
+        return rows, good
+
+
+_JOBS: list[tuple[Any, Any]] = []
+"""Memories of units that are done, for the next ones: they are large."""
+
+
+@cache
+def _robot() -> Any:
+    """The memory of built-in explorers: large, and nobody writes to it where logs are judged."""
+    return new(ROBOT)
 
 
 @entry
@@ -134,7 +149,7 @@ def load_native() -> None:
     """Load or compile the code that native explorers need, but for the lighthouses."""
     level = any_level()
     with uncollected():
-        stretch = Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
+        stretch = Stretch(level.edges)
         unit = UnitJudge(level, (-1,), 1, stretch, stretch)
         unit.judge(unit.lay_out(0), 0)
         library_player.load_player()

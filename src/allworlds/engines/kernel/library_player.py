@@ -6,14 +6,20 @@ A run leaves a log (:mod:`allworlds.log`), which is judged elsewhere.  The twin 
 
 from __future__ import annotations
 
-import mmap
 from collections.abc import MutableSequence, Sequence
 from functools import cache
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 from numba import int32, types
-from numpy import array, frombuffer, int32 as c_int, int64, uint8
+from numpy import (
+    array,
+    diff,
+    empty,
+    frombuffer,
+    int32 as c_int,
+    int64,
+    uint8,
+)
 from numpy.random import default_rng
 
 from allworlds import log as codes
@@ -21,10 +27,12 @@ from allworlds.engines.kernel import capabilities as names, records as layout
 from allworlds.engines.kernel.compiling import RECORD, callback, entry, inlined, inner
 from allworlds.engines.kernel.instructions import (
     LANES,
+    WIDE_LANES,
     address_of,
     ask,
     byte_of,
     call,
+    copy_bytes,
     entry_of,
     narrow_map,
     put_word,
@@ -62,12 +70,13 @@ class LibraryPlayer:
         self._handed = _handed(functions, self._memory, beat)
         self._memories: dict[int, Stretch] = {}
         self._threads = threads_now()
+        self._moved = empty(layout.LOG_BYTES + WIDE_LANES, uint8)
 
-    def play(self, batch: dict[str, Any]) -> bytes | None:
+    def play(self, batch: dict[str, Any]) -> tuple[bytes, Any] | None:
         """The lengths of the logs, and the logs; None if they do not fit, or threads are left."""
         edges, runs, again = batch["edges"], batch["runs"], batch["again"]
         if edges not in self._memories:
-            self._memories[edges] = Stretch(mmap.mmap(-1, Stretch.size(edges)), edges)
+            self._memories[edges] = Stretch(edges)
         memory = self._memories[edges]
         memory.heads[:runs] = frombuffer(batch["heads"], c_int).reshape(runs, layout.HEAD)
         if again:
@@ -83,14 +92,14 @@ class LibraryPlayer:
         self._threads += left
         if size < 0 or left:
             return None
-        return _in_order(memory.begins[:runs].tolist(), size, memory.logs)
+        return self._in_order(order, size, memory)
 
-
-def _in_order(begins: list[int], size: int, logs: Any) -> bytes:
-    """The lengths of logs that were written in another order, and the logs in theirs."""
-    behind = dict(pairwise(sorted([*begins, size])))
-    parts = [logs[begin : behind[begin]].tobytes() for begin in begins]
-    return b"".join([*(len(part).to_bytes(4, "little") for part in parts), *parts])
+    def _in_order(self, order: Any, size: int, memory: Stretch) -> tuple[bytes, Any]:
+        """The lengths of logs that were written in another order, and the logs in theirs."""
+        begins, lengths = memory.begins[: len(order)], empty(len(order), c_int)
+        lengths[order] = diff(begins[order], append=c_int(size))
+        move(begins, lengths, memory.logs, self._moved)
+        return lengths.tobytes(), self._moved[:size]
 
 
 def _handed(functions: Sequence[int], memory: Sequence[Any], beat: Any) -> Handed:
@@ -114,8 +123,20 @@ def load_player() -> None:
     """Load or compile the code by which a library plays."""
     memory = [bytearray(4 * length) for length in (3, 2, 1, 1, 1, 1, 1)]
     handed = _handed([0] * 5, memory, bytearray(16))
-    no_runs = Stretch(mmap.mmap(-1, Stretch.size(1)), 1).shared
+    no_runs = Stretch(1).shared
     play(handed, no_runs, array([], int64), again=False)
+    move(no_runs.begins, no_runs.begins[:0], no_runs.logs, no_runs.logs)
+
+
+@entry
+def move(begins, lengths, logs, moved):
+    """Copy logs that begin there, and are so long, one behind the other."""
+    to, logs_at = address_of(moved), address_of(logs)
+    for run in range(len(lengths)):
+        # What is written too much of one is written over by the next.
+        for at in range(0, lengths[run], WIDE_LANES):
+            copy_bytes(to + at, logs_at + begins[run] + at)
+        to += lengths[run]
 
 
 @entry

@@ -7,14 +7,15 @@ glued, and its root is dart 0.
 
 from __future__ import annotations
 
-import mmap
 from array import array
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from numpy import dtype, frombuffer, int32, int64, recarray, uint8, zeros
+from numpy import dtype, int32, int64, recarray, uint8, zeros
 
 from allworlds.engines.kernel.capabilities import LONG
+
+if TYPE_CHECKING:
+    from allworlds.engines.players import Logs
 
 DARTS = 32
 """Room for the darts of a world, and for its vertices."""
@@ -321,27 +322,24 @@ class Stretch:
     """Memory for a batch of runs, with the parts of :class:`Shared`.
 
     Args:
-        memory: of :meth:`size` bytes.
         edges: of each world.
     """
 
-    def __init__(self, memory: mmap.mmap, edges: int) -> None:
-        parts = frombuffer(memory, _batch(edges), 1)
+    def __init__(self, edges: int) -> None:
+        parts = zeros(1, _batch(edges))
         self.shared = Shared(*(parts[name][0] for name in Shared._fields))
         self.heads, self.worlds, self.percepts, self.starts, self.logs, self.begins = self.shared
 
-    @staticmethod
-    def size(edges: int) -> int:
-        """The number of bytes of the whole memory."""
-        return int(_batch(edges).itemsize)
-
-    def put(self, logs: bytes | bytearray, begins: Sequence[int]) -> int:
-        """Write logs here; return the number of their bytes, or -1 if there is no room."""
-        if len(logs) > LOG_BYTES:
+    def put(self, logs: Logs) -> int:
+        """Write logs, in one piece, here; return the number of bytes, or -1 if there is no room."""
+        runs, begin = len(logs), logs.starts[0]
+        size = len(logs.message) - begin
+        if size > LOG_BYTES:
             return -1
-        self.begins[: len(begins)] = array("i", begins)
-        self.logs[: len(logs)] = memoryview(logs)
-        return len(logs)
+        self.begins[:runs] = array("i", logs.starts[:runs])
+        self.begins[:runs] -= begin
+        self.logs[:size] = memoryview(logs.message)[begin:]
+        return size
 
 
 def _batch(edges: int) -> Any:

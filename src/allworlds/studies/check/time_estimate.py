@@ -155,7 +155,7 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
                     began = now
                     continue
                 sampled, ended = sampled + part.result.worlds, now
-                if now > began + SECONDS:
+                if sampled and now > began + SECONDS:
                     break
     except (TimeIsUp, EnginesDisagree, ClusterLost, Unsettled):
         pass  # the check itself will say so

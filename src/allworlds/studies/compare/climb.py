@@ -12,18 +12,23 @@ from typing_extensions import override
 
 from allworlds.document import replace
 from allworlds.engines import (
-    CostTally,
     GivenWorlds,
     Shard,
     SweptLevel,
     dealt,
-    key_of,
 )
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of, rootings
 from allworlds.outcome import Ending
 from allworlds.studies.compare.compare_request import CompareRequest
-from allworlds.studies.compare.contestants import Contest, Contestant, CostsOfAll, UnitOfOne
+from allworlds.studies.compare.contestants import (
+    Contest,
+    Contestant,
+    CostsOfAll,
+    CostTally,
+    UnitOfOne,
+    key_of,
+)
 from allworlds.studies.compare.growing_families import FORMS, LEAST, Member, distinct, members_of
 from allworlds.studies.compare.growth import GrownWorld, GrowRow, Growth
 from allworlds.world import Lighthouse, World

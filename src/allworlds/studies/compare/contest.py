@@ -13,11 +13,9 @@ from typing_extensions import override
 from allworlds.document import replace
 from allworlds.engines import (
     WHOLE,
-    CostTally,
     GivenWorlds,
     Identity,
     Listener,
-    MapKey,
     Portion,
     Shard,
     SweptLevel,
@@ -46,7 +44,9 @@ from allworlds.studies.compare.contestants import (
     Contest,
     Contestant,
     CostsOfAll,
+    CostTally,
     InWorld,
+    MapKey,
     UnitOfOne,
     contestants_known,
     contestants_of,
