@@ -21,7 +21,7 @@ from pathlib import Path
 
 import allworlds
 from allworlds import Checkpoint, Choices, Move, Percept
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.world import World
 
 PROGRAM = [sys.executable, str(Path(__file__).resolve()), "--program"]

@@ -20,7 +20,7 @@ from contextlib import suppress
 from pathlib import Path
 
 EXPLORER = """
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first):

@@ -25,18 +25,22 @@ from pathlib import Path
 from typing import Any
 
 import allworlds.explorers.shared_library
-from allworlds.engines import Examiner, RunCounter, Scope
 from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
+from allworlds.engines.examiner import Examiner
 from allworlds.engines.judge import PythonJudge, Work
 from allworlds.engines.kernel.batches import load_native
 from allworlds.engines.kernel.library_player import LibraryPlayer
 from allworlds.engines.kernel.records import LONGEST_STRETCH, RUN_TOLD
 from allworlds.engines.players import logs_of
-from allworlds.explorers import NativeExplorer, load
+from allworlds.engines.scope import Scope
+from allworlds.engines.tally import RunCounter
+from allworlds.explorers.loading import load
 from allworlds.explorers.shared_library.library import ROOM, Library
-from allworlds.judging import Rules
-from allworlds.maps import Extent, MapClass
-from allworlds.protocol import Choices
+from allworlds.explorers.shared_library.native import NativeExplorer
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
+from allworlds.protocol.choices import Choices
 from allworlds.world import World
 
 PARTS = ("laid out", "first play", "judged", "second play", "compared")

@@ -17,11 +17,11 @@ from collections import deque
 from collections.abc import Callable
 
 import allworlds
-from allworlds.engines import Examiner
-from allworlds.explorers import load
-from allworlds.judging import Rules
+from allworlds.engines.examiner import Examiner
+from allworlds.explorers.loading import load
+from allworlds.judging.findings.rules import Rules
 from allworlds.maps import family, rooted_code, rooted_maps, unrooted_code
-from allworlds.protocol import Choices
+from allworlds.protocol.choices import Choices
 
 LEVEL = 5
 CODE_EDGES = 20

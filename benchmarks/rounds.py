@@ -24,21 +24,23 @@ from typing import Any
 
 from effort import commit
 
-from allworlds.engines import (
-    ENGINES,
-    WALKED_FROM,
-    Examiner,
-    Job,
-    Limits,
-    Scope,
-    Silent,
-    Tally,
-    by_vertices_and_faces,
-    gather,
-)
-from allworlds.explorers import load
-from allworlds.judging import Rules, default_step_budget, paper_bound
-from allworlds.maps import Extent, MapClass, prefixes, rooted_maps, source_for
+from allworlds.engines.effort import Limits
+from allworlds.engines.engine_table import ENGINES, Job
+from allworlds.engines.examiner import Examiner
+from allworlds.engines.kernel.counting import by_vertices_and_faces
+from allworlds.engines.obstacles import WALKED_FROM
+from allworlds.engines.progress import Silent
+from allworlds.engines.scope import Scope
+from allworlds.engines.sweep import gather
+from allworlds.engines.tally import Tally
+from allworlds.explorers.loading import load
+from allworlds.judging.episode import default_step_budget
+from allworlds.judging.findings.rules import Rules
+from allworlds.judging.laws.bounds import paper_bound
+from allworlds.maps import MapClass, rooted_maps
+from allworlds.maps.classes import Extent
+from allworlds.maps.counting.sources import source_for
+from allworlds.maps.enumeration import prefixes
 from allworlds.version import __version__, host
 from allworlds.world import Directional, World
 

@@ -11,27 +11,15 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.document import replace
-from allworlds.explorers import (
-    BUILT_IN,
-    OPEN,
-    Algorithm1,
-    FoldedLog,
-    Walk,
-    explore_folding,
-    way,
-)
-from allworlds.maps import CombinatorialMap, cycles
-from allworlds.protocol import (
-    Ambiguous,
-    Answer,
-    Checkpoint,
-    Choices,
-    Drop,
-    Estimate,
-    Move,
-    Percept,
-)
+from allworlds.document.struct import replace
+from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
+from allworlds.explorers.builtin.folding import explore_folding, way
+from allworlds.maps.combinatorial import CombinatorialMap, cycles
+from allworlds.protocol.actions import Drop, Move, Percept
+from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
+from allworlds.protocol.choices import Choices
 
 
 class BearingIgnored(Algorithm1):

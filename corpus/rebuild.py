@@ -7,10 +7,11 @@ from typing import Any
 
 import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.maps import from_cycles, from_rotation, lattice, named_map
-from allworlds.studies.ambiguity import twins
-from allworlds.studies.check import check
-from allworlds.world import Directional, Position, World
+from allworlds.maps.build import from_cycles, from_rotation, lattice, named_map
+from allworlds.studies.ambiguity.telling_apart import twins
+from allworlds.studies.check.exhaustive import check
+from allworlds.world.lighthouses.marked import Directional, Position
+from allworlds.world.world import World
 
 HERE = Path(__file__).parent
 

@@ -45,11 +45,16 @@ from allworlds.corpus.explorers import (
     WRONG_EXPLORERS,
     WrongExplorer,
 )
-from allworlds.explorers import Algorithm1, in_process_subject, load
-from allworlds.judging import Answered, Case, paper_bound, play
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.explorers.loading import load
+from allworlds.explorers.subject import in_process_subject
+from allworlds.judging.endings import Answered
+from allworlds.judging.episode import play
+from allworlds.judging.laws.bounds import paper_bound
+from allworlds.judging.laws.case import Case
 from allworlds.outcome import Verdict
-from allworlds.protocol import Choices, policy_named
-from allworlds.studies.check import check
+from allworlds.protocol.choices import Choices, policy_named
+from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckRow
 from allworlds.world import worlds
 from certified_checker import (

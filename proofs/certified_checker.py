@@ -35,11 +35,12 @@ from allworlds.corpus.explorers import (
     WRONG_EXPLORERS,
     WrongExplorer,
 )
-from allworlds.inputs import InputError
-from allworlds.judging import bound_named
+from allworlds.inputs.checks import InputError
+from allworlds.judging.laws.bounds import bound_named
 from allworlds.maps import rooted_code
 from allworlds.outcome import Verdict
-from allworlds.studies.check import CheckReport, check
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.check.report import CheckReport
 from allworlds.words import plural
 
 HERE = Path(__file__).resolve().parent

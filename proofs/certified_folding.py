@@ -24,9 +24,15 @@ from allworlds.corpus.explorers import (
 )
 from allworlds.engines.kernel.laws import folds
 from allworlds.engines.kernel.records import FOLD, LOG, WORLD
-from allworlds.explorers import Algorithm1, in_process_subject, load
-from allworlds.judging import fold, paper_bound, play
-from allworlds.protocol import Choices, Move, Percept, Transcript, policy_named
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.explorers.loading import load
+from allworlds.explorers.subject import in_process_subject
+from allworlds.judging.episode import play
+from allworlds.judging.laws.bounds import paper_bound
+from allworlds.judging.laws.folding import fold
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.choices import Choices, policy_named
+from allworlds.protocol.transcript import Transcript
 from allworlds.world import World, worlds
 from certified_checker import agreement
 

@@ -10,13 +10,18 @@ from collections.abc import Iterable, Iterator
 from contextlib import closing
 from itertools import islice
 
-from allworlds.engines import Limits, RunCounter, Scope
+from allworlds.engines.effort import Limits
 from allworlds.engines.judge import Due, PythonJudge
 from allworlds.engines.lane import answered, started
 from allworlds.engines.players import Lost, Setup
-from allworlds.explorers import Subject
-from allworlds.judging import Episode, Fault, Log, Rules
-from allworlds.maps import Extent, MapClass
+from allworlds.engines.scope import Scope
+from allworlds.engines.tally import RunCounter
+from allworlds.explorers.subject import Subject
+from allworlds.judging.endings import Fault
+from allworlds.judging.episode import Episode, Log
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
 from allworlds.world import World
 
 AT_A_TIME = 256

@@ -15,12 +15,20 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-from allworlds.explorers import Shield, algorithm1, load
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.builtin.folded_log import FoldedLog
 from allworlds.explorers.builtin.folding import estimate, has_open_dart
-from allworlds.judging import Answered, Ending, paper_bound, play
-from allworlds.maps import Code, rooted_code
-from allworlds.protocol import Checkpoint, Choices, Estimate, Move, Percept, Player, policy_named
+from allworlds.explorers.builtin.shield import Shield
+from allworlds.explorers.loading import load
+from allworlds.judging.endings import Answered, Ending
+from allworlds.judging.episode import play
+from allworlds.judging.laws.bounds import paper_bound
+from allworlds.maps import rooted_code
+from allworlds.maps.canonical import Code
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.choices import Choices, policy_named
+from allworlds.protocol.player import Player
 from allworlds.world import worlds
 from certified_checker import agreement
 

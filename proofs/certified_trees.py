@@ -46,11 +46,15 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.engines import Limits, Unsettled, subject_of
-from allworlds.explorers import Subject, built_in, in_process_subject
-from allworlds.inputs import InputError
-from allworlds.judging import Answered, Fault, bound_named, default_step_budget, paper_bound
-from allworlds.protocol import Move, Percept
+from allworlds.engines.effort import Limits
+from allworlds.engines.players import Unsettled
+from allworlds.engines.single import subject_of
+from allworlds.explorers.subject import Subject, built_in, in_process_subject
+from allworlds.inputs.checks import InputError
+from allworlds.judging.endings import Answered, Fault
+from allworlds.judging.episode import default_step_budget
+from allworlds.judging.laws.bounds import bound_named, paper_bound
+from allworlds.protocol.actions import Move, Percept
 from allworlds.words import plural
 from allworlds.world import worlds
 from certified_checker import NoVerdict, agreement, outcome, package_outcome, tell

@@ -14,8 +14,10 @@ from collections.abc import Callable, Generator
 from typing import Any
 
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
-from allworlds.explorers import load
-from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Percept, policy_named
+from allworlds.explorers.loading import load
+from allworlds.protocol.actions import Drop, Move, Percept
+from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.choices import Choices, policy_named
 
 Begin = Callable[[Percept, int | None], Generator[Any, Any, Any]]
 

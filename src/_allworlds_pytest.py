@@ -49,7 +49,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
             f"{', '.join(map(repr, mark.args))}",
             pytrace=False,
         )
-    from allworlds.inputs import InputError
+    from allworlds.inputs.checks import InputError
     from allworlds.testing import levels_of, unknown_option
 
     if mark and (told := unknown_option(mark.kwargs)):
@@ -79,7 +79,7 @@ class _Explores:
 
     def __call__(self, *arguments: Any, **options: Any) -> Any:
         __tracebackhide__ = True
-        from allworlds.inputs import InputError
+        from allworlds.inputs.checks import InputError
         from allworlds.testing import unknown_option
 
         self.asked = True

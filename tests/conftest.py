@@ -18,14 +18,14 @@ import allworlds
 from allworlds.cli.app import call
 from allworlds.engines.lanes import OneLane
 from allworlds.engines.players import PlayerHere
-from allworlds.explorers import load
+from allworlds.explorers.loading import load
 
 COMPILE = """
 import os, sys
 
 import allworlds
 
-from allworlds.engines import WALKED_FROM, by_vertices_and_faces
+from allworlds.engines.obstacles import WALKED_FROM; from allworlds.engines.kernel.counting import by_vertices_and_faces
 from allworlds.engines.kernel.batches import load_native
 
 allworlds.worst(edges=1)

@@ -13,8 +13,10 @@ from xml.etree import ElementTree as ET
 from frame import framed
 
 from allworlds.maps import CombinatorialMap
-from allworlds.reports import Layout, layout, scene_of, tag
+from allworlds.reports.drawing.layout import Layout, layout
+from allworlds.reports.drawing.scene import scene_of
 from allworlds.reports.drawing.svg import picture
+from allworlds.reports.rendering import tag
 from allworlds.world import Directional, World
 
 FILE = Path(__file__).parents[1] / "assets" / "darts.svg"

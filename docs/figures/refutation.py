@@ -15,9 +15,10 @@ from frame import framed
 
 import allworlds
 from allworlds import Estimate, Finding
-from allworlds.reports import layout, tag
+from allworlds.reports.drawing.layout import layout
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import picture
+from allworlds.reports.rendering import tag
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
 
 ROOT = Path(__file__).parents[2]

@@ -24,36 +24,45 @@ if TYPE_CHECKING:
         testing as testing,
         world as world,
     )
-    from allworlds.judging import Finding as Finding
-    from allworlds.maps import CombinatorialMap as CombinatorialMap, InvalidMap as InvalidMap
-    from allworlds.protocol import (
-        Ambiguous as Ambiguous,
-        Checkpoint as Checkpoint,
-        Choices as Choices,
+    from allworlds.judging.findings.finding import Finding as Finding
+    from allworlds.maps.combinatorial import (
+        CombinatorialMap as CombinatorialMap,
+        InvalidMap as InvalidMap,
+    )
+    from allworlds.protocol.actions import (
         Drop as Drop,
-        Estimate as Estimate,
         Move as Move,
         Percept as Percept,
         Pick as Pick,
         Write as Write,
     )
-    from allworlds.reports import Drawing as Drawing, draw as draw
+    from allworlds.protocol.answers import (
+        Ambiguous as Ambiguous,
+        Checkpoint as Checkpoint,
+        Estimate as Estimate,
+    )
+    from allworlds.protocol.choices import Choices as Choices
+    from allworlds.reports.drawing.standalone import Drawing as Drawing, draw as draw
     from allworlds.studies import ambiguity as ambiguity
-    from allworlds.studies.ambiguity import search as search, twins as twins
-    from allworlds.studies.check import check as check, shield as shield
-    from allworlds.studies.compare import compare as compare
+    from allworlds.studies.ambiguity.smt.twin_search import search as search
+    from allworlds.studies.ambiguity.telling_apart import twins as twins
+    from allworlds.studies.check.exhaustive import check as check
+    from allworlds.studies.check.shielding import shield as shield
+    from allworlds.studies.compare.contest import compare as compare
     from allworlds.studies.count import count as count
     from allworlds.studies.explain import explain as explain
-    from allworlds.studies.fuzz import fuzz as fuzz
+    from allworlds.studies.fuzz.drive import fuzz as fuzz
     from allworlds.studies.init import init as init
-    from allworlds.studies.ledger import ledger as ledger
+    from allworlds.studies.ledger.checked_claims import ledger as ledger
     from allworlds.studies.merge import merge as merge
     from allworlds.studies.play import play as play
     from allworlds.studies.replay import replay as replay
-    from allworlds.studies.run import run as run
+    from allworlds.studies.run.single import run as run
     from allworlds.studies.status import status as status
-    from allworlds.studies.worst import worst as worst
+    from allworlds.studies.worst.all_worlds import worst as worst
     from allworlds.version import __version__ as __version__
-    from allworlds.world import Lighthouse as Lighthouse, World as World, worlds as worlds
+    from allworlds.world.lighthouses.base import Lighthouse as Lighthouse
+    from allworlds.world.own_condition import worlds as worlds
+    from allworlds.world.world import World as World
 else:
     open_door(__name__)

@@ -7,10 +7,11 @@ keywords, and returns a :class:`Found` or a :class:`NotChecked`::
         return of_check(check("algorithm1", edges=edges, workers=means.workers))
 """
 
-from allworlds.explorers import Algorithm1, FoldedLog
-from allworlds.reports import layout
-from allworlds.studies.compare import mean_interval
-from allworlds.studies.ledger import (
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.explorers.builtin.folded_log import FoldedLog
+from allworlds.reports.drawing.layout import layout
+from allworlds.studies.compare.intervals import mean_interval
+from allworlds.studies.ledger.claim import (
     Found,
     Means,
     NotChecked,
@@ -19,7 +20,7 @@ from allworlds.studies.ledger import (
     of_check,
     truth,
 )
-from allworlds.studies.worst import EverySchedule
+from allworlds.studies.worst.every_schedule import EverySchedule
 
 __all__ = [
     "Algorithm1",

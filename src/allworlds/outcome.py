@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from enum import IntEnum, StrEnum
-from typing import Any, NamedTuple, Protocol, TypeAlias, TypeVar
+from typing import Any, ClassVar, NamedTuple, Protocol, TypeAlias, TypeVar
 
 from msgspec import Struct
 
@@ -30,6 +30,16 @@ class Exit(IntEnum):
 
     ANSWERED = HOLDS
     DISAGREES = INTERNAL
+
+
+class NoResult(Exception):
+    """Raised where there is no result; the command says so in a line.
+
+    Attributes:
+        exit: the code with which it ends.
+    """
+
+    exit: ClassVar[Exit] = Exit.INCONCLUSIVE
 
 
 class Verdict(StrEnum):

@@ -24,10 +24,14 @@ from typing import TypeAlias
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, integers, lists
 
-from allworlds.inputs import InputError, an_integer
-from allworlds.maps import CombinatorialMap, Dart, MapClass, cycles, rooted_code
-from allworlds.protocol import Choices, Kind
-from allworlds.world import GivenLighthouse, Lighthouse, World, lighthouse_kind
+from allworlds.inputs.checks import InputError, an_integer
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.classes import MapClass
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
+from allworlds.protocol.choices import Choices, Kind
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
+from allworlds.world.world import World
 
 __all__ = [
     "choices",

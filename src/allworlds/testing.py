@@ -29,21 +29,21 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from allworlds.inputs import did_you_mean
-from allworlds.judging import Finding
-from allworlds.maps import CombinatorialMap, Extent, MapClass, rooted_maps
+from allworlds.inputs.checks import did_you_mean
+from allworlds.judging.findings.finding import Finding
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.enumeration import rooted_maps
 from allworlds.outcome import Verdict
-from allworlds.reports import brief, finding_in_words
-from allworlds.studies.check import CheckReport, check
-from allworlds.studies.fuzz import MapsRequest, fuzz, refuted_in
+from allworlds.reports.rendering import brief, finding_in_words
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.check.report import CheckReport
+from allworlds.studies.fuzz.drive import MapsRequest, fuzz, refuted_in
 from allworlds.words import plural
-from allworlds.world import (
-    GivenLighthouse,
-    a_condition,
-    flaws_of,
-    lighthouse_kind,
-    own_corpus,
-)
+from allworlds.world.asked_lighthouse import flaws_of
+from allworlds.world.corpus import own_corpus
+from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
+from allworlds.world.own_condition import a_condition
 
 __all__ = [
     "AtLevel",

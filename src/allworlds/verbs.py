@@ -51,7 +51,8 @@ class Verb:
     def python(self) -> str:
         """The name in Python; a group with a folder of its own is a name of the package."""
         module, _, name = self.function.partition(":")
-        return f"allworlds.{f'{self.group}.' if module == f'studies.{self.group}' else ''}{name}"
+        inside = self.group and module.startswith(f"studies.{self.group}.")
+        return f"allworlds.{f'{self.group}.' if inside else ''}{name}"
 
 
 EVERYDAY, LONG_RUNS, COSTS, WORLDS = "Everyday", "Long runs", "Costs", "Worlds"
@@ -60,7 +61,7 @@ ALIKE, PAPERS = "What no robot can tell apart", "Papers"
 VERBS = (
     Verb(
         "check",
-        "studies.check:check",
+        "studies.check.exhaustive:check",
         "check",
         "Run an explorer in every world of a class, for a verdict: the main job.",
         telling="reports.tellings.check:check_telling",
@@ -70,7 +71,7 @@ VERBS = (
     ),
     Verb(
         "run",
-        "studies.run:run",
+        "studies.run.single:run",
         "run",
         "Run an explorer in one world, step by step.",
         telling="reports.tellings.single_run:run_telling",
@@ -78,7 +79,7 @@ VERBS = (
     ),
     Verb(
         "fuzz",
-        "studies.fuzz:fuzz",
+        "studies.fuzz.drive:fuzz",
         "check",
         "Run an explorer in random worlds beyond the exhaustive bound.",
         telling="reports.tellings.check:check_telling",
@@ -161,7 +162,7 @@ VERBS = (
     ),
     Verb(
         "compare",
-        "studies.compare:compare",
+        "studies.compare.contest:compare",
         "compare",
         "Compare explorers in the same worlds, or in worlds that grow.",
         telling="reports.tellings.compare:compare_telling",
@@ -171,7 +172,7 @@ VERBS = (
     ),
     Verb(
         "worst",
-        "studies.worst:worst",
+        "studies.worst.all_worlds:worst",
         "worst",
         "Find the worst and best cost of Algorithm 1, over every schedule.",
         telling="reports.tellings.worst:worst_telling",
@@ -201,7 +202,7 @@ VERBS = (
     ),
     Verb(
         "ambiguity twins",
-        "studies.ambiguity:twins",
+        "studies.ambiguity.telling_apart:twins",
         "twins",
         "Decide whether any motion tells two worlds apart.",
         telling="reports.tellings.lookalikes:twins_telling",
@@ -213,7 +214,7 @@ VERBS = (
     ),
     Verb(
         "ambiguity class",
-        "studies.ambiguity:class_of",
+        "studies.ambiguity.members:class_of",
         "ambiguity-class",
         "List every world that no motion tells from a given one.",
         telling="reports.tellings.lookalikes:class_telling",
@@ -222,7 +223,7 @@ VERBS = (
     ),
     Verb(
         "ambiguity census",
-        "studies.ambiguity:census",
+        "studies.ambiguity.marked_worlds:census",
         "ambiguity-census",
         "Classify the worlds of a class that no motion tells apart.",
         telling="reports.tellings.census:census_telling",
@@ -235,7 +236,7 @@ VERBS = (
     ),
     Verb(
         "ambiguity search",
-        "studies.ambiguity:search",
+        "studies.ambiguity.smt.twin_search:search",
         "search",
         "Search for worlds that no motion tells apart, by SMT.",
         telling="reports.tellings.search:search_telling",
@@ -247,7 +248,7 @@ VERBS = (
     ),
     Verb(
         "ledger",
-        "studies.ledger:ledger",
+        "studies.ledger.checked_claims:ledger",
         "ledger",
         "Check the sentences of a paper, each by its own function.",
         telling="reports.tellings.ledger:ledger_telling",

@@ -205,7 +205,7 @@ def test_an_attack_that_is_told_wrongly_is_noticed(told, tmp_path):
 WAITS = """
 import os, time
 from pathlib import Path
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 def explore(first):
     if not Path("go").exists():
@@ -231,7 +231,7 @@ def test_a_right_explorer_is_not_refuted_by_who_kills_its_player(scene):
 
 
 RIGHT = """
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 def explore(first):
     return (yield from algorithm1(first))

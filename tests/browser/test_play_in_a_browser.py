@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.reports import game as game_page
+from allworlds.reports.play.page import game as game_page
 from allworlds.reports.tellings.played import NAMES
 from allworlds.studies.play import play
 

@@ -4,7 +4,8 @@ import pytest
 
 import allworlds
 from allworlds.maps import named_map
-from allworlds.world import World, flaw
+from allworlds.world import World
+from allworlds.world.bisimulation import flaw
 from printed import without_made_by
 
 

@@ -5,7 +5,7 @@ import pytest
 import allworlds
 import small
 from allworlds import strategies
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 from allworlds.world import Directional, World
 
 EDGE = World(small.EDGE, Directional(0))

@@ -175,7 +175,7 @@ def test_an_explorer_with_another_signature_is_bad_input(refused, tmp_path, sign
 def test_what_an_explorer_prints_is_in_the_document_of_its_run_alone(tmp_path, capfd):
     file = tmp_path / "random.py"  # and it does not take the place of a module of that name
     file.write_text(
-        "print('imported')\nfrom allworlds.explorers import algorithm1\n"
+        "print('imported')\nfrom allworlds.explorers.builtin.algorithm1 import algorithm1\n"
         "def explore(first):\n    print('explored')\n    return (yield from algorithm1(first))\n"
     )
     for verb in (["check", f"{file}:explore", "--edges", "2"], ["run", f"{file}:explore", "theta"]):

@@ -6,8 +6,8 @@ import pytest
 
 import allworlds
 from allworlds import ambiguity
-from allworlds.engines import Limits
-from allworlds.judging import Rules
+from allworlds.engines.effort import Limits
+from allworlds.judging.findings.rules import Rules
 
 PATIENCE = {"answer_timeout": 10.0, "start_timeout": 60.0}
 CLUSTER = {"dask_timeout": 60.0}

@@ -6,7 +6,7 @@ import pytest
 
 from allworlds import explain
 from allworlds.corpus.explorers import PoseLost, WrongExplorer
-from allworlds.studies.check import check
+from allworlds.studies.check.exhaustive import check
 
 FINDING = check(WrongExplorer(PoseLost).explorer(), edges=2).findings[0]
 

@@ -7,9 +7,9 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from allworlds.cli.files import files_of
-from allworlds.reports import file_of
-from allworlds.studies.check import check
-from allworlds.studies.fuzz import fuzz
+from allworlds.reports.format_table import file_of
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.fuzz.drive import fuzz
 
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
 

@@ -9,7 +9,7 @@ from allworlds.explorers.program import missing_script, syntax_error
 from allworlds.world import world_named
 
 MINE = """
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 def explore(first):
     return (yield from algorithm1(first))
@@ -62,7 +62,8 @@ def test_a_name_of_no_explorer_is_told_with_the_nearest_legal_one(
 def test_an_explorer_that_a_file_imports_is_found(cli, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "door.py").write_text(
-        "from allworlds.explorers import algorithm1 as explore\n", encoding="utf-8"
+        "from allworlds.explorers.builtin.algorithm1 import algorithm1 as explore\n",
+        encoding="utf-8",
     )
     assert cli("check", "door.py", "--edges", 1, "-q")[0] == 0
 

@@ -6,10 +6,11 @@ import sys
 import pytest
 
 from allworlds.cli.output import LONGEST, complain
-from allworlds.engines import Silent
+from allworlds.engines.progress import Silent
 from allworlds.engines.units import tell_of_size
-from allworlds.inputs import InputError, show
-from allworlds.maps import Extent, MapClass
+from allworlds.inputs.checks import InputError, show
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
 from allworlds.studies.count import count
 
 LONG = "y" * 5000

@@ -7,7 +7,7 @@ import pytest
 
 from allworlds import check
 from allworlds.cli.app import command_line
-from allworlds.reports import formats_of
+from allworlds.reports.format_table import formats_of
 from recorded.record import LEAST, least
 
 pytestmark = pytest.mark.usefixtures("without_workers")

@@ -53,7 +53,7 @@ ELSEWHERE = {
 
 EXPLORER = '''"""Algorithm 1, as an explorer of one's own."""
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first, *, choices):

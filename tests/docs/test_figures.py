@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import allworlds
-from allworlds.reports import layout
+from allworlds.reports.drawing.layout import layout
 
 ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "papers" / "minimal_information"

@@ -8,15 +8,20 @@ import pytest
 
 from allworlds.cli import output
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WRONG_LEARNERS
-from allworlds.document import replace
-from allworlds.engines import Scope, engine_table as engines, lane, players
+from allworlds.document.struct import replace
+from allworlds.engines import lane, players
 from allworlds.engines.compiled_engine import AGREEMENT_EDGES
+from allworlds.engines.engine_table import engine_for
 from allworlds.engines.kernel import capabilities
-from allworlds.explorers import load, program
+from allworlds.engines.scope import Scope
+from allworlds.explorers import program
+from allworlds.explorers.loading import load
 from allworlds.explorers.program import SAYINGS
 from allworlds.explorers.shared_library.library import INTERFACE_VERSION
-from allworlds.judging import PRECEDENCE, Rules
-from allworlds.maps import Extent, MapClass
+from allworlds.judging.findings.rules import Rules
+from allworlds.judging.laws.law_table import PRECEDENCE
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
 from allworlds.maps.counting.any_genus import rooted_maps
 from allworlds.protocol import playing
 from allworlds.reports.web import frame
@@ -114,4 +119,4 @@ def test_the_table_of_engines_names_the_engine_that_would_check():
     assert len(found) == 3
     for edges, engine in found:
         scope = Scope(Extent(MapClass.MAPS, int(edges)), Rules())
-        assert engines.engine_for("auto", scope, subject).name == engine
+        assert engine_for("auto", scope, subject).name == engine

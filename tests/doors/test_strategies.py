@@ -9,16 +9,15 @@ from hypothesis import find, given, settings
 from hypothesis.strategies import tuples
 
 from allworlds import strategies
-from allworlds.explorers import Algorithm1
-from allworlds.inputs import InputError
-from allworlds.judging import LAWS, Answered, Case, judge, paper_bound, play
-from allworlds.maps import (
-    CombinatorialMap,
-    MapClass,
-    rooted_code,
-    rooted_maps,
-    rooted_maps_by_permutations as all_rooted_maps,
-)
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.inputs.checks import InputError
+from allworlds.judging.endings import Answered
+from allworlds.judging.episode import play
+from allworlds.judging.laws.bounds import paper_bound
+from allworlds.judging.laws.case import Case
+from allworlds.judging.laws.law_table import LAWS, judge
+from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
+from allworlds.maps.bruteforce import rooted_maps_by_permutations as all_rooted_maps
 from allworlds.world import Directional, World
 from page_blocks import blocks
 from schedules import schedules

@@ -6,13 +6,13 @@ from types import SimpleNamespace
 import pytest
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
-from allworlds.explorers import BUILT_IN
-from allworlds.inputs import InputError
+from allworlds.document.struct import replace
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_code
 from allworlds.outcome import Interrupted
 from allworlds.strategies import sampled_maps
-from allworlds.studies.check import check
+from allworlds.studies.check.exhaustive import check
 from allworlds.testing import (
     AtLevel,
     assert_conforms,
@@ -184,7 +184,7 @@ def test_a_sample_is_the_same_every_time():
 def cubic_alone(tmp_path, monkeypatch):
     """An explorer that is right in cubic maps, and in no other."""
     (tmp_path / "cubic.py").write_text(
-        "from allworlds.explorers import algorithm1\n\n\n"
+        "from allworlds.explorers.builtin.algorithm1 import algorithm1\n\n\n"
         "def explore(first, *, choices):\n"
         "    assert first.degree == 3\n"
         "    return (yield from algorithm1(first, choices=choices))\n"

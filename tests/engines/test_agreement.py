@@ -9,8 +9,8 @@ from random import Random
 import pytest
 
 from allworlds import check
-from allworlds.document import replace
-from allworlds.engines import Examiner, LevelRuns, Scope, compiled_engine as agreement
+from allworlds.document.struct import replace
+from allworlds.engines import compiled_engine as agreement
 from allworlds.engines.compiled_engine import (
     AGREED,
     compare_engines,
@@ -18,13 +18,16 @@ from allworlds.engines.compiled_engine import (
     rotation,
     walk_costs,
 )
+from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.questions import level_of
-from allworlds.engines.scope import numbered_runs
-from allworlds.explorers import load
-from allworlds.judging import AskedRules, Rules
-from allworlds.maps import Extent, Gluing, MapClass, prefixes, rooted_code, rooted_maps
+from allworlds.engines.scope import LevelRuns, Scope, numbered_runs
+from allworlds.explorers.loading import load
+from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.maps import MapClass, rooted_code, rooted_maps
+from allworlds.maps.classes import Extent
 from allworlds.maps.counting.any_genus import rooted_maps as counted
+from allworlds.maps.enumeration import Gluing, prefixes
 from allworlds.world import Directional, World
 
 pytestmark = pytest.mark.usefixtures("compiled")

@@ -5,7 +5,7 @@ import inspect
 import pytest
 
 from allworlds import check
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 from kept_jobs import EXPLORERS
 
 FIRST = {"explore": "algorithm1", "edges": 2, "engine": "python"}

@@ -4,22 +4,19 @@ from functools import partial
 import pytest
 
 from allworlds import check, count, worst
-from allworlds.engines import (
-    ENGINES,
-    Job,
-    Limits,
-    Scope,
-    Silent,
-    engine_for,
-    subject_of,
-    why_not_compiled,
-)
 from allworlds.engines.compiled_engine import AGREED
+from allworlds.engines.effort import Limits
+from allworlds.engines.engine_table import ENGINES, Job, engine_for, why_not_compiled
 from allworlds.engines.kernel.capabilities import COMPILING
-from allworlds.explorers import Subject, load
-from allworlds.inputs import InputError
-from allworlds.judging import Rules
-from allworlds.maps import Extent, MapClass
+from allworlds.engines.progress import Silent
+from allworlds.engines.scope import Scope
+from allworlds.engines.single import subject_of
+from allworlds.explorers.loading import load
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
 from allworlds.outcome import Verdict
 from allworlds.studies.check.time_estimate import is_worth_a_guess
 from native_libraries import attack, example

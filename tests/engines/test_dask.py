@@ -16,16 +16,14 @@ import pytest
 
 import processes
 from allworlds import check, count, worst
-from allworlds.engines import (
-    ClusterLost,
-    Dask,
-    Silent,
-    dask as cluster,
-)
-from allworlds.engines.effort import DaskCluster
+from allworlds.engines import dask as cluster
+from allworlds.engines.dask import Dask
+from allworlds.engines.effort import ClusterLost, DaskCluster
 from allworlds.engines.here import ThisThread
-from allworlds.explorers import Subject, content_digest, not_alike, with_content
-from allworlds.inputs import InputError
+from allworlds.engines.progress import Silent
+from allworlds.explorers.digest import content_digest, not_alike, with_content
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError
 from allworlds.version import __version__
 from clusters import cluster_apart, cluster_here
 from kept_jobs import EXPLORERS
@@ -46,7 +44,7 @@ def here():
 
 def test_an_explorer_of_a_module_travels_as_its_text(here, tmp_path, monkeypatch):
     (tmp_path / "travels.py").write_text(
-        "from allworlds.explorers import algorithm1\n\n"
+        "from allworlds.explorers.builtin.algorithm1 import algorithm1\n\n"
         "def explore(first):\n    return (yield from algorithm1(first))\n"
     )
     monkeypatch.chdir(tmp_path)

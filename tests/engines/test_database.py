@@ -9,11 +9,12 @@ import pytest
 from msgspec import Struct
 
 from allworlds import check
-from allworlds.document import replace
-from allworlds.engines import Identity, Silent, database, reading
-from allworlds.engines.database import FILE, SCHEMA, checksum
+from allworlds.document.struct import replace
+from allworlds.engines import database
+from allworlds.engines.database import FILE, SCHEMA, Identity, checksum, reading
+from allworlds.engines.progress import Silent
 from allworlds.engines.run_directory import records_in
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 
 JOB = Identity(
     verb="check",

@@ -4,16 +4,17 @@ import json
 
 import pytest
 
-from allworlds.engines import GOES_BY_HASHES, Limits, Silent, subject_of
-from allworlds.engines.lane import SECOND
-from allworlds.engines.single import played_again
-from allworlds.studies.check import check
-from allworlds.studies.fuzz import fuzz
+from allworlds.engines.effort import Limits
+from allworlds.engines.lane import GOES_BY_HASHES, SECOND
+from allworlds.engines.progress import Silent
+from allworlds.engines.single import played_again, subject_of
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
 
 WALKS_BY_HASHES = """
 from allworlds import Move
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 def explore(first):
     for digit in f"{hash('a word') % 64:b}":
@@ -22,7 +23,7 @@ def explore(first):
     return (yield from algorithm1(first))
 """
 WRONG_WITH_ONE = """
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 def explore(first):
     estimate = yield from algorithm1(first)
@@ -92,7 +93,7 @@ def test_a_sample_of_an_explorer_that_goes_by_hashes_is_shrunk_with_either_seed(
 
 EVERY_OTHER_TIME = """
 from pathlib import Path
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 def explore(first):
     estimate = yield from algorithm1(first)
@@ -119,7 +120,7 @@ def test_the_finding_of_a_play_that_another_does_not_repeat_has_both(tmp_path):
 
 def test_an_answer_that_is_no_map_is_not_confirmed_by_one_that_is(tmp_path):
     module = tmp_path / "mended.py"
-    head = "from allworlds.explorers import algorithm1\n\ndef explore(first):\n"
+    head = "from allworlds.explorers.builtin.algorithm1 import algorithm1\n\ndef explore(first):\n"
     walk = f"{head}    estimate = yield from algorithm1(first)\n"
     module.write_text(f"{walk}    return 7\n")
     (found,) = check(f"{module}:explore", edges=1).findings

@@ -6,8 +6,7 @@ import pytest
 from numba import cfunc, from_dtype, types
 
 from allworlds import CombinatorialMap, Estimate, Move
-from allworlds.document import replace
-from allworlds.engines import LevelRuns, Scope
+from allworlds.document.struct import replace
 from allworlds.engines.compiled_engine import listed_runs
 from allworlds.engines.kernel.algorithm1 import explorer_addresses
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
@@ -15,10 +14,15 @@ from allworlds.engines.kernel.engine import judge
 from allworlds.engines.kernel.instructions import address_of
 from allworlds.engines.kernel.records import ACTION, ANSWER, PERCEPT, ROBOT
 from allworlds.engines.questions import level_of
-from allworlds.explorers import algorithm1, in_process_subject
-from allworlds.judging import LAWS, Rules
-from allworlds.maps import Extent, MapClass, prefixes
-from allworlds.protocol import Checkpoint
+from allworlds.engines.scope import LevelRuns, Scope
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers.subject import in_process_subject
+from allworlds.judging.findings.rules import Rules
+from allworlds.judging.laws.law_table import LAWS
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
+from allworlds.maps.enumeration import prefixes
+from allworlds.protocol.answers import Checkpoint
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

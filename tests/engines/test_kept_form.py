@@ -6,13 +6,12 @@ from collections import Counter
 import pytest
 
 from allworlds import check
-from allworlds.document import replace
-from allworlds.engines import Tally
+from allworlds.document.struct import replace
 from allworlds.engines.kept_form import from_kept, to_kept
-from allworlds.engines.tally import AtRun, Row
-from allworlds.inputs import InputError
+from allworlds.engines.tally import AtRun, Row, Tally
+from allworlds.inputs.checks import InputError
 from allworlds.maps import Quotient
-from allworlds.protocol import Percept
+from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.marked_worlds import SensedParts
 from allworlds.studies.compare.contestants import CostsOfAll, CostTally
 from allworlds.studies.count import Counted

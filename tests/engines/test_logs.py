@@ -2,11 +2,12 @@
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.engines.comparison import difference_of
 from allworlds.engines.kernel.batches import UnitJudge, any_level
 from allworlds.engines.kernel.records import Stretch
-from allworlds.judging import Log
+from allworlds.engines.players import Logs
+from allworlds.judging.episode import Log
 from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, span
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -31,7 +32,7 @@ def judged(log):
     judge = UnitJudge(level, (-1,), 1, first, second)
     batch = judge.lay_out(10)
     assert batch.runs == 1
-    rows, good = judge.judge(batch, first.put(log, [0]))
+    rows, good = judge.judge(batch, first.put(Logs.of([log])))
     return judge, second, rows, good
 
 

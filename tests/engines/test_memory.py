@@ -6,7 +6,8 @@ import tracemalloc
 import pytest
 
 from allworlds import ambiguity, check, worst
-from allworlds.engines import Silent, Tally
+from allworlds.engines.progress import Silent
+from allworlds.engines.tally import Tally
 from small import long
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("compiled")]

@@ -3,14 +3,18 @@
 import pytest
 
 from allworlds import check
-from allworlds.document import replace
-from allworlds.engines import EnginesDisagree, Scope, compiled_engine as compiled, questions
+from allworlds.document.struct import replace
+from allworlds.engines import compiled_engine as compiled, questions
 from allworlds.engines.compiled_engine import AGREED, compare_engines
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.rows import LevelBounds, tables
-from allworlds.explorers import load
-from allworlds.judging import Rules
-from allworlds.maps import CombinatorialMap, Extent, MapClass, prefixes, rooted_maps, unrooted_code
+from allworlds.engines.scope import Scope
+from allworlds.engines.tally import EnginesDisagree
+from allworlds.explorers.loading import load
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import CombinatorialMap, MapClass, rooted_maps, unrooted_code
+from allworlds.maps.classes import Extent
+from allworlds.maps.enumeration import prefixes
 from allworlds.outcome import Verdict
 
 pytestmark = pytest.mark.usefixtures("compiled")

@@ -11,14 +11,20 @@ from pathlib import Path
 import pytest
 
 from allworlds import log as entries
-from allworlds.engines import Limits, RunCounter, Scope, linux, player, players
+from allworlds.engines import linux, player, players
+from allworlds.engines.effort import Limits
 from allworlds.engines.judge import Due, PythonJudge
 from allworlds.engines.lane import answered
 from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup
-from allworlds.explorers import Subject, load, source_of
-from allworlds.inputs import InputError
-from allworlds.judging import Log, Rules
-from allworlds.maps import Extent, MapClass
+from allworlds.engines.scope import Scope
+from allworlds.engines.tally import RunCounter
+from allworlds.explorers.loading import load, source_of
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError
+from allworlds.judging.episode import Log
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
 from allworlds.world import Directional, World
 from small import EDGE
 
@@ -82,7 +88,7 @@ def test_a_player_plays_a_batch_in_worlds_and_against_records(module):
         judged = judge().judged(Due(0, 0, WORLD), first)
         assert judged.outcome.violation is None
         batch_of_records = judge().records_message([judge_record(judged)], [0])
-        assert answered(one, batch_of_records) == [first]
+        assert [*answered(one, batch_of_records)] == [first]
     finally:
         one.close()
 

@@ -7,7 +7,7 @@ import pytest
 
 from allworlds import Estimate, Finding, check, replay, run
 from allworlds.engines.prints import KEPT, Prints
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.reports.telling import Quote
 from allworlds.reports.tellings.finding import printed
 from native_libraries import attack
@@ -15,7 +15,7 @@ from native_libraries import attack
 EXPLORERS = """
 import os, sys
 from allworlds import Estimate
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 print("loaded")
 

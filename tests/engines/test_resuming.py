@@ -14,9 +14,10 @@ import pytest
 
 import processes
 from allworlds import ambiguity, check, worst
-from allworlds.engines import Silent, run_directory
+from allworlds.engines import run_directory
 from allworlds.engines.judge import PythonJudge
-from allworlds.inputs import InputError
+from allworlds.engines.progress import Silent
+from allworlds.inputs.checks import InputError
 from allworlds.studies.worst.all_worlds import ScheduleSearch
 from kept_jobs import EXPLORERS, stable
 from small import long

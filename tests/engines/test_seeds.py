@@ -2,15 +2,15 @@
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.engines import lane
-from allworlds.inputs import InputError
-from allworlds.judging import Finding
-from allworlds.studies.check import check
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.finding import Finding
+from allworlds.studies.check.exhaustive import check
 from allworlds.studies.replay import replay
 
 COUNTS = """
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 def explore(first):
     with open({file!r}, "a") as plays:
@@ -18,7 +18,7 @@ def explore(first):
     return (yield from algorithm1(first))
 """
 GOES_BY_ORDER = """
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 def explore(first):
     estimate = yield from algorithm1(first)
@@ -58,7 +58,7 @@ def test_a_finding_carries_the_hash_seed_that_decides_and_replay_sets_it(tmp_pat
 
 COUNTS_ITS_RUNS = """
 from pathlib import Path
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 RUNS = Path({file!r})
 

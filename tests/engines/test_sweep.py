@@ -9,7 +9,10 @@ import pytest
 
 import allworlds
 from allworlds import ambiguity, check, compare, count, fuzz, worst
-from allworlds.engines import Silent, TimeIsUp, Unsettled, sweep
+from allworlds.engines import sweep
+from allworlds.engines.effort import TimeIsUp
+from allworlds.engines.players import Unsettled
+from allworlds.engines.progress import Silent
 from allworlds.verbs import VERBS
 from clusters import cluster_here
 from kept_jobs import EXPLORERS

@@ -1,6 +1,6 @@
 from itertools import permutations
 
-from allworlds.engines import Row, Tally
+from allworlds.engines.tally import Row, Tally
 
 
 class Found:

@@ -8,9 +8,11 @@ from inspect import getsource
 
 import pytest
 
-from allworlds.engines import Silent, Threads, TimeIsUp, dask, engine_table, gather, here
-from allworlds.engines.effort import DaskCluster
-from allworlds.engines.here import ThisThread
+from allworlds.engines import dask, engine_table, here
+from allworlds.engines.effort import DaskCluster, TimeIsUp
+from allworlds.engines.here import ThisThread, Threads
+from allworlds.engines.progress import Silent
+from allworlds.engines.sweep import gather
 from clusters import cluster_here
 
 pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")

@@ -4,20 +4,21 @@ import networkx as nx
 import pytest
 from hypothesis import given, strategies as st
 
-from allworlds.explorers import BUILT_IN, algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.builtin.partial_map import PartialMap, simple_path
 from allworlds.maps import (
     CombinatorialMap,
     MapClass,
-    dense,
     from_cycles,
     from_rotation,
-    lattice,
     rooted_code,
     rooted_maps,
 )
-from allworlds.maps.build import cycle
-from allworlds.protocol import Checkpoint, Choices, Move, Percept, policy_named
+from allworlds.maps.build import cycle, dense, lattice
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.choices import Choices, policy_named
 from schedules import schedules
 from small import EDGE, LOOP, maps, slow
 

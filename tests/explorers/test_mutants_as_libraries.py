@@ -4,7 +4,7 @@ import pytest
 
 from allworlds import check
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from native_libraries import FOLDER, PROJECT, built
 
 HERE = PROJECT / "tests" / "support" / "explorers_for_tests"

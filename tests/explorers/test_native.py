@@ -10,7 +10,8 @@ import pytest
 
 import small
 from allworlds.engines.players import NATIVE_MEMORY
-from allworlds.explorers import NativeExplorer, load, shared_library as libraries, threads_left
+from allworlds.explorers import shared_library as libraries
+from allworlds.explorers.loading import load
 from allworlds.explorers.shared_library.library import (
     INTERFACE_VERSION,
     KINDS_OF_ACTION,
@@ -20,15 +21,19 @@ from allworlds.explorers.shared_library.library import (
     Library,
     header_text,
 )
-from allworlds.explorers.shared_library.native import Guarded
-from allworlds.inputs import InputError
-from allworlds.judging import Rules
-from allworlds.maps import Extent, MapClass
-from allworlds.protocol import KINDS, Choices, ExplorerFault, Percept
-from allworlds.studies.check import check, most_expensive_runs
-from allworlds.studies.fuzz import fuzz
+from allworlds.explorers.shared_library.native import Guarded, NativeExplorer, threads_left
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.choices import KINDS, Choices
+from allworlds.protocol.faults import ExplorerFault
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.check.report import most_expensive_runs
+from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run.single import run
 from allworlds.world import Directional, Position, World
 from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
 from processes import PATIENCE, SOON

@@ -4,7 +4,8 @@ from hypothesis import given, strategies as st
 
 from allworlds.explorers.builtin.partial_map import PartialMap
 from allworlds.maps import CombinatorialMap, rooted_code
-from allworlds.protocol import Checkpoint, Percept
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.answers import Checkpoint
 from small import maps
 
 

@@ -6,10 +6,12 @@ import sys
 
 import pytest
 
-from allworlds.explorers import Program
-from allworlds.inputs import InputError
-from allworlds.protocol import Checkpoint, ExplorerFault, Move, Percept
-from allworlds.studies.check import check
+from allworlds.explorers.program import Program
+from allworlds.inputs.checks import InputError
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.faults import ExplorerFault
+from allworlds.studies.check.exhaustive import check
 from native_libraries import EXAMPLES
 from processes import PATIENCE
 

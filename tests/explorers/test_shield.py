@@ -7,25 +7,25 @@ import pytest
 import allworlds
 from allworlds import CombinatorialMap, Estimate, Move, Percept
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
-from allworlds.explorers import (
-    BUILT_IN,
-    FoldedLog,
-    Shield,
-    algorithm1,
-    content_digest,
-    in_process_subject,
-    load,
-    named_on_command_line,
-    own_bound,
-    place_of_explorer,
-    whole_name,
-)
 from allworlds.explorers.builtin import shield as shield_module
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.explorers.builtin.folded_log import FoldedLog
 from allworlds.explorers.builtin.folding import has_open_dart
-from allworlds.inputs import InputError
-from allworlds.judging import Rules, paper_bound
+from allworlds.explorers.builtin.shield import Shield
+from allworlds.explorers.digest import content_digest
+from allworlds.explorers.loading import load
+from allworlds.explorers.names import named_on_command_line, own_bound
+from allworlds.explorers.source_line import place_of_explorer
+from allworlds.explorers.spelling import whole_name
+from allworlds.explorers.subject import in_process_subject
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.rules import Rules
+from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import rooted_maps
-from allworlds.protocol import Checkpoint, Drop, ExplorerFault
+from allworlds.protocol.actions import Drop
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.faults import ExplorerFault
 from small import long, slow
 
 NOT_MENDED = {"state-kept": "nondeterministic"}

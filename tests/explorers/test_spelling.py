@@ -4,13 +4,12 @@ import inspect
 
 import pytest
 
-from allworlds.explorers import whole_name
-from allworlds.explorers.spelling import explorers_in, short_names
-from allworlds.inputs import InputError
-from allworlds.studies.check import check
+from allworlds.explorers.spelling import explorers_in, short_names, whole_name
+from allworlds.inputs.checks import InputError
+from allworlds.studies.check.exhaustive import check
 
 TEXT = """
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 def explore(first):
     return (yield from algorithm1(first))
 def helper(x):

@@ -5,11 +5,13 @@ from collections import Counter
 import pytest
 from hypothesis import given, strategies as st
 
-from allworlds.explorers import BUILT_IN
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.builtin.undirected import algorithm1_cluster, algorithm1_natural
 from allworlds.maps import MapClass, from_cycles, from_rotation, rooted_code, rooted_maps
 from allworlds.maps.build import cycle
-from allworlds.protocol import Checkpoint, Choices, Move, Percept, policy_named
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.choices import Choices, policy_named
 from allworlds.strategies import maps
 from schedules import schedules
 from small import EDGE

@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from allworlds.cli.app import call
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 from allworlds.world.corpus import load_corpus
 
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]|^\\s*::|##\\[", re.MULTILINE)

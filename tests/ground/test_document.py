@@ -5,16 +5,16 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import pytest
+from msgspec import UNSET, UnsetType
 
-from allworlds.document import (
-    UNSET,
+from allworlds.document.reading import taken
+from allworlds.document.struct import (
     Aside,
     Document,
     IfAny,
     Natural,
     Positive,
     Some,
-    UnsetType,
     WrittenByFields,
     about,
     computed,
@@ -22,9 +22,8 @@ from allworlds.document import (
     keys_of,
     plain,
     replace,
-    taken,
 )
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 from allworlds.outcome import Exit, Verdict
 
 

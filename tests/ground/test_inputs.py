@@ -13,8 +13,8 @@ from types import SimpleNamespace
 import pytest
 
 from allworlds.cli.app import call
-from allworlds.inputs import InputError, did_you_mean
-from allworlds.studies.check import check
+from allworlds.inputs.checks import InputError, did_you_mean
+from allworlds.studies.check.exhaustive import check
 from ground.cases import KINDS, cases
 from ground.law import LONGEST, Case, Said, said, tried, written, wrong
 from small import long

@@ -6,9 +6,9 @@ import pytest
 
 from allworlds import Estimate, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.judging import explain
-from allworlds.studies.check import check
-from allworlds.studies.run import run
+from allworlds.judging.explanations.explanation import explain
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.run.single import run
 from allworlds.world import Directional, World
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}

@@ -7,9 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.judging import bound_named, paper_bound
-from allworlds.judging.laws.bounds import Bound
+from allworlds.inputs.checks import InputError
+from allworlds.judging.laws.bounds import Bound, bound_named, paper_bound
 from allworlds.maps import named_map
 from small import LOLLIPOP
 
@@ -285,7 +284,7 @@ def test_what_can_be_read_can_be_evaluated_at_any_depth_of_the_stack():
 def test_powers_of_powers_do_not_run_away():
     text = "((((9**64)**64)**64)**64)**64"
     code = (
-        "from allworlds.inputs import InputError\n"
+        "from allworlds.inputs.checks import InputError\n"
         "from allworlds.judging.laws.bounds import bound_named\n"
         "try:\n"
         f"    bound_named({text!r}).value(2, 2, 1, 3, 1, 0)\n"

@@ -4,20 +4,14 @@ import signal
 
 import pytest
 
-from allworlds.explorers import algorithm1
-from allworlds.judging import Answered, Fault, default_step_budget, play
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.judging.endings import Answered, Fault
+from allworlds.judging.episode import default_step_budget, play
 from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
-from allworlds.protocol import (
-    Ambiguous,
-    Checkpoint,
-    Choices,
-    Drop,
-    Estimate,
-    ExplorerFault,
-    Move,
-    Percept,
-    Pick,
-)
+from allworlds.protocol.actions import Drop, Move, Percept, Pick
+from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
+from allworlds.protocol.choices import Choices
+from allworlds.protocol.faults import ExplorerFault
 from allworlds.protocol.playing import MOST_DARTS
 from allworlds.world import Directional, World
 from small import EDGE, PATH

@@ -6,10 +6,13 @@ import pytest
 
 import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
-from allworlds.inputs import InputError
-from allworlds.judging import PRECEDENCE, Finding, explain
-from allworlds.protocol import Percept, Transcript
+from allworlds.document.struct import replace
+from allworlds.inputs.checks import InputError
+from allworlds.judging.explanations.explanation import explain
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.laws.law_table import PRECEDENCE
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.transcript import Transcript
 
 # One mutant is first wrong in a world with four edges.
 MUTANTS = [m.name for m in WRONG_EXPLORERS if m.name != "confirmed-too-early"]

@@ -3,13 +3,13 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.document import replace
-from allworlds.inputs import InputError
-from allworlds.judging import Finding, canonical_world, place_of
+from allworlds.document.struct import replace
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.maps import named_map
-from allworlds.studies.check import check
+from allworlds.studies.check.exhaustive import check
 from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run.single import run
 from allworlds.world import Directional, World, worlds
 from processes import PATIENCE
 
@@ -21,7 +21,7 @@ def lazy(first):
 
 
 def algorithm(first):
-    from allworlds.explorers import algorithm1
+    from allworlds.explorers.builtin.algorithm1 import algorithm1
 
     return (yield from algorithm1(first))
 

@@ -3,12 +3,13 @@ from random import Random
 
 import pytest
 
-from allworlds.explorers import algorithm1
-from allworlds.judging import fold
-from allworlds.judging.laws.folding import Contradiction, Folded
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.judging.laws.folding import Contradiction, Folded, fold
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
 from allworlds.maps.build import cycle
-from allworlds.protocol import Checkpoint, Drop, Move, Percept, Pick, Transcript
+from allworlds.protocol.actions import Drop, Move, Percept, Pick
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.transcript import Transcript
 from allworlds.world import Directional, World
 from small import stepped
 

@@ -4,11 +4,13 @@ from random import Random
 
 import pytest
 
-from allworlds.document import replace
-from allworlds.judging import Case, Violation
+from allworlds.document.struct import replace
+from allworlds.judging.laws.case import Case, Violation
 from allworlds.judging.laws.invariants import invariant_1, invariant_2, variant
 from allworlds.maps import rooted_maps
-from allworlds.protocol import Checkpoint, Drop, Estimate, Move, Percept, Transcript
+from allworlds.protocol.actions import Drop, Move, Percept
+from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.transcript import Transcript
 from allworlds.world import Directional, World
 from finished import finished
 from small import EDGE, LOLLIPOP, LOOP

@@ -1,9 +1,20 @@
 import pytest
 
-from allworlds.judging import LAWS, PRECEDENCE, Case, Violation, judge
-from allworlds.judging.laws.law_table import Setting, bound_law, folding_law, map_law, pose_law
+from allworlds.judging.laws.case import Case, Violation
+from allworlds.judging.laws.law_table import (
+    LAWS,
+    PRECEDENCE,
+    Setting,
+    bound_law,
+    folding_law,
+    judge,
+    map_law,
+    pose_law,
+)
 from allworlds.maps import CombinatorialMap, rooted_maps
-from allworlds.protocol import Drop, Estimate, Move, Percept, Transcript
+from allworlds.protocol.actions import Drop, Move, Percept
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.transcript import Transcript
 from allworlds.world import Directional, World
 from finished import finished
 from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS, stepped

@@ -6,7 +6,7 @@ import pytest
 import matrix
 from allworlds.corpus import explorers
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
-from allworlds.judging import LAWS, PRECEDENCE
+from allworlds.judging.laws.law_table import LAWS, PRECEDENCE
 from errands import WEAK_TASK_JUDGES
 from judges import WEAK_JUDGES
 from matrix import mutants, survivors

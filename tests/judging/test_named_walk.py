@@ -1,8 +1,9 @@
 """The walk as a log tells it: the edges that it discovers."""
 
 from allworlds import Move
-from allworlds.judging import Walked
-from allworlds.protocol import Drop, Pick, Transcript
+from allworlds.judging.explanations.story import Walked
+from allworlds.protocol.actions import Drop, Pick
+from allworlds.protocol.transcript import Transcript
 from allworlds.world import world_named
 
 

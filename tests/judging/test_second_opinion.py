@@ -4,8 +4,7 @@ from itertools import permutations
 import networkx as nx
 import pytest
 
-from allworlds.judging import same_map
-from allworlds.judging.laws.second_opinion import same_pose, verdict
+from allworlds.judging.laws.second_opinion import same_map, same_pose, verdict
 from allworlds.maps import CombinatorialMap, InvalidMap
 
 

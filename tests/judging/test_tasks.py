@@ -2,11 +2,13 @@
 
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.judging import Rules, Task
+from allworlds.inputs.checks import InputError
 from allworlds.judging.endings import Answered, Over, Said
-from allworlds.judging.tasks import TASKS, task_named
-from allworlds.protocol import Estimate, Move, Transcript
+from allworlds.judging.findings.rules import Rules
+from allworlds.judging.tasks import TASKS, Task, task_named
+from allworlds.protocol.actions import Move
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.transcript import Transcript
 from allworlds.world import Nothing, State, World
 from small import EDGE, LOLLIPOP, LOOP, PATH, TORUS, TRIANGLE, all_maps
 

@@ -4,10 +4,13 @@ import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import tuples
 
-from allworlds.explorers import algorithm1
-from allworlds.judging import Case, play
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.judging.episode import play
+from allworlds.judging.laws.case import Case
 from allworlds.judging.laws.law_table import bound_law
-from allworlds.protocol import Checkpoint, Choices, Estimate, Move
+from allworlds.protocol.actions import Move
+from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.choices import Choices
 from allworlds.strategies import choices, maps, motions, worlds
 from allworlds.world import World
 from judges import retracing_not_counted

@@ -14,8 +14,11 @@ from hypothesis.stateful import (
 )
 from hypothesis.strategies import integers, sampled_from
 
-from allworlds.judging import Answered, play
-from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Pick
+from allworlds.judging.endings import Answered
+from allworlds.judging.episode import play
+from allworlds.protocol.actions import Drop, Move, Pick
+from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.choices import Choices
 from allworlds.strategies import maps, worlds
 
 STATEFUL = settings(max_examples=120, stateful_step_count=30)

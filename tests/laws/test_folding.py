@@ -6,12 +6,16 @@ from hypothesis import find, given, settings
 from hypothesis.strategies import integers, tuples
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
-from allworlds.explorers import algorithm1
-from allworlds.judging import Case, fold, play
-from allworlds.judging.laws.folding import Contradiction
+from allworlds.document.struct import replace
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.judging.episode import play
+from allworlds.judging.laws.case import Case
+from allworlds.judging.laws.folding import Contradiction, fold
 from allworlds.maps import CombinatorialMap, rooted_code
-from allworlds.protocol import Choices, Estimate, Move, Transcript
+from allworlds.protocol.actions import Move
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.choices import Choices
+from allworlds.protocol.transcript import Transcript
 from allworlds.strategies import choices, maps, motions, worlds
 
 LONG = 3000

@@ -7,10 +7,12 @@ import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import composite, data, integers, permutations, sampled_from
 
-from allworlds.judging import Case
+from allworlds.judging.laws.case import Case
 from allworlds.judging.laws.second_opinion import verdict
 from allworlds.maps import MapClass, bruteforce, isomorphism, moved, rooted_code, rooted_maps
-from allworlds.protocol import Estimate, Percept, Transcript
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.transcript import Transcript
 from allworlds.strategies import maps
 from enumerators import BROKEN_ENUMERATORS
 

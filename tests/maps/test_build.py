@@ -7,17 +7,15 @@ import pytest
 from allworlds.maps import (
     CombinatorialMap,
     InvalidMap,
-    Mismatch,
     automorphisms,
-    dense,
     from_cycles,
     from_rotation,
     isomorphism,
-    lattice,
     named_map,
     named_maps,
 )
-from allworlds.maps.build import cycle
+from allworlds.maps.build import cycle, dense, lattice
+from allworlds.maps.canonical import Mismatch
 
 # Vertices, edges and face lengths of well-known embedded graphs: the Platonic solids K4 and
 # cube and the wheels from any textbook; the others counted by hand with Euler's formula.

@@ -6,22 +6,18 @@ from hypothesis import assume, given, strategies as st
 
 from allworlds.maps import (
     CombinatorialMap,
-    Mismatch,
     automorphisms,
     bruteforce,
-    carries,
-    dense,
     from_cycles,
     from_rotation,
     isomorphism,
-    lattice,
     named_map,
-    numbering,
     rooted_code,
     rooted_isomorphism,
     unrooted_code,
 )
-from allworlds.maps.build import cycle
+from allworlds.maps.build import cycle, dense, lattice
+from allworlds.maps.canonical import Mismatch, carries, numbering
 from small import LOOP, joined, maps
 
 CLASSES = ["maps", "simple", "planar", "planar-simple"]

@@ -1,8 +1,9 @@
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.maps import Extent, MapClass, bruteforce, dense, named_map
-from allworlds.maps.build import cycle
+from allworlds.inputs.checks import InputError
+from allworlds.maps import MapClass, bruteforce, named_map
+from allworlds.maps.build import cycle, dense
+from allworlds.maps.classes import Extent
 
 SIMPLE = [MapClass.SIMPLE, MapClass.PLANAR_SIMPLE]
 NOT_SIMPLE = [MapClass.MAPS, MapClass.PLANAR]

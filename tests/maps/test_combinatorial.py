@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from allworlds.inputs import InputError, integer
-from allworlds.maps import CombinatorialMap, InvalidMap, cycles
+from allworlds.inputs.checks import InputError, integer
+from allworlds.maps import CombinatorialMap, InvalidMap
+from allworlds.maps.combinatorial import cycles
 from small import EDGE, LOOP, joined, labelled_pairs, maps
 
 HUGE = 10**5000  # more digits than Python turns into text by default

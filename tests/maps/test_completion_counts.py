@@ -2,9 +2,11 @@
 
 import pytest
 
-from allworlds.engines import LevelUnit, Shard, level_size
-from allworlds.engines.units import units_of_level
-from allworlds.maps import Extent, Gluing, MapClass, completions, prefixes, rooted_maps
+from allworlds.engines.units import LevelUnit, Shard, level_size, units_of_level
+from allworlds.maps import MapClass, rooted_maps
+from allworlds.maps.classes import Extent
+from allworlds.maps.count_source import completions
+from allworlds.maps.enumeration import Gluing, prefixes
 
 
 @pytest.mark.no_cover

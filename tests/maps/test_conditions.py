@@ -3,21 +3,13 @@
 import networkx as nx
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.maps import (
-    AND,
-    CONDITIONS,
-    AllOf,
-    Extent,
-    MapClass,
-    condition_named,
-    girth,
-    prefixes,
-    rooted_code,
-    rooted_maps,
-    source_of,
-)
+from allworlds.inputs.checks import InputError
+from allworlds.maps import MapClass, girth, rooted_code, rooted_maps
 from allworlds.maps.bruteforce import rooted_maps_by_permutations
+from allworlds.maps.classes import Extent
+from allworlds.maps.conditions import AND, CONDITIONS, AllOf, condition_named
+from allworlds.maps.count_source import source_of
+from allworlds.maps.enumeration import prefixes
 from small import all_maps, long, slow
 
 NAMES = [

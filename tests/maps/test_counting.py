@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.maps import counting, source_for
+from allworlds.maps import counting
 from allworlds.maps.counting import arithmetic, atlas
 from allworlds.maps.counting.any_genus import (
     catalan,
@@ -20,6 +20,7 @@ from allworlds.maps.counting.atlas import ROTATIONS_LIMIT, rooted_planar_simple,
 from allworlds.maps.counting.sources import (
     rooted_planar_simple_by_substitution,
     rooted_simple_by_degrees,
+    source_for,
     sources,
 )
 

@@ -5,21 +5,20 @@ from math import factorial, gcd
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.maps import (
     CombinatorialMap,
     Quotient,
     class_size,
-    cycles,
     is_ambiguous,
     named_map,
-    pose_count,
     rooted_code,
     rooted_maps,
 )
 from allworlds.maps.build import cycle
-from allworlds.maps.criterion import _uniform
-from allworlds.protocol import Percept
+from allworlds.maps.combinatorial import cycles
+from allworlds.maps.criterion import _uniform, pose_count
+from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity import class_of, projection_of
 from allworlds.studies.ambiguity.members import (
     is_least_rooting,

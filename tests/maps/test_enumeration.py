@@ -6,17 +6,16 @@ import pytest
 
 from allworlds.maps import (
     CombinatorialMap,
-    Extent,
-    Gluing,
     MapClass,
     automorphisms,
     bruteforce,
-    prefixes,
     rooted_code,
     rooted_maps,
-    source_for,
     unrooted_code,
 )
+from allworlds.maps.classes import Extent
+from allworlds.maps.counting.sources import source_for
+from allworlds.maps.enumeration import Gluing, prefixes
 from small import slow
 
 LEVELS = [(map_class, edges) for map_class in MapClass for edges in (1, 2, 3, 4)]

@@ -4,8 +4,9 @@ from random import Random
 
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.maps import family, lattice, random_map, rooted_code
+from allworlds.inputs.checks import InputError
+from allworlds.maps import family, random_map, rooted_code
+from allworlds.maps.build import lattice
 from allworlds.maps.families import FAMILIES
 
 

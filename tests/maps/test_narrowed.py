@@ -4,7 +4,8 @@ from math import comb, factorial, prod
 
 import pytest
 
-from allworlds.maps import MapClass, condition_named, rooted_maps
+from allworlds.maps import MapClass, rooted_maps
+from allworlds.maps.conditions import condition_named
 from allworlds.maps.counting.any_genus import catalan
 from allworlds.maps.counting.arithmetic import vertex_counts
 from allworlds.maps.counting.narrowed import source_under, sources_under

@@ -11,12 +11,12 @@ from allworlds.maps import (
     from_networkx,
     from_rotation,
     isomorphism,
-    lattice,
     named_map,
     networks,
-    rooted_maps_by_permutations,
     to_networkx,
 )
+from allworlds.maps.bruteforce import rooted_maps_by_permutations
+from allworlds.maps.build import lattice
 from allworlds.maps.networks import from_planar_embedding
 from allworlds.maps.surgery import deleted
 from allworlds.world import Directional, InvalidWorld, World

@@ -4,11 +4,9 @@ from random import Random
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.maps import (
     CombinatorialMap,
-    classes_of_union,
-    lattice,
     named_map,
     project,
     random_map,
@@ -16,8 +14,8 @@ from allworlds.maps import (
     rooted_code,
     rooted_maps,
 )
-from allworlds.maps.build import cycle
-from allworlds.maps.quotient import coarsest_partition
+from allworlds.maps.build import cycle, lattice
+from allworlds.maps.quotient import classes_of_union, coarsest_partition
 
 
 def moore(labels, permutations):

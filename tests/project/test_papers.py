@@ -47,7 +47,7 @@ def test_a_paper_imports_public_names_alone(path):
     "line",
     [
         "import allworlds.engines",
-        "from allworlds.judging import paper_bound",
+        "from allworlds.judging.laws.bounds import paper_bound",
         "from allworlds.maps import no_such_name",
     ],
 )

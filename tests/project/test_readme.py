@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.explorers import BUILT_IN
-from allworlds.judging import PRECEDENCE
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.judging.laws.law_table import PRECEDENCE
 from page_blocks import blocks
 
 ROOT = Path(__file__).parents[2]

@@ -14,40 +14,43 @@ import pytest
 import allworlds
 from allworlds import reports, strategies
 from allworlds.cli.app import command_line
-from allworlds.document import Report, replace, taken
-from allworlds.engines import (
-    ENGINES,
-    Sample,
-    Scope,
-    engine_table as engines,
-)
+from allworlds.document.reading import taken
+from allworlds.document.report import Report
+from allworlds.document.struct import replace
+from allworlds.engines.engine_table import ENGINES, engine_for
 from allworlds.engines.kernel.capabilities import CHECKED
-from allworlds.explorers import BUILT_IN, LANGUAGES, builtin as explorers, load
-from allworlds.inputs import InputError, fields_of
-from allworlds.judging import LAWS, PRECEDENCE, AskedRules, RecordedRules, Rules, bound_named
+from allworlds.engines.scope import Sample, Scope
+from allworlds.explorers import builtin as explorers
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.explorers.loading import load
+from allworlds.explorers.skeletons.languages import LANGUAGES
+from allworlds.inputs.checks import InputError
+from allworlds.inputs.requests import fields_of
 from allworlds.judging.explanations.by_law import TELLERS
+from allworlds.judging.findings.rules import AskedRules, RecordedRules, Rules
+from allworlds.judging.laws.bounds import bound_named
+from allworlds.judging.laws.law_table import LAWS, PRECEDENCE
 from allworlds.judging.tasks import task_named
 from allworlds.lazy import loaded
-from allworlds.maps import (
-    Extent,
-    MapClass,
-    classes,
-    rooted_maps,
-    rooted_maps_by_permutations as all_rooted_maps,
-)
+from allworlds.maps import MapClass, classes, rooted_maps
+from allworlds.maps.bruteforce import rooted_maps_by_permutations as all_rooted_maps
+from allworlds.maps.classes import Extent
 from allworlds.maps.counting.sources import sources
 from allworlds.maps.families import FAMILIES
 from allworlds.outcome import Exit, Facts, Verdict
-from allworlds.protocol import POLICIES, SEEDED, Schedule
-from allworlds.reports import FORMATS, formats_of, schemas, text
+from allworlds.protocol.choices import POLICIES, SEEDED, Schedule
+from allworlds.reports import schemas
+from allworlds.reports.format_table import FORMATS, formats_of
+from allworlds.reports.rendering import text
 from allworlds.studies.ambiguity.smt.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growing_families import GROWING
 from allworlds.studies.fuzz.sample import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, VERBS
-from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses, place_keys
+from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses
 from allworlds.world.lighthouses.kinds import lighthouse_from_json
+from allworlds.world.lighthouses.options import place_keys
 from judges import WEAK_JUDGES
 from recorded.record import COMMANDS, LEAST
 
@@ -301,10 +304,10 @@ def test_the_compiled_engine_checks_no_law_that_is_none():
 
 def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monkeypatch):
     scope = Scope(Extent(MapClass.MAPS, 6), Rules())
-    assert engines.engine_for("auto", scope, load("algorithm1")).name == "kernel"
+    assert engine_for("auto", scope, load("algorithm1")).name == "kernel"
     monkeypatch.setattr("allworlds.engines.obstacles.CHECKED", CHECKED - {"map"})
     assert "law 'map'" in ENGINES["kernel"].obstacle(scope, load("algorithm1"))
-    assert engines.engine_for("auto", scope, load("algorithm1")).name == "python"
+    assert engine_for("auto", scope, load("algorithm1")).name == "python"
 
 
 # ---------------------------------------------------------------- classes of maps
@@ -322,9 +325,9 @@ def trees(monkeypatch):
 
 def test_a_class_that_the_compiled_engine_does_not_know_is_left_to_the_other(trees):
     simple, other = (Scope(Extent(known, 6), Rules()) for known in (MapClass.SIMPLE, trees))
-    assert engines.engine_for("auto", simple, load("algorithm1")).name == "kernel"
+    assert engine_for("auto", simple, load("algorithm1")).name == "kernel"
     assert "class planar" in ENGINES["kernel"].obstacle(other, load("algorithm1"))
-    assert engines.engine_for("auto", other, load("algorithm1")).name == "python"
+    assert engine_for("auto", other, load("algorithm1")).name == "python"
 
 
 def test_a_class_that_the_search_over_schedules_does_not_know_is_refused(trees):

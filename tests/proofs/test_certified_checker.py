@@ -5,9 +5,9 @@ import sys
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.outcome import Stopped
-from allworlds.studies.check import check
+from allworlds.studies.check.exhaustive import check
 
 
 @pytest.fixture

@@ -4,7 +4,8 @@ import importlib
 
 import pytest
 
-from allworlds.explorers import Shield, Subject
+from allworlds.explorers.builtin.shield import Shield
+from allworlds.explorers.subject import Subject
 
 
 @pytest.fixture

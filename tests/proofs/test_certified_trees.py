@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.explorers import algorithm1, built_in, in_process_subject
-from allworlds.protocol import Choices, policy_named
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers.subject import built_in, in_process_subject
+from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import worlds
 
 COQ = Path(__file__).parents[2] / "proofs" / "coq"
@@ -140,7 +141,7 @@ def test_a_program_without_an_answer_is_written_down_as_far_as_it_goes(written):
 
 UNRULY = """
 import os, time
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 begun = []
 

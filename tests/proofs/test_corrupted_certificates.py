@@ -15,9 +15,10 @@ from pathlib import Path
 import pytest
 
 from allworlds import check
-from allworlds.explorers import load
+from allworlds.explorers.loading import load
 from allworlds.maps import CombinatorialMap, rooted_code
-from allworlds.protocol import Estimate, Move
+from allworlds.protocol.actions import Move
+from allworlds.protocol.answers import Estimate
 
 COQ = Path(__file__).parents[2] / "proofs" / "coq"
 EDGES = 2

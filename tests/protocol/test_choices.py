@@ -3,8 +3,8 @@ from itertools import product
 import pytest
 from hypothesis import given, strategies as st
 
-from allworlds.inputs import InputError
-from allworlds.protocol import KINDS, Choices, policy_named
+from allworlds.inputs.checks import InputError
+from allworlds.protocol.choices import KINDS, Choices, policy_named
 from schedules import schedules
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:7"]

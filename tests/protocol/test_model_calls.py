@@ -4,8 +4,8 @@ import os
 
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.protocol import tried
+from allworlds.inputs.checks import InputError
+from allworlds.protocol.importing import tried
 
 
 def test_a_model_cannot_end_the_process_and_a_process_that_it_has_forked_can_end():

@@ -18,8 +18,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from allworlds.studies.check import check
-from allworlds.world import own_corpus
+from allworlds.studies.check.exhaustive import check
+from allworlds.world.corpus import own_corpus
 
 HERE = Path(__file__).parent
 FINDINGS = own_corpus().directory / "findings"

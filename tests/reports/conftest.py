@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds.studies.check import check
+from allworlds.studies.check.exhaustive import check
 
 STAR = """\
 from allworlds import CombinatorialMap, Estimate, Move

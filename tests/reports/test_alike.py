@@ -4,8 +4,8 @@ import pytest
 
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, isomorphism, named_map
-from allworlds.reports import layout
 from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
+from allworlds.reports.drawing.layout import layout
 
 MAPS = [named_map(name) for name in ("k4", "theta", "theta-torus", "wheel-4", "k4-torus")]
 

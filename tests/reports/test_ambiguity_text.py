@@ -1,8 +1,8 @@
 import pytest
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.maps import named_map
-from allworlds.reports import text as text_of
+from allworlds.reports.rendering import text as text_of
 from allworlds.studies.ambiguity import census, class_of, twins
 from allworlds.world import Position, World
 

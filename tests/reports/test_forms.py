@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from allworlds import reports
-from allworlds.document import replace
-from allworlds.reports import FORMATS, file_of, formats, formats_of
-from allworlds.reports.format_table import all_formats
+from allworlds.document.struct import replace
+from allworlds.reports import formats
+from allworlds.reports.format_table import FORMATS, all_formats, file_of, formats_of
 from allworlds.reports.formats.csv import csv_rows
 from allworlds.reports.plain_text import brief, text
 from allworlds.reports.rows import CsvRows
@@ -123,7 +123,7 @@ def test_a_form_knows_no_verb_and_no_verbs_result(form):
 def test_that_no_form_knows_a_verb_can_fail(tmp_path):
     for source in (
         'x = "check"\n',
-        "from allworlds.studies.check import CheckReport\n",
+        "from allworlds.studies.check.report import CheckReport\n",
         "from allworlds.verbs import BY_NAME\n",
     ):
         form = tmp_path / "form.py"

@@ -7,11 +7,13 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
-from allworlds.reports import file_of, finding_in_words as finding_text
-from allworlds.studies.check import GateCell, check
-from allworlds.studies.fuzz import fuzz
+from allworlds.reports.format_table import file_of
+from allworlds.reports.rendering import finding_in_words as finding_text
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.check.report import GateCell
+from allworlds.studies.fuzz.drive import fuzz
 
 
 def junit(report):

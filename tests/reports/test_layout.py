@@ -3,9 +3,10 @@
 import pytest
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.reports import table, text
-from allworlds.studies.check import check
-from allworlds.studies.run import run
+from allworlds.reports.rendering import text
+from allworlds.reports.text_layout import table
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.run.single import run
 
 HEADER = ["edges", "vertices", "worlds", "does"]
 ROWS = [["1", "2", "1,000", "everything there is"], ["2", "10", "7", ""]]

@@ -4,9 +4,10 @@ from typing import Annotated
 
 import pytest
 
-from allworlds.document import Document, Natural, Report, about
+from allworlds.document.report import Report
+from allworlds.document.struct import Document, Natural, about
 from allworlds.outcome import Verdict
-from allworlds.reports import FORMATS
+from allworlds.reports.format_table import FORMATS
 from allworlds.reports.plain_text import brief, text
 from allworlds.reports.tellings.plain import plain_telling
 from allworlds.verbs import ROWS

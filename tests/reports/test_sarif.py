@@ -9,11 +9,13 @@ from pathlib import Path
 import pytest
 from jsonschema import Draft7Validator
 
-from allworlds.document import replace
-from allworlds.judging import ASKED, PRECEDENCE, Finding
+from allworlds.document.struct import replace
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.laws.law_table import ASKED, PRECEDENCE
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
-from allworlds.reports import file_of, finding_in_words as finding_text
-from allworlds.studies.check import check
+from allworlds.reports.format_table import file_of
+from allworlds.reports.rendering import finding_in_words as finding_text
+from allworlds.studies.check.exhaustive import check
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 

@@ -5,9 +5,8 @@ import re
 import pytest
 
 from allworlds.maps import named_map, rooted_maps
-from allworlds.protocol import Percept
-from allworlds.reports import scene_of
-from allworlds.reports.drawing.scene import Scene
+from allworlds.protocol.actions import Percept
+from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.drawing.svg import in_words, picture
 from allworlds.reports.drawing.text import draw
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, World

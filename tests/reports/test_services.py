@@ -4,10 +4,11 @@ import re
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.outcome import Completed, Interrupted, Stopped
-from allworlds.reports import file_of, finding_in_words as finding_text, formats_of
-from allworlds.studies.check import check
+from allworlds.reports.format_table import file_of, formats_of
+from allworlds.reports.rendering import finding_in_words as finding_text
+from allworlds.studies.check.exhaustive import check
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 

@@ -10,7 +10,8 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from allworlds import worlds
-from allworlds.maps import CombinatorialMap, cycles, family, named_map
+from allworlds.maps import CombinatorialMap, family, named_map
+from allworlds.maps.combinatorial import cycles
 from allworlds.reports.drawing.planar import mesh, place, planar
 from allworlds.reports.drawing.scene import Names, Scene
 from allworlds.reports.drawing.svg import in_words, picture

@@ -4,14 +4,8 @@ import re
 
 import pytest
 
-from allworlds.maps import (
-    CombinatorialMap,
-    InvalidMap,
-    from_cycles,
-    lattice,
-    named_map,
-    rooted_code,
-)
+from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, named_map, rooted_code
+from allworlds.maps.build import lattice
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.text import draw, rotation_table
 from small import long

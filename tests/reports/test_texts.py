@@ -3,14 +3,14 @@ import sys
 import pytest
 from msgspec import structs
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.maps import named_map
-from allworlds.reports import brief, finding_in_words as finding_text, text as text_of
-from allworlds.studies.check import check
+from allworlds.reports.rendering import brief, finding_in_words as finding_text, text as text_of
+from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run.single import run
 from allworlds.world import Directional, World
 
 pytestmark = pytest.mark.usefixtures("without_workers")
@@ -33,7 +33,7 @@ def count_text(census, width):
 
 
 def lazy(first):
-    from allworlds.explorers import algorithm1
+    from allworlds.explorers.builtin.algorithm1 import algorithm1
 
     answer = yield from algorithm1(first)
     return answer if first.degree != 2 else None

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import allworlds
 from allworlds import engines, judging, maps, world
-from allworlds.studies.compare import CompareRequest
+from allworlds.studies.compare.compare_request import CompareRequest
 
 MODULE = Path(allworlds.__file__).parent / "studies" / "compare" / "compare_keywords.py"
 

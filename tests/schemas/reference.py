@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from allworlds.explorers import BUILT_IN
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.reports.schemas import NAMES, pages, schemas
 from allworlds.verbs import VERBS
 from allworlds.world.lighthouses.kinds import lighthouse_named

@@ -6,20 +6,10 @@ from inspect import getsource
 from typing import Annotated
 
 import pytest
+from msgspec import UNSET, UnsetType
 
 import allworlds
-from allworlds.document import (
-    UNSET,
-    Aside,
-    Document,
-    IfAny,
-    Natural,
-    Some,
-    UnsetType,
-    about,
-    computed,
-    key,
-)
+from allworlds.document.struct import Aside, Document, IfAny, Natural, Some, about, computed, key
 from allworlds.maps import MapClass
 from allworlds.outcome import Verdict
 from allworlds.reports.schemas import main, schema_of, schemas

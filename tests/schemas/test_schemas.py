@@ -11,25 +11,26 @@ from jsonschema import Draft202012Validator
 
 from allworlds import Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
-from allworlds.judging import explain
+from allworlds.document.struct import replace
+from allworlds.judging.explanations.explanation import explain
 from allworlds.maps import named_map
 from allworlds.outcome import Interrupted
 from allworlds.studies.ambiguity import census, class_of, search, twins
-from allworlds.studies.check import check
-from allworlds.studies.compare import compare
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.compare.contest import compare
 from allworlds.studies.count import count
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.init import init
-from allworlds.studies.ledger import ledger
+from allworlds.studies.ledger.checked_claims import ledger
 from allworlds.studies.merge import merge
 from allworlds.studies.play import play
 from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run.single import run
 from allworlds.studies.status import status
-from allworlds.studies.worst import worst
+from allworlds.studies.worst.all_worlds import worst
 from allworlds.verbs import VERBS
-from allworlds.world import LIGHTHOUSES, Directional, Position, World, own_corpus, worlds
+from allworlds.world import LIGHTHOUSES, Directional, Position, World, worlds
+from allworlds.world.corpus import own_corpus
 from recorded.record import least
 from schemas.rules import RULES, broken
 from schemas.validating import SCHEMAS, complaints

@@ -1,7 +1,7 @@
 import pytest
 
-from allworlds.explorers import algorithm1
-from allworlds.protocol import Estimate
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.protocol.answers import Estimate
 
 
 @pytest.fixture(scope="session")
@@ -28,8 +28,8 @@ def planted_file(tmp_path):
     def write(edges, degree):
         path = tmp_path / "planted.py"
         path.write_text(
-            "from allworlds.explorers import algorithm1\n"
-            "from allworlds.protocol import Estimate\n"
+            "from allworlds.explorers.builtin.algorithm1 import algorithm1\n"
+            "from allworlds.protocol.answers import Estimate\n"
             "def explore(first, *, choices):\n"
             "    right = yield from algorithm1(first, choices=choices)\n"
             "    map_ = right.map\n"

@@ -3,16 +3,17 @@
 import pytest
 
 from allworlds import check, run
-from allworlds.document import replace
-from allworlds.engines import Examiner
-from allworlds.explorers import load
-from allworlds.inputs import InputError
-from allworlds.judging import Rules
+from allworlds.document.struct import replace
+from allworlds.engines.examiner import Examiner
+from allworlds.explorers.loading import load
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.counting.any_genus import rooted_maps as counted
-from allworlds.reports import text
-from allworlds.studies.worst import EverySchedule, all_worlds, compiled_engine, worst
-from allworlds.studies.worst.every_schedule import WrongTest
+from allworlds.reports.rendering import text
+from allworlds.studies.worst import all_worlds, compiled_engine
+from allworlds.studies.worst.all_worlds import worst
+from allworlds.studies.worst.every_schedule import EverySchedule, WrongTest
 from allworlds.world import Directional, World
 from schedules import schedules
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 import allworlds
-from allworlds.judging import Finding
-from allworlds.reports import text
+from allworlds.judging.findings.finding import Finding
+from allworlds.reports.rendering import text
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Directional, Position, World
 from small import EDGE, PLANE, TORUS

@@ -3,12 +3,12 @@
 import pytest
 
 from allworlds import check, merge
-from allworlds.engines import Examiner
-from allworlds.explorers import load
-from allworlds.judging import Rules
+from allworlds.engines.examiner import Examiner
+from allworlds.explorers.loading import load
+from allworlds.judging.findings.rules import Rules
 from allworlds.maps import rooted_maps
-from allworlds.protocol import Move
-from allworlds.reports import text
+from allworlds.protocol.actions import Move
+from allworlds.reports.rendering import text
 from allworlds.world import Directional, World
 from native_libraries import example
 from schedules import schedules

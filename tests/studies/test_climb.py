@@ -11,28 +11,29 @@ from statistics import mean
 import pytest
 
 from allworlds import compare, run
-from allworlds.document import replace
-from allworlds.engines import SweptLevel, TimeIsUp, Unsettled
-from allworlds.explorers import algorithm1, load
-from allworlds.inputs import InputError
-from allworlds.judging import Rules
-from allworlds.maps import (
-    CombinatorialMap,
-    Extent,
-    MapClass,
-    edges_of,
-    rooted_code,
-    rooted_isomorphism,
-)
+from allworlds.document.struct import replace
+from allworlds.engines.effort import TimeIsUp
+from allworlds.engines.players import Unsettled
+from allworlds.engines.units import SweptLevel
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers.loading import load
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_isomorphism
+from allworlds.maps.classes import Extent
+from allworlds.maps.families import edges_of
 from allworlds.outcome import Completed, Interrupted
-from allworlds.protocol import Estimate, Move
-from allworlds.reports import file_of, text as text_of
-from allworlds.studies.compare import CompareRequest, GrowRow, Growth
+from allworlds.protocol.actions import Move
+from allworlds.protocol.answers import Estimate
+from allworlds.reports.format_table import file_of
+from allworlds.reports.rendering import text as text_of
 from allworlds.studies.compare.climb import GrowingWorlds
+from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.contestants import Contestant
 from allworlds.studies.compare.growing_families import GROWING, GrownWorld, distinct, members_of
-from allworlds.world import Directional, World, map_of_family
-from allworlds.world.named import map_of_code
+from allworlds.studies.compare.growth import GrowRow, Growth
+from allworlds.world import Directional, World
+from allworlds.world.named import map_of_code, map_of_family
 from kept_jobs import EXPLORERS
 
 

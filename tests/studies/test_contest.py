@@ -11,13 +11,15 @@ from statistics import geometric_mean
 import pytest
 
 from allworlds import check, compare, run
-from allworlds.document import replace
-from allworlds.engines import TimeIsUp, Unsettled
-from allworlds.inputs import InputError
+from allworlds.document.struct import replace
+from allworlds.engines.effort import TimeIsUp
+from allworlds.engines.players import Unsettled
+from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Interrupted
-from allworlds.protocol import Estimate
-from allworlds.reports import file_of, text as text_of
+from allworlds.protocol.answers import Estimate
+from allworlds.reports.format_table import file_of
+from allworlds.reports.rendering import text as text_of
 from allworlds.studies.compare.contest import SameWorlds
 from allworlds.world import Directional, World
 from kept_jobs import EXPLORERS

@@ -8,10 +8,11 @@ import pytest
 
 from allworlds import run
 from allworlds.cli.app import call
-from allworlds.explorers import BUILT_IN
-from allworlds.inputs import InputError
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.inputs.checks import InputError
 from allworlds.maps import named_map
-from allworlds.reports import game, text
+from allworlds.reports.play.page import game
+from allworlds.reports.rendering import text
 from allworlds.reports.tellings.played import LEAST, NAMES
 from allworlds.studies.play import LARGEST, Walker, play
 from allworlds.world import LIGHTHOUSES, Directional, World

@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps, unrooted_code
 from allworlds.studies.count import count
 

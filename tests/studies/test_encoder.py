@@ -1,7 +1,8 @@
 import pytest
 import z3
 
-from allworlds.maps import MapClass, rooted_maps_by_permutations as rooted_maps
+from allworlds.maps import MapClass
+from allworlds.maps.bruteforce import rooted_maps_by_permutations as rooted_maps
 from allworlds.studies.ambiguity.smt.formula import Formula
 from allworlds.studies.ambiguity.smt.one_world import Degrees, Size, one_world
 from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula

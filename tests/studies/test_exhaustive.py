@@ -8,22 +8,18 @@ from typing import ClassVar
 
 import pytest
 
-from allworlds.document import replace
-from allworlds.engines import Silent
-from allworlds.explorers import algorithm1
-from allworlds.inputs import InputError
-from allworlds.maps import (
-    CombinatorialMap,
-    MapClass,
-    rooted_code,
-    rooted_maps,
-    rooted_maps_by_permutations as every_rooted_map,
-)
+from allworlds.document.struct import replace
+from allworlds.engines.progress import Silent
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.inputs.checks import InputError
+from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
+from allworlds.maps.bruteforce import rooted_maps_by_permutations as every_rooted_map
 from allworlds.maps.counting.sources import CountSource
 from allworlds.outcome import Verdict
-from allworlds.protocol import Estimate, Move
+from allworlds.protocol.actions import Move
+from allworlds.protocol.answers import Estimate
 from allworlds.studies import check as checker
-from allworlds.studies.run import run
+from allworlds.studies.run.single import run
 from allworlds.world import Directional, World, worlds
 from small import long, slow
 

@@ -5,23 +5,23 @@ import json
 import pytest
 
 from allworlds import explain, replay
-from allworlds.document import replace
-from allworlds.engines import finding_from_record, finding_to_record
-from allworlds.judging import (
-    Finding,
+from allworlds.document.struct import replace
+from allworlds.engines.tally import finding_from_record, finding_to_record
+from allworlds.judging.explanations.explanation import (
     chiral_worlds,
     chirality_in,
     explain as told_of_run,
     needs_a_chiral_world,
 )
+from allworlds.judging.findings.finding import Finding
 from allworlds.maps import isomorphism
-from allworlds.studies.check import check
+from allworlds.studies.check.exhaustive import check
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
 SPOILED = """
 from allworlds import CombinatorialMap, Estimate, Move, Percept
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.maps import isomorphism
 
 

@@ -1,12 +1,13 @@
 import pytest
 
 from allworlds import merge
-from allworlds.engines import Silent, TimeIsUp
-from allworlds.inputs import InputError
-from allworlds.reports import file_of, text as text_of
+from allworlds.engines.effort import TimeIsUp
+from allworlds.engines.progress import Silent
+from allworlds.inputs.checks import InputError
+from allworlds.reports.format_table import file_of
+from allworlds.reports.rendering import text as text_of
 from allworlds.reports.tellings.check import scope_words, size_table
-from allworlds.studies.fuzz import fuzz
-from allworlds.studies.fuzz.drive import shrink
+from allworlds.studies.fuzz.drive import fuzz, shrink
 from small import slow
 
 

@@ -3,8 +3,9 @@
 import pytest
 
 import allworlds
-from allworlds.inputs import InputError
-from allworlds.reports import file_of, text
+from allworlds.inputs.checks import InputError
+from allworlds.reports.format_table import file_of
+from allworlds.reports.rendering import text
 
 WRONG = """
 from allworlds import Move

@@ -3,12 +3,11 @@
 import pytest
 
 from allworlds import run, worlds
-from allworlds.document import replace
-from allworlds.judging import true_trail
-from allworlds.protocol import Percept
-from allworlds.studies.check import check
-from allworlds.studies.run import hypotheses_in
-from allworlds.studies.run.hypotheses import TELLING
+from allworlds.document.struct import replace
+from allworlds.judging.findings.walks import true_trail
+from allworlds.protocol.actions import Percept
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.run.hypotheses import TELLING, hypotheses_in
 from small import slow
 
 LIGHTHOUSES = dict(zip(TELLING, ("directional", "cluster:single=true", "natural"), strict=True))

@@ -2,9 +2,9 @@ from collections import defaultdict
 
 import pytest
 
-from allworlds.document import replace
-from allworlds.engines import Silent
-from allworlds.inputs import InputError
+from allworlds.document.struct import replace
+from allworlds.engines.progress import Silent
+from allworlds.inputs.checks import InputError
 from allworlds.maps import bruteforce, rooted_maps
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import census

@@ -7,12 +7,13 @@ from pathlib import Path
 import pytest
 
 import allworlds
-from allworlds.inputs import InputError
-from allworlds.judging import Finding, true_walk
-from allworlds.judging.findings.walks import believed_percepts, trail_to
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.walks import believed_percepts, trail_to, true_walk
 from allworlds.maps import MapClass
-from allworlds.protocol import Drop, Move, Percept, Pick, Transcript
-from allworlds.reports import text
+from allworlds.protocol.actions import Drop, Move, Percept, Pick
+from allworlds.protocol.transcript import Transcript
+from allworlds.reports.rendering import text
 from allworlds.world import Movable, World
 from allworlds.world.lighthouses.everywhere import Labels
 from small import EDGE, LOLLIPOP, PATH

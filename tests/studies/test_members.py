@@ -1,15 +1,9 @@
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.maps import (
-    automorphisms,
-    class_size,
-    isomorphism,
-    lattice,
-    named_map,
-    pose_count,
-    rooted_maps,
-)
+from allworlds.inputs.checks import InputError
+from allworlds.maps import automorphisms, class_size, isomorphism, named_map, rooted_maps
+from allworlds.maps.build import lattice
+from allworlds.maps.criterion import pose_count
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import class_of, members, projection_of, twins
 from allworlds.studies.ambiguity.members import is_least_rooting

@@ -5,8 +5,9 @@ import json
 import pytest
 
 import allworlds
-from allworlds.engines import Gap, Silent
-from allworlds.inputs import InputError
+from allworlds.engines.progress import Silent
+from allworlds.engines.run_directory import Gap
+from allworlds.inputs.checks import InputError
 from kept_jobs import EXPLORERS, JOBS
 
 pytestmark = pytest.mark.usefixtures("compiled")

@@ -6,14 +6,16 @@ import shutil
 import pytest
 
 from allworlds import explain
-from allworlds.document import replace
-from allworlds.engines import finding_from_record, finding_to_record
-from allworlds.explorers import CONVENTIONS
-from allworlds.inputs import InputError
-from allworlds.judging import Finding, canonical_world, explain as told_of_run
-from allworlds.judging.explanations.explanation import MOST, trial_worlds
-from allworlds.maps import CombinatorialMap, Extent, MapClass, condition_named, rooted_maps
-from allworlds.studies.check import check
+from allworlds.document.struct import replace
+from allworlds.engines.tally import finding_from_record, finding_to_record
+from allworlds.explorers.translated import CONVENTIONS
+from allworlds.inputs.checks import InputError
+from allworlds.judging.explanations.explanation import MOST, explain as told_of_run, trial_worlds
+from allworlds.judging.findings.finding import Finding, canonical_world
+from allworlds.maps import CombinatorialMap, MapClass, rooted_maps
+from allworlds.maps.classes import Extent
+from allworlds.maps.conditions import condition_named
+from allworlds.studies.check.exhaustive import check
 from allworlds.world import World
 from native_libraries import EXAMPLES
 
@@ -21,7 +23,7 @@ pytestmark = pytest.mark.usefixtures("without_workers")
 
 MISREADING = """
 from allworlds import Estimate, Move, Percept
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def reading(motion, bearing):

@@ -2,13 +2,17 @@
 
 import pytest
 
-from allworlds.engines import AtRun, Examiner, Row
+from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel.engine import judge, reached_in, walk
 from allworlds.engines.questions import level_of
-from allworlds.explorers import load
-from allworlds.judging import Rules
-from allworlds.maps import Extent, MapClass, prefixes, rooted_code, rooted_maps
-from allworlds.studies.check import check, most_expensive_runs
+from allworlds.engines.tally import AtRun, Row
+from allworlds.explorers.loading import load
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass, rooted_code, rooted_maps
+from allworlds.maps.classes import Extent
+from allworlds.maps.enumeration import prefixes
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.check.report import most_expensive_runs
 from allworlds.world import World
 
 

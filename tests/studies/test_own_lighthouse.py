@@ -5,13 +5,13 @@ import json
 import pytest
 
 import allworlds
-from allworlds.inputs import InputError
-from allworlds.judging import Finding
-from allworlds.reports import text
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.finding import Finding
+from allworlds.reports.rendering import text
 from models import PARITY
 
 EXPLORER = """
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first, *, choices):

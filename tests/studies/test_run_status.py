@@ -3,7 +3,7 @@
 import pytest
 
 import allworlds
-from allworlds.engines import Silent
+from allworlds.engines.progress import Silent
 from allworlds.studies.status import DoneOf
 from kept_jobs import EXPLORERS
 

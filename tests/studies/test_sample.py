@@ -3,9 +3,11 @@ from random import Random
 
 import pytest
 
-from allworlds.engines import Sample, Shard
-from allworlds.inputs import InputError
-from allworlds.maps import CombinatorialMap, Extent, MapClass, random_map, rooted_code, rooted_maps
+from allworlds.engines.scope import Sample
+from allworlds.engines.units import Shard
+from allworlds.inputs.checks import InputError
+from allworlds.maps import CombinatorialMap, MapClass, random_map, rooted_code, rooted_maps
+from allworlds.maps.classes import Extent
 from allworlds.studies.fuzz.sample import GENERATORS, batches
 from allworlds.world import Directional
 

@@ -3,10 +3,10 @@
 import pytest
 
 from allworlds import ambiguity, check, compare, count, fuzz
-from allworlds.inputs import in_scope
-from allworlds.judging import AskedRules
+from allworlds.inputs.requests import in_scope
+from allworlds.judging.findings.rules import AskedRules
 from allworlds.lazy import loaded
-from allworlds.reports import text
+from allworlds.reports.rendering import text
 from allworlds.verbs import VERBS
 from allworlds.world.lighthouses.kinds import lighthouse_named
 

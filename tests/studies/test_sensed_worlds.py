@@ -3,8 +3,8 @@
 import pytest
 
 import allworlds
-from allworlds.inputs import InputError
-from allworlds.reports import text
+from allworlds.inputs.checks import InputError
+from allworlds.reports.rendering import text
 from allworlds.world import worlds
 from models import HEARD, PARITY
 from small import slow

@@ -1,13 +1,13 @@
 import pytest
 
 import allworlds
-from allworlds.document import replace
-from allworlds.engines import Scope
-from allworlds.judging import Rules
-from allworlds.maps import Extent, MapClass, contracted, deleted, rooted_code
-from allworlds.protocol import Estimate
-from allworlds.studies.fuzz import fuzz
-from allworlds.studies.fuzz.drive import shrink
+from allworlds.document.struct import replace
+from allworlds.engines.scope import Scope
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass, contracted, deleted, rooted_code
+from allworlds.maps.classes import Extent
+from allworlds.protocol.answers import Estimate
+from allworlds.studies.fuzz.drive import fuzz, shrink
 from allworlds.world import Directional, World
 from small import long
 

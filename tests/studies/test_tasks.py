@@ -6,10 +6,10 @@ import sys
 import pytest
 
 import allworlds
-from allworlds.inputs import InputError
-from allworlds.judging import Finding
-from allworlds.protocol import Move
-from allworlds.reports import text
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.finding import Finding
+from allworlds.protocol.actions import Move
+from allworlds.reports.rendering import text
 
 EXPLORERS = """
 from allworlds import Move

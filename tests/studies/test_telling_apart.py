@@ -3,14 +3,15 @@ from itertools import combinations, combinations_with_replacement, pairwise, pro
 
 import pytest
 
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 from allworlds.maps import named_map, rooted_code, rooted_maps
 from allworlds.outcome import Disagreement
-from allworlds.protocol import Move
-from allworlds.reports import text
+from allworlds.protocol.actions import Move
+from allworlds.reports.rendering import text
 from allworlds.studies.ambiguity import class_of, twins
 from allworlds.studies.ambiguity.telling_apart import Separation, replayed, separation
-from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World, flaw
+from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World
+from allworlds.world.bisimulation import flaw
 from allworlds.world.world import at_place
 from models import HEARD
 from small import stepped

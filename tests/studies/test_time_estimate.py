@@ -5,11 +5,14 @@ import random
 import pytest
 
 from allworlds import check
-from allworlds.engines import EnginesDisagree, Silent, drawn_units, level_size
 from allworlds.engines.kernel.capabilities import MOST_EDGES
-from allworlds.maps import Extent, MapClass
-from allworlds.reports import text as text_of
-from allworlds.studies.check import estimate
+from allworlds.engines.progress import Silent
+from allworlds.engines.tally import EnginesDisagree
+from allworlds.engines.units import drawn_units, level_size
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
+from allworlds.reports.rendering import text as text_of
+from allworlds.studies.check.exhaustive import estimate
 from allworlds.studies.check.time_estimate import Guess, worlds_of
 
 pytestmark = pytest.mark.usefixtures("compiled")

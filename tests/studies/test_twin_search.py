@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 
 import allworlds
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_maps
 from allworlds.studies.ambiguity.smt import solvers, twin_search as searching
 from allworlds.studies.ambiguity.smt.decode import bisimulation, code, same_world_from, sensed
@@ -16,7 +16,8 @@ from allworlds.studies.ambiguity.smt.lrat import check_lrat
 from allworlds.studies.ambiguity.smt.one_world import Size
 from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
 from allworlds.studies.ambiguity.smt.question import Sizes
-from allworlds.world import Compass, Directional, Nothing, Position, World, flaw
+from allworlds.world import Compass, Directional, Nothing, Position, World
+from allworlds.world.bisimulation import flaw
 from searches import question
 from small import long, slow
 

@@ -6,19 +6,21 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.explorers import Algorithm1
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.builtin.undirected import TwoVertices
-from allworlds.inputs import InputError
-from allworlds.judging import Finding, explain
+from allworlds.inputs.checks import InputError
+from allworlds.judging.explanations.explanation import explain
+from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import believed_percepts
 from allworlds.maps import from_cycles, named_map
 from allworlds.outcome import Verdict
-from allworlds.protocol import Move, Percept, Transcript
-from allworlds.reports import text as text_of
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.transcript import Transcript
+from allworlds.reports.rendering import text as text_of
 from allworlds.studies import check as checker
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run.single import run
 from allworlds.world import Cluster, Natural, World, worlds
 from small import slow
 

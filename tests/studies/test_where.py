@@ -3,9 +3,9 @@
 import pytest
 
 import allworlds
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 from allworlds.maps.counting import any_genus, narrowed
-from allworlds.reports import text
+from allworlds.reports.rendering import text
 
 PREDICATES = """
 def even(map_):
@@ -39,7 +39,7 @@ def goes_on(first):
 
 
 def explore(first, *, choices):
-    from allworlds.explorers import algorithm1
+    from allworlds.explorers.builtin.algorithm1 import algorithm1
 
     return (yield from algorithm1(first, choices=choices))
 """

@@ -1,8 +1,9 @@
 """Runs that have ended, as the judge is given them."""
 
-from allworlds.explorers import algorithm1
-from allworlds.judging import Case
-from allworlds.protocol import Checkpoint, Transcript
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.judging.laws.case import Case
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.transcript import Transcript
 from small import stepped
 
 

@@ -24,11 +24,12 @@ import claims
 import decided  # claims.py has put its folder on the path
 from allworlds import Estimate, Move, World, check, run
 from allworlds.corpus import explorers as wrong
-from allworlds.document import replace
-from allworlds.explorers import BUILT_IN, Algorithm1
+from allworlds.document.struct import replace
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.studies.ledger.checked_claims import ProgramFault, entry_with, found_by
 from allworlds.studies.ledger.claim import Claim, Means, claims_in
-from allworlds.studies.worst import EverySchedule
+from allworlds.studies.worst.every_schedule import EverySchedule
 
 PAPER = Path(claims.__file__).parent
 CLAIMS = claims_in(PAPER / "ledger.toml")

@@ -8,7 +8,7 @@ import pytest
 import allworlds
 import claims
 from allworlds.claims import Found, Means
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.outcome import Exit
 from allworlds.studies.ledger.checked_claims import entry_of, entry_with
 from paper_claims import BY_NAME, CLAIMS, PAPER, function_of

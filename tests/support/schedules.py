@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from allworlds.protocol import Choices, ScheduledChoices, next_script
+from allworlds.protocol.choices import Choices, ScheduledChoices, next_script
 
 
 def schedules() -> Iterator[Choices]:

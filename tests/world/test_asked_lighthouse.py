@@ -2,7 +2,8 @@
 
 import pytest
 
-from allworlds.world import InvalidWorld, tried_kind
+from allworlds.world import InvalidWorld
+from allworlds.world.asked_lighthouse import tried_kind
 
 MINE = """
 from dataclasses import dataclass

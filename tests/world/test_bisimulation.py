@@ -5,7 +5,8 @@ from itertools import product
 from allworlds.maps import named_map
 from allworlds.maps.build import cycle
 from allworlds.studies.ambiguity import class_of, twins
-from allworlds.world import Nothing, Position, World, flaw
+from allworlds.world import Nothing, Position, World
+from allworlds.world.bisimulation import flaw
 
 
 def test_every_certificate_with_one_class_changed_is_refused():

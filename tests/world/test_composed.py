@@ -4,9 +4,9 @@ import pickle
 
 import pytest
 
-from allworlds.protocol import Drop, Move, Percept, Pick, Write
-from allworlds.world import IllegalAction, InvalidWorld, World, kind_of, worlds
-from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
+from allworlds.protocol.actions import Drop, Move, Percept, Pick, Write
+from allworlds.world import IllegalAction, InvalidWorld, World, worlds
+from allworlds.world.lighthouses.kinds import kind_of, lighthouse_from_json, lighthouse_named
 from small import EDGE, LOLLIPOP, PATH, TORUS, TRIANGLE, all_maps
 
 

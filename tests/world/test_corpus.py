@@ -3,16 +3,17 @@ import shutil
 
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.judging import Finding
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.finding import Finding
 from allworlds.maps import CombinatorialMap, automorphisms, unrooted_code
 from allworlds.studies.ambiguity import twins
-from allworlds.studies.check import check
+from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
 from allworlds.studies.replay import replay
-from allworlds.studies.run import run
-from allworlds.world import World, flaw, own_corpus
-from allworlds.world.corpus import MANIFEST, load_corpus
+from allworlds.studies.run.single import run
+from allworlds.world import World
+from allworlds.world.bisimulation import flaw
+from allworlds.world.corpus import MANIFEST, load_corpus, own_corpus
 from small import long
 
 CORPUS = own_corpus()

@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from allworlds.maps import named_map, rooted_maps
-from allworlds.protocol import Percept
+from allworlds.protocol.actions import Percept
 from allworlds.world import (
     LIGHTHOUSES,
     Compass,

@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 from allworlds.world.corpus import MANIFEST, load_corpus
 
 ENTRY = {

@@ -5,18 +5,11 @@ import pickle
 
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.protocol import OtherText, Percept
-from allworlds.world import (
-    InvalidWorld,
-    Lighthouse,
-    Position,
-    World,
-    kind_of,
-    lighthouse_kind,
-    worlds,
-)
-from allworlds.world.lighthouses.kinds import lighthouse_named
+from allworlds.inputs.checks import InputError
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.user_code import OtherText
+from allworlds.world import InvalidWorld, Lighthouse, Position, World, worlds
+from allworlds.world.lighthouses.kinds import kind_of, lighthouse_kind, lighthouse_named
 from models import PARITY
 from small import EDGE, PLANE, TORUS, all_maps
 

@@ -6,17 +6,9 @@ from random import Random
 import pytest
 
 from allworlds.maps import from_cycles, named_map
-from allworlds.protocol import Drop, Percept
-from allworlds.world import (
-    LIGHTHOUSES,
-    Cluster,
-    IllegalAction,
-    InvalidWorld,
-    Natural,
-    World,
-    kind_of,
-)
-from allworlds.world.lighthouses.kinds import lighthouse_named
+from allworlds.protocol.actions import Drop, Percept
+from allworlds.world import LIGHTHOUSES, Cluster, IllegalAction, InvalidWorld, Natural, World
+from allworlds.world.lighthouses.kinds import kind_of, lighthouse_named
 from small import LASSO, PATH, all_maps, stepped
 
 SINGLE = lighthouse_named("cluster:single=true")

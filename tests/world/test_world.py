@@ -4,9 +4,9 @@ from random import Random
 import networkx as nx
 import pytest
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs.checks import InputError, show
 from allworlds.maps import InvalidMap, from_cycles, named_map, rooted_maps
-from allworlds.protocol import Drop, Move, Percept, Pick
+from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, InvalidWorld, World
 from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
 from small import EDGE, PATH, stepped

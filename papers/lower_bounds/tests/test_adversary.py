@@ -12,7 +12,7 @@ from adversary import Deciding, against
 from allworlds import Checkpoint, Choices, Move, World, run
 from allworlds.claims import Algorithm1
 from allworlds.maps import family, rooted_isomorphism
-from allworlds.protocol import policy_named
+from allworlds.protocol.choices import policy_named
 from corridors import Shape, usual_shape
 from matching import augmented
 from playing import played

@@ -8,8 +8,9 @@ from hypothesis import given, strategies as st
 
 from allworlds import Checkpoint, Choices, Percept
 from allworlds.claims import Algorithm1, FoldedLog
-from allworlds.maps import dense, from_cycles, lattice, rooted_code, rooted_maps
-from allworlds.protocol import policy_named
+from allworlds.maps import from_cycles, rooted_code, rooted_maps
+from allworlds.maps.build import dense, lattice
+from allworlds.protocol.choices import policy_named
 from explorers import greedy, prudent, remembering
 from small import long, maps, slow
 from testers import paper_bound

@@ -20,12 +20,13 @@ import two_vertices
 import worlds_and_motions
 from allworlds import CombinatorialMap, Move, World, ambiguity, check, worlds
 from allworlds.corpus import explorers as wrong
-from allworlds.document import replace
-from allworlds.explorers import BUILT_IN, Algorithm1
+from allworlds.document.struct import replace
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.maps import named_map, rooted_code
-from allworlds.protocol import Choices
+from allworlds.protocol.choices import Choices
 from allworlds.studies.ambiguity.smt import pair, twin_search
-from allworlds.studies.worst import EverySchedule
+from allworlds.studies.worst.every_schedule import EverySchedule
 from allworlds.world import Compass
 from formulas import paper_bound
 from paper_claims import (

@@ -21,7 +21,6 @@ from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
 
-from allworlds import engines
 from allworlds.cli.files import Files, files_of
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import (
@@ -34,19 +33,11 @@ from allworlds.cli.output import (
     printable,
     say,
 )
-from allworlds.inputs import (
-    AS_IN_PYTHON,
-    PANELS,
-    Argument,
-    InputError,
-    Named,
-    Option,
-    fields_of,
-    keep_exit_code,
-    show,
-)
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.exit_code import keep_exit_code
+from allworlds.inputs.requests import AS_IN_PYTHON, PANELS, Argument, Named, Option, fields_of
 from allworlds.lazy import loaded
-from allworlds.outcome import Exit
+from allworlds.outcome import Exit, NoResult
 from allworlds.verbs import GROUPS, VERBS, Verb
 
 NARROW = 80
@@ -319,12 +310,9 @@ def call(arguments: list[str]) -> int:
             code = _invoked(arguments)
     except InputError as error:
         return _refuse(str(error))
-    except engines.Gap as error:  # loaded when there is an error
+    except NoResult as error:
         complain(str(error))
-        return Exit.INCOMPLETE
-    except (engines.ClusterLost, engines.Unsettled) as error:
-        complain(str(error))
-        return Exit.INCONCLUSIVE
+        return error.exit
     except _ClickError as error:
         return _refuse(_complaint(error, arguments))
     except KeyboardInterrupt:

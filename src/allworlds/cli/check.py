@@ -12,11 +12,12 @@ from typing import Annotated, Any
 import allworlds
 from allworlds.cli.files import Files, ensure_directory
 from allworlds.cli.output import OutputGroup, answered, complain, emit
-from allworlds.document import replace
-from allworlds.explorers import files_of_explorer
-from allworlds.inputs import EFFORT, InputError, Option, fields_of, show
+from allworlds.document.struct import replace
+from allworlds.explorers.source_line import files_of_explorer
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import EFFORT, Option, fields_of
 from allworlds.outcome import Exit
-from allworlds.studies.check import CheckRequest
+from allworlds.studies.check.requests import CheckRequest
 
 PAUSE = 0.2
 """Seconds between two looks at the files."""
@@ -154,7 +155,7 @@ def _models(request: CheckRequest) -> Iterator[tuple[str, Sequence[Any]]]:
 
 
 def _estimate(request: CheckRequest, output: OutputGroup) -> int:
-    from allworlds.studies.check import estimate
+    from allworlds.studies.check.exhaustive import estimate
 
     guess = answered(estimate, request, output)
     return emit(guess, "check", output, request.workers)

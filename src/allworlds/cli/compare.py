@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from allworlds.cli.files import Files
 from allworlds.cli.output import OutputGroup, answered, emit
-from allworlds.inputs import InputError
-from allworlds.studies.compare import CompareRequest
+from allworlds.inputs.checks import InputError
+from allworlds.studies.compare.compare_request import CompareRequest
 
 
 def compare(
@@ -22,7 +22,7 @@ def compare(
     allworlds compare algorithm1 dudek91 --family lattice,torus --to 100.
     Every run is judged.  Exit code 0: no law is broken, 1: one is.
     """
-    from allworlds.studies.compare import compared
+    from allworlds.studies.compare.contest import compared
 
     plot = files.named().get("plot")
     if plot and request.to is None:

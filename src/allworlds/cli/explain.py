@@ -5,8 +5,8 @@ from __future__ import annotations
 import allworlds
 from allworlds.cli.files import Files
 from allworlds.cli.output import OutputGroup, emit
-from allworlds.inputs import answer, values_of
-from allworlds.judging import FindingWords
+from allworlds.inputs.requests import answer, values_of
+from allworlds.judging.findings.asked_finding import FindingWords
 from allworlds.studies.explain import AskedExplanation, ExplainRequest
 
 

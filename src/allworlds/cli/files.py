@@ -13,9 +13,10 @@ from typing import Annotated
 
 from allworlds.cli.made_by import words_of_command
 from allworlds.cli.output import complain
-from allworlds.inputs import OUTPUT, InputError, Option, a_path, show
+from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.inputs.requests import OUTPUT, Option
 from allworlds.outcome import Result
-from allworlds.reports import FORMATS, content_of, ensure_possible, file_of, formats_of
+from allworlds.reports.format_table import FORMATS, content_of, ensure_possible, file_of, formats_of
 from allworlds.verbs import BY_NAME, FINDINGS
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from allworlds.version import __version__
 
 if TYPE_CHECKING:
-    from allworlds.document import MadeBy, Report
+    from allworlds.document.report import MadeBy, Report
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +52,7 @@ def made_by(report: Report, workers: int | None = None) -> MadeBy:
         report: may know how long its parts took.
         workers: processes or threads; None of a verb that takes none.
     """
-    from allworlds.document import MadeBy
+    from allworlds.document.report import MadeBy
     from allworlds.version import host
 
     parts = {

@@ -14,15 +14,17 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar
 
 from allworlds.cli.made_by import made_by
-from allworlds.document import replace
-from allworlds.engines import AskedListener, Listener, patient_stderr
-from allworlds.inputs import OUTPUT, Option, answer
+from allworlds.document.struct import replace
+from allworlds.engines.effort import AskedListener
+from allworlds.engines.prints import patient_stderr
+from allworlds.engines.progress import Listener
+from allworlds.inputs.requests import OUTPUT, Option, answer
 from allworlds.outcome import Exit, Result
-from allworlds.reports import brief, text
+from allworlds.reports.rendering import brief, text
 from allworlds.words import harmless, harmless_json
 
 if TYPE_CHECKING:
-    from allworlds.document import Report
+    from allworlds.document.report import Report
 
 Answer = TypeVar("Answer", bound=Result)
 

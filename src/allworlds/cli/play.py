@@ -10,9 +10,9 @@ import allworlds
 from allworlds import Drop, Move, Percept, Pick, Write
 from allworlds.cli.files import ensure_writable, write_text
 from allworlds.cli.output import OutputGroup, emit, printable
-from allworlds.document import replace
-from allworlds.inputs import OUTPUT, Option, answer
-from allworlds.reports import game
+from allworlds.document.struct import replace
+from allworlds.inputs.requests import OUTPUT, Option, answer
+from allworlds.reports.play.page import game
 from allworlds.studies.play import PlayRequest
 
 

@@ -7,11 +7,13 @@ from typing import Annotated
 import allworlds
 from allworlds.cli.files import Files
 from allworlds.cli.output import OutputGroup, emit
-from allworlds.document import replace
-from allworlds.explorers import ProgramWords, names_explorer
-from allworlds.inputs import OUTPUT, SCOPE, Argument, InputError, Option, answer, show, values_of
-from allworlds.studies.run import AskedRun, RunRequest, WorldNames
-from allworlds.world import names_of_worlds
+from allworlds.document.struct import replace
+from allworlds.explorers.asked import ProgramWords
+from allworlds.explorers.names import names_explorer
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, answer, values_of
+from allworlds.studies.run.run_request import AskedRun, RunRequest, WorldNames
+from allworlds.world.named import names_of_worlds
 
 
 class RunWords(ProgramWords):

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from msgspec import ValidationError, convert, inspect
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs.checks import InputError, show
 
 T = TypeVar("T")
 

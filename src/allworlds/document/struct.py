@@ -26,7 +26,7 @@ from typing import (
 from msgspec import NODEFAULT, UNSET, Meta, Struct, StructMeta, field as key, to_builtins
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
-from allworlds.inputs import Field, Option, in_scope
+from allworlds.inputs.requests import Field, Option, in_scope
 from allworlds.outcome import Exit
 
 T = TypeVar("T")

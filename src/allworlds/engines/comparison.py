@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from allworlds import log as entries
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.engines.examiner import LOST, Outcome
-from allworlds.inputs import show
-from allworlds.judging import (
-    PRECEDENCE,
+from allworlds.inputs.checks import show
+from allworlds.judging.endings import (
     Fault,
-    Log,
     Over,
     UncheckedAmbiguous,
     UncheckedAnswer,
     UncheckedValue,
-    Violation,
-    unchecked,
 )
-from allworlds.protocol import action_numbered
+from allworlds.judging.episode import Log, unchecked
+from allworlds.judging.laws.case import Violation
+from allworlds.judging.laws.law_table import PRECEDENCE
+from allworlds.protocol.actions import action_numbered
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
 """The number of actions that are shown before the first that differs, and from it on."""

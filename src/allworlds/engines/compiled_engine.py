@@ -17,7 +17,7 @@ from typing import Any, Self, TypeAlias
 
 from msgspec import Struct, field
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.engines.engine_table import Job
 from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel import engine as kernel
@@ -30,10 +30,14 @@ from allworlds.engines.questions import level_of, tally_of
 from allworlds.engines.scope import LevelRuns, NumberedRun, Scope, UnitOfRuns, numbered_runs
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.engines.units import Whole, cells_of_level
-from allworlds.explorers import Subject
-from allworlds.maps import Code, CombinatorialMap, InvalidMap, prefixes, rooted_code
-from allworlds.protocol import Move, Transcript
-from allworlds.world import Cluster, Natural, World
+from allworlds.explorers.subject import Subject
+from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.maps.enumeration import prefixes
+from allworlds.protocol.actions import Move
+from allworlds.protocol.transcript import Transcript
+from allworlds.world.lighthouses.marked import Cluster, Natural
+from allworlds.world.world import World
 
 AGREEMENT_EDGES = 4
 """The largest m for which a check begins with a comparison of both engines, run by run."""

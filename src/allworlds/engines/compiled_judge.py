@@ -25,8 +25,9 @@ from allworlds.engines.players import Logs
 from allworlds.engines.questions import level_of, tally_of
 from allworlds.engines.scope import LevelRuns
 from allworlds.engines.tally import EnginesDisagree, Tally
-from allworlds.maps import Code, rooted_code
-from allworlds.protocol import Percept, numbers_of, percept_of
+from allworlds.maps.canonical import Code, rooted_code
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.playing import numbers_of, percept_of
 
 LIBRARIES = 8
 """The batches of libraries are so many times as large."""

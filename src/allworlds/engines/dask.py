@@ -26,7 +26,7 @@ from uuid import uuid4
 from allworlds.engines.effort import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
 from allworlds.engines.here import ThisThread
 from allworlds.engines.units import PartialResult, Sum, Transport
-from allworlds.inputs import InputError, ensure_installed, show
+from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.version import __version__
 
 PATIENCE, IDLE = 10.0, 120.0

@@ -18,9 +18,10 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Annotated, Any, Self
 
-from allworlds.document import Document, Positive, ShardText, Text, about, taken
+from allworlds.document.reading import taken
+from allworlds.document.struct import Document, Positive, ShardText, Text, about
 from allworlds.engines.units import Portion, a_shard, shard_numbers, shards_of
-from allworlds.inputs import InputError, show
+from allworlds.inputs.checks import InputError, show
 from allworlds.version import __version__
 from allworlds.words import plural
 

@@ -14,20 +14,11 @@ from typing import Annotated, Any
 from msgspec import Struct
 
 from allworlds.engines.progress import Listener, usual_listener
-from allworlds.inputs import (
-    EFFORT,
-    InputError,
-    Option,
-    Request,
-    Taken,
-    an_integer,
-    at_most,
-    integer_of,
-    seconds_of,
-    show,
-    values_of,
-)
-from allworlds.protocol import ANSWER_TIMEOUT, START_TIMEOUT, limited_loading
+from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
+from allworlds.inputs.requests import EFFORT, Option, Request, Taken, values_of
+from allworlds.outcome import NoResult
+from allworlds.protocol.faults import ANSWER_TIMEOUT
+from allworlds.protocol.importing import START_TIMEOUT, limited_loading
 
 POLL = 0.1
 """Seconds between two checks of other threads and processes, and the shortest time-out."""
@@ -248,7 +239,7 @@ class TimeIsUp(Exception):
     """Raised if the time limit of the whole job has been reached."""
 
 
-class ClusterLost(Exception):
+class ClusterLost(NoResult):
     """Raised if workers are lost again and again, or the scheduler is lost."""
 
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document import one_of, replace
+from allworlds.document.struct import one_of, replace
 from allworlds.engines.effort import DaskCluster, Limits
 from allworlds.engines.here import Threads
 from allworlds.engines.lanes import in_any_order, workers_for
@@ -16,8 +16,9 @@ from allworlds.engines.obstacles import COMPILED_FROM, COMPILER, WORTH_LOADING, 
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Transport
-from allworlds.explorers import Subject, content_digest, not_alike, with_content
-from allworlds.inputs import InputError, lack_of, show
+from allworlds.explorers.digest import content_digest, not_alike, with_content
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError, lack_of, show
 
 
 class Job(Struct, frozen=True):

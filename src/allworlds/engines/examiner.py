@@ -6,28 +6,19 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.explorers import Subject
-from allworlds.inputs import show
-from allworlds.judging import (
-    LAWS,
-    Answered,
-    Case,
-    Ending,
-    Episode,
-    Fault,
-    Finding,
-    Rules,
-    Undecided,
-    Violation,
-    canonical_world,
-    first_wrong,
-    judge,
-    place_of,
-    play,
-)
-from allworlds.maps import rooted_code
-from allworlds.protocol import Answer, Choices
-from allworlds.world import World
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import show
+from allworlds.judging.endings import Answered, Ending, Fault, Undecided
+from allworlds.judging.episode import Episode, play
+from allworlds.judging.findings.finding import Finding, canonical_world, place_of
+from allworlds.judging.findings.rules import Rules
+from allworlds.judging.laws.case import Case, Violation
+from allworlds.judging.laws.invariants import first_wrong
+from allworlds.judging.laws.law_table import LAWS, judge
+from allworlds.maps.canonical import rooted_code
+from allworlds.protocol.answers import Answer
+from allworlds.protocol.choices import Choices
+from allworlds.world.world import World
 
 
 class Outcome(Struct, frozen=True):

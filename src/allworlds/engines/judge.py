@@ -16,18 +16,17 @@ from allworlds.engines.examiner import LOST, Outcome, Referee, name_run
 from allworlds.engines.players import Logs
 from allworlds.engines.scope import NumberedRun, UnitOfRuns
 from allworlds.engines.tally import RunCounter, Tally
-from allworlds.inputs import InputError, show
-from allworlds.judging import Episode, Fault, Log, Over, followed
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import (
-    DEFAULT_POLICY,
-    IllegalAction,
-    Percept,
-    are_due,
-    next_script,
-    numbers_of,
-)
-from allworlds.world import Composed, Lighthouse, World
+from allworlds.inputs.checks import InputError, show
+from allworlds.judging.endings import Fault, Over
+from allworlds.judging.episode import Episode, Log, followed
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script
+from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol.playing import numbers_of
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.composed import Composed
+from allworlds.world.world import World
 
 
 class Due(NamedTuple):
@@ -317,6 +316,13 @@ def drawn_order(random: Random, runs: int) -> list[int]:
     """The numbers of the runs, in an order that is drawn."""
     order = [*range(runs)]
     random.shuffle(order)
+    return order
+
+
+def with_one_again(random: Random, order: list[int]) -> list[int]:
+    """The order, in which one run may stand twice: who counts runs does not know which comes."""
+    if random.getrandbits(1):
+        order.insert(random.randrange(len(order)), random.choice(order))
     return order
 
 

@@ -14,8 +14,9 @@ from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, ge
 
 from msgspec import Struct
 
-from allworlds.document import names_of, plain, plain_at_once, taken
-from allworlds.inputs import InputError, show
+from allworlds.document.reading import taken
+from allworlds.document.struct import names_of, plain, plain_at_once
+from allworlds.inputs.checks import InputError, show
 
 T = TypeVar("T")
 

@@ -23,7 +23,7 @@ from random import Random
 from typing import Any, NamedTuple
 
 from allworlds import log as entries
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.engines.comparison import (
     difference_of,
     ending_in_words,
@@ -40,6 +40,7 @@ from allworlds.engines.judge import (
     RunBatch,
     Work,
     drawn_order,
+    with_one_again,
 )
 from allworlds.engines.players import (
     Logs,
@@ -54,9 +55,9 @@ from allworlds.engines.players import (
 from allworlds.engines.scope import LevelRuns, UnitOfRuns
 from allworlds.engines.tally import REPORT_EVERY, RunCounter
 from allworlds.engines.units import PartialResult, level_size
-from allworlds.explorers import Subject
-from allworlds.judging import Log
-from allworlds.protocol import AN_ACTION
+from allworlds.explorers.subject import Subject
+from allworlds.judging.episode import Log
+from allworlds.protocol.playing import AN_ACTION
 
 FIRST, SECOND = 0, 1
 """The numbers of the players, and their hash seeds."""
@@ -581,7 +582,8 @@ class Lane:
             return batch.worlds(rows)
         if not batch.plain:  # a library's player draws it
             return batch.records(rows, ())
-        return batch.records(rows, drawn_order(self._random, len(rows)))
+        order = drawn_order(self._random, len(rows))
+        return batch.records(rows, with_one_again(self._random, order))
 
     def _alone(self, which: int, batch: RunBatch, row: int, lost: Lost) -> bytes:
         """The log of a run in which a player was lost, by a fresh player that plays it alone."""

@@ -34,8 +34,8 @@ from allworlds.engines.players import HarnessError, Unsettled, child_path
 from allworlds.engines.scope import UnitOfRuns
 from allworlds.engines.tally import EnginesDisagree, RunCounter
 from allworlds.engines.units import PartialResult, Transport
-from allworlds.explorers import Subject
-from allworlds.inputs import InputError
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError
 from allworlds.words import ended_by
 
 AT_A_TIME = 4096

@@ -12,7 +12,7 @@ import signal
 import sys
 from contextlib import suppress
 
-from allworlds.inputs import InputError
+from allworlds.inputs.checks import InputError
 
 HERE = sys.platform == "linux"
 """Whether it is there.  A test switches it off."""

@@ -12,11 +12,13 @@ from allworlds.engines.kernel.capabilities import (
     MOST_EDGES,
 )
 from allworlds.engines.scope import Given, Scope
-from allworlds.explorers import Subject
-from allworlds.inputs import show
-from allworlds.judging import LAWS
-from allworlds.maps import MapClass
-from allworlds.world import LIGHTHOUSES as KINDS, Directional, Lighthouse
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import show
+from allworlds.judging.laws.law_table import LAWS
+from allworlds.maps.classes import MapClass
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.kinds import LIGHTHOUSES as KINDS
+from allworlds.world.lighthouses.marked import Directional
 
 COMPILED_FROM = 5
 """The least m of a check that is worth the compiling; smaller ones end before it would."""

@@ -5,27 +5,27 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import islice
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.engines.effort import Limits
 from allworlds.engines.examiner import Outcome
 from allworlds.engines.single import outcomes_of, played_again, single_run
-from allworlds.explorers import CONVENTIONS, Subject, with_translator
-from allworlds.judging import (
-    Answered,
-    Chirality,
-    Fault,
-    Finding,
-    Misreading,
+from allworlds.explorers.subject import Subject, with_translator
+from allworlds.explorers.translated import CONVENTIONS
+from allworlds.judging.endings import Answered, Fault
+from allworlds.judging.explanations.explanation import (
     chiral_worlds,
     chirality_in,
     may_be_misread,
     narrowest_class,
     needs_a_chiral_world,
     trial_worlds,
-    true_trail,
 )
-from allworlds.maps import DEFAULT_EDGES, Extent, rooted_isomorphism
-from allworlds.world import InvalidWorld, World
+from allworlds.judging.findings.finding import Chirality, Finding, Misreading
+from allworlds.judging.findings.walks import true_trail
+from allworlds.maps.canonical import rooted_isomorphism
+from allworlds.maps.classes import DEFAULT_EDGES, Extent
+from allworlds.world.lighthouses.options import InvalidWorld
+from allworlds.world.world import World
 
 TRIED = 8
 """The number of chiral worlds that are tried before the question stays open."""

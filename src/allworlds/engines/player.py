@@ -22,8 +22,11 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.library_player import LibraryPlayer
-    from allworlds.explorers import Function, Program, Subject
-    from allworlds.protocol import Choices, Player
+    from allworlds.explorers.functions import Function
+    from allworlds.explorers.program import Program
+    from allworlds.explorers.subject import Subject
+    from allworlds.protocol.choices import Choices
+    from allworlds.protocol.player import Player
 
 LINK, BEAT = 3, 4
 """The descriptors of a player."""
@@ -54,7 +57,7 @@ def main(parent: int) -> None:
     setup = _read()
     beat = memoryview(mmap.mmap(BEAT, 16)).cast("q")
     os.close(BEAT)
-    from allworlds.inputs import InputError
+    from allworlds.inputs.checks import InputError
 
     _makers()  # what is needed is loaded before users' code, which may spoil the import path
     own = os.getpid()
@@ -93,7 +96,7 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
         InputError: if it cannot be loaded.
     """
     from allworlds.engines.linux import address_space, limit_memory
-    from allworlds.protocol import SourceText, limit_calls
+    from allworlds.protocol.importing import SourceText, limit_calls
 
     # A silent model is given up before it looks like a silent explorer.
     limit_calls(SHARE_OF_MODELS * setup["answer_timeout"])
@@ -102,10 +105,10 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
     name = setup["name"]
     source = None if setup["source"] is None else SourceText(*setup["source"])
     if ":" in name and not name.startswith(ADAPTED):
-        from allworlds.explorers import Function
+        from allworlds.explorers.functions import Function
 
         return Function(name, source)
-    from allworlds.explorers import load
+    from allworlds.explorers.loading import load
 
     subject = load(name, setup["answer_timeout"], source)
     native = subject.innermost.native
@@ -127,7 +130,7 @@ class _Server:
 
     def serve(self, batch: dict[str, Any]) -> None:
         """Play a batch, and send its logs."""
-        from allworlds.inputs import InputError
+        from allworlds.inputs.checks import InputError
 
         self._beat[0], self._beat[1] = NO_RUN, 0
         try:
@@ -163,7 +166,7 @@ class _Server:
         _answer(LOGS, *logs_message(logs))
 
     def _run(self, batch: dict[str, Any], row: Any, number: int, make: Callable[..., Any]) -> bytes:
-        from allworlds.protocol import play_run
+        from allworlds.protocol.playing import play_run
 
         world, told, over, budget, name, script = row
         self._beat[0] = number
@@ -182,7 +185,7 @@ class _Server:
 
         native = self._subject.native
         assert native is not None
-        from allworlds.protocol import ExplorerFault
+        from allworlds.protocol.faults import ExplorerFault
 
         try:
             self._library = self._library or LibraryPlayer(native, self._beat)
@@ -195,7 +198,7 @@ class _Server:
 
 
 def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:
-    from allworlds.protocol import Choices, ScheduledChoices, policy_named
+    from allworlds.protocol.choices import Choices, ScheduledChoices, policy_named
 
     if batch["every"]:
         return ScheduledChoices(script)
@@ -204,10 +207,10 @@ def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choic
 
 def _makers() -> dict[str, Callable[..., Any]]:
     """The makers of the surroundings of a run, for each kind of batch."""
-    from allworlds.protocol import Record, TableWorld
+    from allworlds.protocol.playing import Record, TableWorld
 
     def model(world: Any, _told: object, _over: object) -> Any:
-        from allworlds.judging import AroundExplorer
+        from allworlds.judging.episode import AroundExplorer
 
         return AroundExplorer(world)
 

@@ -42,9 +42,12 @@ from allworlds.engines.player import (
     logs_message,
 )
 from allworlds.engines.prints import Prints, printing_to
-from allworlds.explorers import HASH_SEED, Subject, is_library, is_program
-from allworlds.inputs import InputError, show
-from allworlds.protocol import Player as Explorer, play_run
+from allworlds.explorers.names import is_library, is_program
+from allworlds.explorers.subject import HASH_SEED, Subject
+from allworlds.inputs.checks import InputError, show
+from allworlds.outcome import NoResult
+from allworlds.protocol.player import Player as Explorer
+from allworlds.protocol.playing import play_run
 from allworlds.words import ended_by, harmless
 
 GRACE = 2.0
@@ -67,7 +70,7 @@ class HarnessError(RuntimeError):
     """Raised if a process without user's code has failed, so that no explorer is to blame."""
 
 
-class Unsettled(Exception):
+class Unsettled(NoResult):
     """Raised if processes are lost again and again, so that there is no verdict on the explorer."""
 
 

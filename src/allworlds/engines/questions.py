@@ -9,9 +9,9 @@ from allworlds.engines.kernel.rows import Level, LevelBounds, Rows, Tables, tabl
 from allworlds.engines.obstacles import kind_of
 from allworlds.engines.scope import LevelRuns, Scope
 from allworlds.engines.tally import AtRun, Row, Tally
-from allworlds.inputs import InputError
-from allworlds.judging import Rules
-from allworlds.maps import Extent
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps.classes import Extent
 
 
 @cache

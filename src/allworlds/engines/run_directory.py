@@ -18,7 +18,8 @@ from allworlds.engines import database
 from allworlds.engines.database import Database, Identity, is_at, named
 from allworlds.engines.kept_form import to_kept
 from allworlds.engines.units import Sum
-from allworlds.inputs import InputError, a_path, show
+from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.outcome import Exit, NoResult
 from allworlds.words import listed
 
 LOCK, OPENED = "lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC
@@ -31,8 +32,10 @@ PATIENCE = 3.0
 """Seconds to wait for a command that is about to end, before another one is refused."""
 
 
-class Gap(Exception):
+class Gap(NoResult):
     """Raised if parts of a whole are missing."""
+
+    exit = Exit.INCOMPLETE
 
 
 class Records:

@@ -18,11 +18,13 @@ from allworlds.engines.units import (
     level_size,
     units_of_level,
 )
-from allworlds.inputs import InputError, an_integer, at_most, show
-from allworlds.judging import Rules
-from allworlds.maps import CombinatorialMap, Extent
-from allworlds.protocol import Schedule
-from allworlds.world import Lighthouse, World
+from allworlds.inputs.checks import InputError, an_integer, at_most, show
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.protocol.choices import Schedule
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.world import World
 
 Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
 """A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""

@@ -6,18 +6,17 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
+from msgspec import UNSET, UnsetType
 from typing_extensions import override
 
 from allworlds import log as entries
-from allworlds.document import (
+from allworlds.document.report import Report
+from allworlds.document.struct import (
     EXIT_CODE,
-    UNSET,
     Aside,
     ExitCode,
     Natural,
-    Report,
     Text,
-    UnsetType,
     about,
     computed,
     one_of,
@@ -31,40 +30,32 @@ from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, star
 from allworlds.engines.players import Lost, PlayerProcess, Setup, keep
 from allworlds.engines.scope import GivenWorlds, Scope
 from allworlds.engines.tally import RunCounter, Tally
-from allworlds.explorers import (
-    BUILT_IN,
-    Program,
-    Subject,
-    built_in,
-    command_of,
-    in_process_subject,
-    is_program,
-    source_of,
-    whole_name,
-    with_shield,
-)
-from allworlds.inputs import InputError, show
-from allworlds.judging import (
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.explorers.loading import source_of
+from allworlds.explorers.names import command_of, is_program
+from allworlds.explorers.program import Program
+from allworlds.explorers.spelling import whole_name
+from allworlds.explorers.subject import Subject, built_in, in_process_subject, with_shield
+from allworlds.inputs.checks import InputError, show
+from allworlds.judging.endings import (
     Answered,
     Ending,
     Fault,
-    Finding,
-    Log,
-    RecordedRules,
-    Rules,
     UncheckedAmbiguous,
     UncheckedAnswer,
     Undecided,
     answered as ending_of,
-    canonical_world,
-    checked_laws,
-    place_of,
-    unchecked,
 )
-from allworlds.maps import Extent, MapClass
+from allworlds.judging.episode import Log, unchecked
+from allworlds.judging.findings.finding import Finding, canonical_world, place_of
+from allworlds.judging.findings.rules import RecordedRules, Rules
+from allworlds.judging.laws.law_table import checked_laws
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.outcome import Exit, Facts, Verdict
-from allworlds.protocol import Ambiguous, Estimate, Transcript, action_numbered, number_of
-from allworlds.world import World
+from allworlds.protocol.actions import action_numbered, number_of
+from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.protocol.transcript import Transcript
+from allworlds.world.world import World
 
 
 class SingleRun(Report):

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.engines.database import Identity
 from allworlds.engines.effort import ClusterLost, TimeIsUp, deadline_after
 from allworlds.engines.engine_table import ReadyEngine
@@ -37,8 +37,9 @@ from allworlds.engines.units import (
     tell_of_size,
     units_of_level,
 )
-from allworlds.inputs import InputError, meant, remembered, without_effort
-from allworlds.maps import Extent
+from allworlds.inputs.checks import InputError
+from allworlds.inputs.requests import meant, remembered, without_effort
+from allworlds.maps.classes import Extent
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended
 
 Total = TypeVar("Total", bound=Sum)

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeAlias, Type
 
 from typing_extensions import override
 
-from allworlds.document import (
+from allworlds.document.report import Report
+from allworlds.document.struct import (
     AllRows,
     Aside,
     Document,
     ExitCode,
     IfAny,
-    Report,
     Text,
     Why,
     about,
@@ -20,13 +20,15 @@ from allworlds.document import (
     one_of,
 )
 from allworlds.engines.units import WHOLE, Portion
-from allworlds.inputs import OUTPUT, InputError, Option, Request, Taken, as_json, in_scope, show
-from allworlds.maps import Extent, source_name
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import OUTPUT, Option, Request, Taken, as_json, in_scope
+from allworlds.maps.classes import Extent
+from allworlds.maps.count_source import source_name
 from allworlds.outcome import Completed, Disagreed, Ending, Exit, Facts, Interrupted, Stopped
 
 if TYPE_CHECKING:
-    from allworlds.judging import Rules
-    from allworlds.world import LighthouseKind
+    from allworlds.judging.findings.rules import Rules
+    from allworlds.world.lighthouses.kinds import LighthouseKind
 
 
 class EndedReport(Report):

@@ -12,13 +12,14 @@ from typing import Annotated, Any, NamedTuple, Self
 from msgspec import Struct
 from msgspec.structs import asdict
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.engines.examiner import Outcome, Referee
 from allworlds.engines.kept_form import Form
 from allworlds.engines.scope import NumberedRun, Scope, UnitOfRuns, numbered_runs
-from allworlds.judging import Chirality, Finding, Misreading, Rules
-from allworlds.maps import rooted_code
-from allworlds.world import World
+from allworlds.judging.findings.finding import Chirality, Finding, Misreading
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps.canonical import rooted_code
+from allworlds.world.world import World
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:

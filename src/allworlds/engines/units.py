@@ -12,17 +12,13 @@ from typing import Annotated, Any, Generic, Protocol, Self, TypeAlias, TypeVar
 from msgspec import Struct
 
 from allworlds.engines.progress import Listener
-from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, an_integer, show
-from allworlds.maps import (
-    CombinatorialMap,
-    Extent,
-    Gluing,
-    completions,
-    prefixes,
-    rooted_maps,
-    source_for,
-    source_of,
-)
+from allworlds.inputs.checks import InputError, an_integer, show
+from allworlds.inputs.requests import SCOPE, Option, Request, Taken
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.count_source import completions, source_of
+from allworlds.maps.counting.sources import source_for
+from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
 
 
 class Unit(Protocol):

@@ -6,7 +6,8 @@ from collections.abc import Callable
 from typing import Annotated, Any
 
 from allworlds.explorers.names import EXEC, NATIVE
-from allworlds.inputs import SCOPE, Argument, InputError, Named, Option, Request, show
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import SCOPE, Argument, Named, Option, Request
 
 DEFAULT_EXPLORER = "algorithm1"
 

@@ -13,8 +13,9 @@ from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.names import command_of, entry_point, innermost, is_library, path_of
 from allworlds.explorers.program import Program
 from allworlds.explorers.subject import Subject
-from allworlds.inputs import InputError, read_text, show
-from allworlds.protocol import SourceText, arguments_of, bytes_of, module_file
+from allworlds.inputs.checks import InputError, read_text, show
+from allworlds.protocol.importing import SourceText, bytes_of, module_file
+from allworlds.protocol.user_code import arguments_of
 
 OURS = "built-in"
 """The digest of an explorer that comes with this program, and changes with its version alone."""

@@ -10,19 +10,12 @@ from collections.abc import Callable, Generator
 from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
-from allworlds.inputs import InputError, show
-from allworlds.protocol import (
-    Choices,
-    Percept,
-    Player,
-    SourceText,
-    Told,
-    arguments_of,
-    attribute_of,
-    called,
-    module_named,
-    module_of_text,
-)
+from allworlds.inputs.checks import InputError, show
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.choices import Choices
+from allworlds.protocol.importing import SourceText, attribute_of, module_named, module_of_text
+from allworlds.protocol.player import Player, Told
+from allworlds.protocol.user_code import arguments_of, called
 
 EXPLORER = "an explorer is def explore(first) with yield"
 

@@ -28,15 +28,10 @@ from allworlds.explorers.subject import (
     with_shield,
     with_translator,
 )
-from allworlds.inputs import InputError, show
-from allworlds.protocol import (
-    ANSWER_TIMEOUT,
-    SourceText,
-    arguments_of,
-    called,
-    imported,
-    text_of,
-)
+from allworlds.inputs.checks import InputError, show
+from allworlds.protocol.faults import ANSWER_TIMEOUT
+from allworlds.protocol.importing import SourceText, imported, text_of
+from allworlds.protocol.user_code import arguments_of, called
 
 
 def source_of(name: str) -> SourceText | None:

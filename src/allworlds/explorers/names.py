@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.translated import CONVENTIONS
-from allworlds.inputs import InputError, show
-from allworlds.protocol import points_of
+from allworlds.inputs.checks import InputError, show
+from allworlds.protocol.importing import points_of
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint

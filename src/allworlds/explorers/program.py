@@ -20,18 +20,13 @@ from pathlib import Path
 from random import Random
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from allworlds.inputs import SHOWN, InputError, is_loop_of_links, show
-from allworlds.maps import CombinatorialMap, InvalidMap
-from allworlds.protocol import (
-    Action,
-    Ambiguous,
-    Checkpoint,
-    Estimate,
-    ExplorerFault,
-    Percept,
-    Told,
-    action_from_json,
-)
+from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, show
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.protocol.actions import Action, Percept
+from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
+from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.player import Told
+from allworlds.protocol.transcript import action_from_json
 from allworlds.words import ended_by, plural
 
 SECONDS = 5

@@ -18,8 +18,8 @@ from allworlds.explorers.names import (
     is_program,
     path_of,
 )
-from allworlds.inputs import InputError
-from allworlds.protocol import module_file
+from allworlds.inputs.checks import InputError
+from allworlds.protocol.importing import module_file
 
 SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
 """The endings of the source of a shared library, looked for beside it."""

@@ -15,7 +15,7 @@ from allworlds.explorers.names import (
     is_translated,
     one_inside,
 )
-from allworlds.inputs import (
+from allworlds.inputs.checks import (
     InputError,
     did_you_mean,
     is_loop_of_links,

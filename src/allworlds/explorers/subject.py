@@ -28,7 +28,8 @@ from allworlds.explorers.names import (
 from allworlds.explorers.program import Program
 from allworlds.explorers.shared_library.native import NativeExplorer
 from allworlds.explorers.translated import CONVENTIONS, Translated
-from allworlds.protocol import Player, SourceText
+from allworlds.protocol.importing import SourceText
+from allworlds.protocol.player import Player
 
 HASH_SEED = "PYTHONHASHSEED"
 """The variable of the environment from which an interpreter takes its hash seed."""

@@ -13,7 +13,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.protocol import Move, Percept
+from allworlds.protocol.actions import Move, Percept
 
 
 def _as_it_is(number: int) -> int:

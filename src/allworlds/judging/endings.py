@@ -7,16 +7,11 @@ from typing import Any, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.inputs import show
-from allworlds.maps import CombinatorialMap, InvalidMap, numbering
-from allworlds.protocol import (
-    A_QUOTIENT,
-    A_VALUE,
-    AN_ESTIMATE,
-    NO_MAP,
-    Ambiguous,
-    Estimate,
-)
+from allworlds.inputs.checks import show
+from allworlds.maps.canonical import numbering
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.protocol.playing import A_QUOTIENT, A_VALUE, AN_ESTIMATE, NO_MAP
 
 
 class Answered(Struct, frozen=True):

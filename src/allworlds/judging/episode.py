@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, Protocol
 from msgspec import Struct
 
 from allworlds import log as entries
-from allworlds.inputs import show
+from allworlds.inputs.checks import show
 from allworlds.judging.endings import (
     Ending,
     Fault,
@@ -19,20 +19,13 @@ from allworlds.judging.endings import (
     UncheckedValue,
     answered,
 )
-from allworlds.protocol import (
-    FREE,
-    Action,
-    Checkpoint,
-    Choices,
-    IllegalAction,
-    Percept,
-    Player,
-    Told,
-    Transcript,
-    Write,
-    action_numbered,
-    play_run,
-)
+from allworlds.protocol.actions import Action, Percept, Write, action_numbered
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.choices import Choices
+from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol.player import Player, Told
+from allworlds.protocol.playing import FREE, play_run
+from allworlds.protocol.transcript import Transcript
 
 RECORD_ENDS = "nothing: the record ends here"
 """The expectation at the end of the recorded percepts of an explorer."""

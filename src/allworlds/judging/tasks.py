@@ -13,11 +13,16 @@ from typing import Any, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.inputs import InputError, a_text, show
+from allworlds.inputs.checks import InputError, a_text, show
 from allworlds.judging.endings import Answered, Ending, Over, Said, Undecided
 from allworlds.judging.walk_log import WalkLog
-from allworlds.protocol import Action, Percept, Role, Told, Transcript, UserCode, tried
-from allworlds.world import State, World
+from allworlds.protocol.actions import Action, Percept
+from allworlds.protocol.importing import tried
+from allworlds.protocol.player import Told
+from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.user_code import Role, UserCode
+from allworlds.world.state import State
+from allworlds.world.world import World
 
 Judge: TypeAlias = Callable[[World, WalkLog, Any], str | None]
 """A judge: the fault of a finished run, or None."""

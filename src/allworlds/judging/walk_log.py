@@ -7,9 +7,10 @@ from typing import Self
 
 from msgspec import Struct, field
 
-from allworlds.maps import Dart
-from allworlds.protocol import Action, Move, Percept, Transcript
-from allworlds.world import World
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.actions import Action, Move, Percept
+from allworlds.protocol.transcript import Transcript
+from allworlds.world.world import World
 
 
 class WalkLog(Struct):

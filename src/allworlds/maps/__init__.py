@@ -103,50 +103,5 @@ if TYPE_CHECKING:
         deleted as deleted,
         moved as moved,
     )
-
-# For other parts of the program.
-if TYPE_CHECKING:
-    from allworlds.maps.bruteforce import rooted_maps_by_permutations as rooted_maps_by_permutations
-    from allworlds.maps.build import NoSuchMap as NoSuchMap, dense as dense, lattice as lattice
-    from allworlds.maps.canonical import (
-        Code as Code,
-        Mismatch as Mismatch,
-        carries as carries,
-        numbering as numbering,
-    )
-    from allworlds.maps.classes import (
-        DEFAULT_EDGES as DEFAULT_EDGES,
-        AskedClass as AskedClass,
-        AskedExtent as AskedExtent,
-        Extent as Extent,
-    )
-    from allworlds.maps.combinatorial import (
-        Alpha as Alpha,
-        Dart as Dart,
-        Sigma as Sigma,
-        cycles as cycles,
-    )
-    from allworlds.maps.conditions import (
-        AND as AND,
-        CONDITIONS as CONDITIONS,
-        LEGAL as LEGAL,
-        AllOf as AllOf,
-        Condition as Condition,
-        condition_named as condition_named,
-        narrowing as narrowing,
-    )
-    from allworlds.maps.count_source import (
-        completions as completions,
-        source_name as source_name,
-        source_of as source_of,
-    )
-    from allworlds.maps.counting.sources import source_for as source_for
-    from allworlds.maps.criterion import pose_count as pose_count
-    from allworlds.maps.enumeration import Gluing as Gluing, prefixes as prefixes
-    from allworlds.maps.families import FORMS as FORMS, edges_of as edges_of, rootings as rootings
-    from allworlds.maps.quotient import (
-        Projection as Projection,
-        classes_of_union as classes_of_union,
-    )
 else:
     open_door(__name__)

@@ -12,7 +12,7 @@ import random
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import Any
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 
 LARGEST = 10_000

@@ -9,20 +9,17 @@ from typing import Annotated
 from msgspec import Struct
 from msgspec.structs import force_setattr
 
-from allworlds.document import Bounded, about
-from allworlds.inputs import (
+from allworlds.document.struct import Bounded, about
+from allworlds.inputs.checks import (
     LARGEST_SIZE,
-    SCOPE,
     InputError,
-    Option,
-    Request,
-    Taken,
     an_integer,
     at_most,
     integer_of,
     one_of,
     show,
 )
+from allworlds.inputs.requests import SCOPE, Option, Request, Taken
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.conditions import Condition
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
-from allworlds.document import Natural, Permutation, Pictured, WrittenByFields, about
-from allworlds.inputs import InputError, are_plain, integer, parse_json, show
+from allworlds.document.report import Pictured
+from allworlds.document.struct import Natural, Permutation, WrittenByFields, about
+from allworlds.inputs.checks import InputError, are_plain, integer, parse_json, show
 from allworlds.lazy import loaded
 
 Dart: TypeAlias = Natural

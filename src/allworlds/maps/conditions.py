@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from random import Random
 
 from msgspec import Struct
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs.checks import InputError, show
 from allworlds.maps import drawn_families as large
 from allworlds.maps.build import cycle, dense, lattice
 from allworlds.maps.canonical import automorphisms, rooted_code

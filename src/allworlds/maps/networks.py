@@ -7,7 +7,7 @@ from collections.abc import Hashable, Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from allworlds.inputs import integer, show
+from allworlds.inputs.checks import integer, show
 from allworlds.maps.build import ensure_connected, from_rotation
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles
 

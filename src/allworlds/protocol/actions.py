@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, TypeAlias, assert_never
 
-from allworlds.document import Natural, Positive, WrittenByFields, about
+from allworlds.document.struct import Natural, Positive, WrittenByFields, about
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, TypeAlias
 
-from allworlds.document import Document, Entries, Natural, Positive, WrittenByFields, about
-from allworlds.inputs import InputError, show
-from allworlds.maps import Alpha, CombinatorialMap, Dart, Sigma
+from allworlds.document.struct import Document, Entries, Natural, Positive, WrittenByFields, about
+from allworlds.inputs.checks import InputError, show
+from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 
 
 class RootedMap(Document):

@@ -13,7 +13,7 @@ from typing import Literal, Protocol, TypeAlias, TypeVar, cast, get_args, overlo
 
 from typing_extensions import override
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs.checks import InputError, show
 
 T = TypeVar("T")
 

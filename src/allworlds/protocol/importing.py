@@ -23,17 +23,16 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from msgspec import Struct
 
-from allworlds.inputs import (
+from allworlds.inputs.checks import (
     SHOWN,
     InputError,
     existing_file,
-    keep_exit_code,
     let_users_interrupt,
     no_file,
     read_text,
-    release_exit_code,
     show,
 )
+from allworlds.inputs.exit_code import keep_exit_code, release_exit_code
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from allworlds import log as entries
-from allworlds.inputs import (
+from allworlds.inputs.checks import (
     LARGEST_SIZE,
     SHOWN,
     InputError,
@@ -22,7 +22,7 @@ from allworlds.inputs import (
     let_users_interrupt,
     show,
 )
-from allworlds.maps import CombinatorialMap, InvalidMap
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import Drop, Move, Percept, Pick, Write
 from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
 from allworlds.protocol.choices import Choices

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 from msgspec import Struct
 from msgspec.structs import replace
 
-from allworlds.inputs import InputError, did_you_mean, show
+from allworlds.inputs.checks import InputError, did_you_mean, show
 from allworlds.protocol.importing import (
     SourceText,
     attempted,

@@ -23,29 +23,3 @@
 ``play``
     the page in which the reader is the robot.
 """
-
-from typing import TYPE_CHECKING
-
-from allworlds.lazy import open_door
-
-if TYPE_CHECKING:
-    from allworlds.reports.drawing.layout import Layout as Layout, layout as layout
-    from allworlds.reports.drawing.scene import scene_of as scene_of
-    from allworlds.reports.drawing.standalone import Drawing as Drawing, draw as draw
-    from allworlds.reports.format_table import (
-        FORMATS as FORMATS,
-        content_of as content_of,
-        ensure_possible as ensure_possible,
-        file_of as file_of,
-        formats_of as formats_of,
-    )
-    from allworlds.reports.play.page import game as game
-    from allworlds.reports.rendering import (
-        brief as brief,
-        finding_in_words as finding_in_words,
-        tag as tag,
-        text as text,
-    )
-    from allworlds.reports.text_layout import table as table
-else:
-    open_door(__name__)

@@ -7,7 +7,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import Any
 
-from allworlds.inputs import ensure_installed
+from allworlds.inputs.checks import ensure_installed
 from allworlds.reports import formats
 from allworlds.reports.file_format import Format
 from allworlds.reports.rendering import told

@@ -7,9 +7,9 @@ from html import escape
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from allworlds.document import Report
-from allworlds.judging import Finding
-from allworlds.protocol import Transcript
+from allworlds.document.report import Report
+from allworlds.judging.findings.finding import Finding
+from allworlds.protocol.transcript import Transcript
 from allworlds.reports.formats.csv import rows_of
 from allworlds.reports.formats.html import html
 from allworlds.reports.rendering import finding_in_words, tag, text, told, verb_of

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 from xml.etree import ElementTree as ET
 
-from allworlds.judging import Spending
+from allworlds.judging.explanations.story import Spending
 from allworlds.reports.drawing.text import draw
 from allworlds.reports.rendering import tag
 from allworlds.reports.telling import (

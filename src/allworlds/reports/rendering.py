@@ -14,7 +14,7 @@ from allworlds.verbs import BY_NAME, VERBS
 from allworlds.words import escaped, harmless, harmless_json
 
 if TYPE_CHECKING:
-    from allworlds.document import Report
+    from allworlds.document.report import Report
     from allworlds.reports.telling import ToldResult
 
 

@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.protocol import Action, Percept
+from allworlds.protocol.actions import Action, Percept
 from allworlds.reports.telling import ToldWalk
 
 Value: TypeAlias = int | float | str | bool | None

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from allworlds.judging import believed_walk, true_walk
-from allworlds.maps import Dart
-from allworlds.protocol import Estimate, Move, Transcript
+from allworlds.judging.findings.belief import believed_walk
+from allworlds.judging.findings.walks import true_walk
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.actions import Move
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.transcript import Transcript
 from allworlds.reports.drawing.scene import Scene, scene_of
-from allworlds.world import World
+from allworlds.world.world import World
 
 
 def walk_in_world(world: World, transcript: Transcript) -> Scene:

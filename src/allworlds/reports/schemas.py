@@ -20,42 +20,24 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds.document import (
-    IF_ANY,
-    Document,
-    MadeBy,
-    Text,
-    WrittenByFields,
-    about,
-    keys_of,
-    plain,
-)
-from allworlds.engines import ENGINES
-from allworlds.judging import JUDGED, PRECEDENCE, Finding
+from allworlds.document.report import MadeBy
+from allworlds.document.struct import IF_ANY, Document, Text, WrittenByFields, about, keys_of, plain
+from allworlds.engines.engine_table import ENGINES
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
 from allworlds.lazy import loaded
-from allworlds.maps import MapClass
+from allworlds.maps.classes import MapClass
 from allworlds.outcome import Result, Verdict
-from allworlds.protocol import (
-    AtStart,
-    Dropped,
-    Estimate,
-    Moved,
-    Picked,
-    RootedMap,
-    Transcript,
-    Wrote,
-)
-from allworlds.studies.check import TimeEstimate
-from allworlds.studies.run import WorldNames
+from allworlds.protocol.answers import Estimate, RootedMap
+from allworlds.protocol.transcript import AtStart, Dropped, Moved, Picked, Transcript, Wrote
+from allworlds.studies.check.time_estimate import TimeEstimate
+from allworlds.studies.run.run_request import WorldNames
 from allworlds.verbs import VERBS, Verb
-from allworlds.world import (
-    LIGHTHOUSES,
-    Lighthouse,
-    Manifest,
-    World,
-    WorldDocument,
-    place_keys,
-)
+from allworlds.world.corpus import Manifest
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.kinds import LIGHTHOUSES
+from allworlds.world.lighthouses.options import place_keys
+from allworlds.world.world import World, WorldDocument
 
 Schema: TypeAlias = dict[str, Any]
 

@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 from msgspec import Struct, field
 
-from allworlds.document import replace
+from allworlds.document.struct import replace
 from allworlds.words import number
 
 if TYPE_CHECKING:
-    from allworlds.judging import Spending, Walked
-    from allworlds.maps import Dart
+    from allworlds.judging.explanations.story import Spending, Walked
+    from allworlds.maps.combinatorial import Dart
     from allworlds.outcome import Result
-    from allworlds.protocol import Percept
+    from allworlds.protocol.actions import Percept
     from allworlds.reports.drawing.scene import Scene
     from allworlds.reports.rows import CsvRows
-    from allworlds.studies.run import Hypothesis
+    from allworlds.studies.run.hypotheses import Hypothesis
 
 
 class Shown(Struct, frozen=True):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from allworlds.engines import By
+from allworlds.engines.swept_report import By
 from allworlds.reports.rows import CsvRows, Value
-from allworlds.studies.compare import InWorld
-from allworlds.world import code_of
+from allworlds.studies.compare.contestants import InWorld
+from allworlds.world.named import code_of
 
 NAMES = {"code": str, "family": str, "holes": str, "seed": int, "edges": int, "vertices": int}
 RUN = {**NAMES, "explorer": str, "place": int, "cost": int, "bound": int, "finished": bool}

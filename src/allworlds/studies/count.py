@@ -7,42 +7,24 @@ from collections.abc import Iterator
 from math import factorial
 from typing import Annotated
 
-from msgspec import Struct, field
+from msgspec import UNSET, Struct, UnsetType, field
 from typing_extensions import override
 
-from allworlds.document import (
-    UNSET,
-    Aside,
-    Document,
-    Edges,
-    Natural,
-    UnsetType,
-    WhichShard,
-    about,
-    computed,
-)
-from allworlds.engines import (
-    COMPILER,
-    GATE,
-    WHOLE,
-    AskedCluster,
-    AskedDirectory,
-    AskedListener,
-    AskedShard,
-    AskedTime,
-    LevelUnit,
-    ReadyEngine,
-    Sweep,
-    SweptLevel,
-    SweptReport,
-    ToldGate,
-    here_or,
-    told_scope,
-)
-from allworlds.inputs import answers, lack_of
-from allworlds.maps import AskedExtent, Extent, MapClass, automorphisms, source_of
+from allworlds.document.struct import Aside, Document, Edges, Natural, WhichShard, about, computed
+from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
+from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.here import here_or
+from allworlds.engines.obstacles import COMPILER
+from allworlds.engines.sweep import Sweep
+from allworlds.engines.swept_report import GATE, SweptReport, ToldGate, told_scope
+from allworlds.engines.units import WHOLE, AskedShard, LevelUnit, SweptLevel
+from allworlds.inputs.checks import lack_of
+from allworlds.inputs.requests import answers
+from allworlds.maps.canonical import automorphisms
+from allworlds.maps.classes import AskedExtent, Extent, MapClass
+from allworlds.maps.count_source import source_of
 from allworlds.outcome import Ending
-from allworlds.world import AskedWhere
+from allworlds.world.own_condition import AskedWhere
 
 TOLD_EVERY = 1000
 """Maps after which the listener is told."""
@@ -203,7 +185,7 @@ def count_compiled(extent: Extent, unit: LevelUnit) -> Counted:
 
     Cost: less than 100 ns a rooted map, after some seconds of compiling at the first use.
     """
-    from allworlds.engines import by_vertices_and_faces
+    from allworlds.engines.kernel.counting import by_vertices_and_faces
 
     edges, counted = unit.edges, Counted()
     found = by_vertices_and_faces(edges, extent.vertex_limit(edges), unit.prefix)

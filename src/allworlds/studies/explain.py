@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from allworlds.document import replace
-from allworlds.engines import AskedPatience, Limits, played_elsewhere, single_run, subject_of
-from allworlds.inputs import InputError, answers, show
-from allworlds.judging import (
-    Chirality,
+from allworlds.document.struct import replace
+from allworlds.engines.effort import AskedPatience, Limits
+from allworlds.engines.other_worlds import played_elsewhere
+from allworlds.engines.single import single_run, subject_of
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import answers
+from allworlds.judging.explanations.explanation import (
     Explanation,
-    Finding,
     explain as explained,
     may_be_misread,
     needs_a_chiral_world,
 )
+from allworlds.judging.findings.finding import Chirality, Finding
 
 
 class AskedExplanation(AskedPatience):

@@ -9,26 +9,12 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Annotated, Literal, overload
 
-from allworlds.document import Positive, Report, Text, about, computed, one_of
-from allworlds.explorers import (
-    INTERFACE_VERSION,
-    LANGUAGES,
-    Language,
-    header_text,
-    templates,
-    templates_in,
-)
-from allworlds.inputs import (
-    OUTPUT,
-    Argument,
-    InputError,
-    Option,
-    Request,
-    a_path,
-    one_of as one_of_these,
-    show,
-    takes_fields,
-)
+from allworlds.document.report import Report
+from allworlds.document.struct import Positive, Text, about, computed, one_of
+from allworlds.explorers.shared_library.library import INTERFACE_VERSION, header_text
+from allworlds.explorers.skeletons.languages import LANGUAGES, Language, templates, templates_in
+from allworlds.inputs.checks import InputError, a_path, one_of as one_of_these, show
+from allworlds.inputs.requests import OUTPUT, Argument, Option, Request, takes_fields
 
 
 class Skeleton(Report):

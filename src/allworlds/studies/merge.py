@@ -6,10 +6,15 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-from allworlds.engines import WHOLE, AskedListener, AskedRows, Listener, merged
-from allworlds.inputs import Argument, InputError, show, takes_fields
+from allworlds.engines.effort import AskedListener
+from allworlds.engines.progress import Listener
+from allworlds.engines.run_directory import merged
+from allworlds.engines.swept_report import AskedRows
+from allworlds.engines.units import WHOLE
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import Argument, takes_fields
 from allworlds.lazy import loaded
-from allworlds.protocol import as_recorded
+from allworlds.protocol.user_code import as_recorded
 from allworlds.verbs import BY_NAME
 from allworlds.version import __version__
 

@@ -7,24 +7,22 @@ from dataclasses import KW_ONLY
 from enum import StrEnum
 from typing import Annotated, TypeAlias
 
-from allworlds.document import Document, Natural, Report, about, computed
-from allworlds.engines import Limits, single_run, subject_of
-from allworlds.explorers import BUILT_IN
-from allworlds.inputs import SCOPE, Option, Request, answers, integer_of
-from allworlds.judging import AskedRules
-from allworlds.maps import covering_walk
-from allworlds.protocol import Action, Percept, Transcript
-from allworlds.world import (
-    HOLES,
-    LIGHTHOUSE,
-    WORLD,
-    Directional,
-    GivenLighthouse,
-    IllegalAction,
-    World,
-    a_world,
-    kind_of,
-)
+from allworlds.document.report import Report
+from allworlds.document.struct import Document, Natural, about, computed
+from allworlds.engines.effort import Limits
+from allworlds.engines.single import single_run, subject_of
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.inputs.checks import integer_of
+from allworlds.inputs.requests import SCOPE, Option, Request, answers
+from allworlds.judging.findings.rules import AskedRules
+from allworlds.maps.surgery import covering_walk
+from allworlds.protocol.actions import Action, Percept
+from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol.transcript import Transcript
+from allworlds.world.lighthouses.kinds import GivenLighthouse, kind_of
+from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, a_world
+from allworlds.world.world import World
 
 LARGEST = 200
 """The most edges for which Algorithm 1 takes no more than some seconds."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
-from allworlds.document import (
+from allworlds.document.report import Report
+from allworlds.document.struct import (
     EXIT_CODE,
     Aside,
     ExitCode,
-    Report,
     Text,
     about,
     computed,
@@ -17,24 +17,15 @@ from allworlds.document import (
     one_of,
     replace,
 )
-from allworlds.engines import (
-    AskedPatience,
-    SingleRun,
-    single_run,
-    subject_of,
-    unused_choice,
-)
-from allworlds.explorers import ProgramWords
-from allworlds.inputs import (
-    SCOPE,
-    InputError,
-    Named,
-    Option,
-    Request,
-    answers,
-    show,
-)
-from allworlds.judging import AskedFinding, Finding, LawName, recorded_trail
+from allworlds.engines.effort import AskedPatience
+from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
+from allworlds.explorers.asked import ProgramWords
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import SCOPE, Named, Option, Request, answers
+from allworlds.judging.findings.asked_finding import AskedFinding
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.walks import recorded_trail
+from allworlds.judging.laws.law_table import LawName
 from allworlds.outcome import Exit, Facts
 
 

@@ -6,23 +6,27 @@ import time
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
-from allworlds.document import (
+from allworlds.document.report import Report
+from allworlds.document.struct import (
     Aside,
     Document,
     Edges,
     Figure,
     Natural,
-    Report,
     Seconds,
     Text,
     Vertices,
     WhichShard,
     about,
 )
-from allworlds.engines import ENDED, Silent, in_use, is_counted, reading, shards_of
-from allworlds.inputs import Argument, Request, a_path, answers, given_again
+from allworlds.engines.database import reading
+from allworlds.engines.progress import Silent
+from allworlds.engines.run_directory import ENDED, in_use
+from allworlds.engines.units import is_counted, shards_of
+from allworlds.inputs.checks import a_path
+from allworlds.inputs.requests import Argument, Request, answers, given_again
 from allworlds.lazy import loaded
-from allworlds.protocol import as_recorded
+from allworlds.protocol.user_code import as_recorded
 from allworlds.verbs import BY_NAME
 
 State: TypeAlias = Literal["running", "finished", "unfinished"]

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.protocol import IllegalAction as IllegalAction
+    from allworlds.protocol.faults import IllegalAction as IllegalAction
     from allworlds.world.lighthouses.base import (
         Lighthouse as Lighthouse,
         Sensing as Sensing,
@@ -57,46 +57,5 @@ if TYPE_CHECKING:
     from allworlds.world.own_condition import worlds as worlds
     from allworlds.world.state import State as State
     from allworlds.world.world import World as World, at_place as at_place
-
-# For other parts of the program.
-if TYPE_CHECKING:
-    from allworlds.world.asked_lighthouse import (
-        AskedLighthouse as AskedLighthouse,
-        flaws_of as flaws_of,
-        tried_kind as tried_kind,
-    )
-    from allworlds.world.bisimulation import flaw as flaw
-    from allworlds.world.corpus import Manifest as Manifest, own_corpus as own_corpus
-    from allworlds.world.lighthouses.base import (
-        ReferenceLighthouse as ReferenceLighthouse,
-        WalkInAnswer as WalkInAnswer,
-    )
-    from allworlds.world.lighthouses.kinds import (
-        OWN as OWN,
-        GivenLighthouse as GivenLighthouse,
-        LighthouseKind as LighthouseKind,
-        kind_of as kind_of,
-        lighthouse_kind as lighthouse_kind,
-        numbers_told as numbers_told,
-        parts_of as parts_of,
-    )
-    from allworlds.world.lighthouses.knowledge import TOLD as TOLD
-    from allworlds.world.lighthouses.left import NumberRoom as NumberRoom
-    from allworlds.world.lighthouses.options import place_keys as place_keys
-    from allworlds.world.named import (
-        HOLES as HOLES,
-        LIGHTHOUSE as LIGHTHOUSE,
-        WORLD as WORLD,
-        AskedWorld as AskedWorld,
-        a_world as a_world,
-        map_of_family as map_of_family,
-    )
-    from allworlds.world.own_condition import (
-        AskedWhere as AskedWhere,
-        Predicate as Predicate,
-        a_condition as a_condition,
-        files_of_condition as files_of_condition,
-    )
-    from allworlds.world.world import WorldDocument as WorldDocument
 else:
     open_door(__name__)

@@ -6,10 +6,13 @@ from collections.abc import Iterator, Sequence
 from random import Random
 from typing import Annotated
 
-from allworlds.document import Text, about
-from allworlds.inputs import SCOPE, Option, Request, Taken, one_of
-from allworlds.maps import CombinatorialMap, rooted_maps
-from allworlds.protocol import Action, Drop, IllegalAction, Move, Pick, Write
+from allworlds.document.struct import Text, about
+from allworlds.inputs.checks import one_of
+from allworlds.inputs.requests import SCOPE, Option, Request, Taken
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.enumeration import rooted_maps
+from allworlds.protocol.actions import Action, Drop, Move, Pick, Write
+from allworlds.protocol.faults import IllegalAction
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,

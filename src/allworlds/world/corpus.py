@@ -14,10 +14,11 @@ from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
-from msgspec import Struct
+from msgspec import Meta, Struct
 
-from allworlds.document import Document, Meta, Text, about, taken
-from allworlds.inputs import InputError, parse_json, show
+from allworlds.document.reading import taken
+from allworlds.document.struct import Document, Text, about
+from allworlds.inputs.checks import InputError, parse_json, show
 
 Kind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
 

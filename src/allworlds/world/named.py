@@ -7,14 +7,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document import Text, about
-from allworlds.inputs import (
-    SCOPE,
-    Argument,
+from allworlds.document.struct import Text, about
+from allworlds.inputs.checks import (
     InputError,
-    Option,
-    Request,
-    Taken,
     did_you_mean,
     in_file,
     integer_of,
@@ -23,16 +18,11 @@ from allworlds.inputs import (
     read_text,
     show,
 )
-from allworlds.maps import (
-    FORMS,
-    CombinatorialMap,
-    Dart,
-    NoSuchMap,
-    family,
-    named_map,
-    named_maps,
-    rooted_code,
-)
+from allworlds.inputs.requests import SCOPE, Argument, Option, Request, Taken
+from allworlds.maps.build import NoSuchMap, named_map, named_maps
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.families import FORMS, family
 from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.kinds import (

@@ -9,22 +9,15 @@ from typing import Annotated, ClassVar, Literal, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document import IfAny, Text, about
-from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, a_text, show
-from allworlds.maps import (
-    AND,
-    DEFAULT_EDGES,
-    LEGAL,
-    AllOf,
-    CombinatorialMap,
-    Condition,
-    Extent,
-    Gluing,
-    MapClass,
-    condition_named,
-    rooted_maps,
-)
-from allworlds.protocol import LocalCode, Role, UserCode, tried
+from allworlds.document.struct import IfAny, Text, about
+from allworlds.inputs.checks import InputError, a_text, show
+from allworlds.inputs.requests import SCOPE, Option, Request, Taken
+from allworlds.maps.classes import DEFAULT_EDGES, Extent, MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.conditions import AND, LEGAL, AllOf, Condition, condition_named
+from allworlds.maps.enumeration import Gluing, rooted_maps
+from allworlds.protocol.importing import tried
+from allworlds.protocol.user_code import LocalCode, Role, UserCode
 from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import GivenLighthouse

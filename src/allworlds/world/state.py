@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from allworlds.inputs import are_plain
-from allworlds.maps import Dart
+from allworlds.inputs.checks import are_plain
+from allworlds.maps.combinatorial import Dart
 
 
 @dataclass(frozen=True, slots=True)

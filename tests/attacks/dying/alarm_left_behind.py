@@ -6,7 +6,7 @@ quick: 1
 
 import signal
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first):

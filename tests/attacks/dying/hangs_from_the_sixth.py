@@ -6,7 +6,7 @@ options: --edges 2 --answer-timeout 0.5
 
 from itertools import count
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 TURN = count(1)
 

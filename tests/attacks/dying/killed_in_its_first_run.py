@@ -8,7 +8,7 @@ import os
 import signal
 from pathlib import Path
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first):

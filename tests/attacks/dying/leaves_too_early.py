@@ -7,7 +7,7 @@ options: --edges 3
 import os
 from itertools import count
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 TURN = count(1)
 

@@ -4,7 +4,7 @@ verdict: inconclusive
 options: --edges 2 --memory 800
 """
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 KEPT = []
 

@@ -36,7 +36,7 @@ import sys
 import time
 
 from allworlds import Ambiguous, Checkpoint, CombinatorialMap, Estimate, Move
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 EDGE = CombinatorialMap((0, 1), (1, 0))
 HUGE = 10**5000  # more digits than Python turns into text

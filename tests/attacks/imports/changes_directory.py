@@ -6,7 +6,7 @@ options: --edges 1
 
 import os
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 os.chdir("/")
 

@@ -6,7 +6,7 @@ says: not a second time
 
 from pathlib import Path
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 if Path("imported").exists():
     raise RuntimeError("not a second time")

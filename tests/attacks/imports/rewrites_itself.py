@@ -8,7 +8,9 @@ from pathlib import Path
 
 from allworlds import CombinatorialMap, Estimate
 
-Path(__file__).write_text("from allworlds.explorers import algorithm1 as explore\n")
+Path(__file__).write_text(
+    "from allworlds.explorers.builtin.algorithm1 import algorithm1 as explore\n"
+)
 
 
 def explore(first):

@@ -9,7 +9,7 @@ import resource
 import signal
 import sys
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 sys.path.clear()
 for name in ("json", "selectors", "tempfile"):

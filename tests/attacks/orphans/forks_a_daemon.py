@@ -8,7 +8,7 @@ quick: 1
 import os
 import time
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first):

@@ -7,7 +7,7 @@ options: --edges 1
 import subprocess
 import sys
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def start():

@@ -39,7 +39,7 @@ from itertools import cycle
 import numpy as np
 
 from allworlds import Checkpoint, CombinatorialMap, Estimate, Move
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 class Index:

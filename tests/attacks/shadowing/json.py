@@ -3,7 +3,7 @@
 verdict: holds
 """
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first):

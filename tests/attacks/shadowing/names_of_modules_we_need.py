@@ -5,7 +5,7 @@ beside: json re enum types random codecs mmap signal typing numpy typer secrets 
 quick: 1
 """
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first):

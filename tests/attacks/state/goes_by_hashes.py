@@ -5,7 +5,7 @@ options: --edges 2 --laws map,pose
 """
 
 from allworlds import Move
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first):

@@ -8,7 +8,7 @@ import os
 from random import Random
 
 from allworlds import Move
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first):

@@ -3,7 +3,7 @@
 verdict: refuted nondeterministic or map or pose or folding
 """
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 ANSWERS = {}
 

@@ -4,7 +4,7 @@ verdict: refuted no-estimate
 options: --edges 3 --laws map,pose
 """
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first):

@@ -6,7 +6,7 @@ verdict: holds
 import os
 import sys
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 print("::error::at import")
 

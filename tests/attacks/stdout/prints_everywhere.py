@@ -11,7 +11,7 @@ import sys
 import threading
 import time
 
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def write():

@@ -7,9 +7,9 @@ from base64 import b64encode
 
 import pytest
 
-from allworlds.inputs import InputError
-from allworlds.reports import game as game_page, text
-from allworlds.reports.play.page import costs_data, world_data
+from allworlds.inputs.checks import InputError
+from allworlds.reports.play.page import costs_data, game as game_page, world_data
+from allworlds.reports.rendering import text
 from allworlds.studies.play import play
 from allworlds.world import LIGHTHOUSES
 from html_tree import Reader

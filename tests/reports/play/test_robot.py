@@ -4,9 +4,9 @@ import pytest
 
 import allworlds
 from allworlds import CombinatorialMap, Estimate, Move
-from allworlds.judging import fold
+from allworlds.judging.laws.folding import fold
 from allworlds.maps import rooted_isomorphism, rooted_maps
-from allworlds.protocol import Drop, Pick, Write
+from allworlds.protocol.actions import Drop, Pick, Write
 from allworlds.reports.play.page import world_data
 from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, State, World
 from allworlds.world.lighthouses.kinds import lighthouse_named

@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from allworlds.maps import family, named_map
-from allworlds.protocol import Move
+from allworlds.protocol.actions import Move
 from allworlds.world import World
 
 

@@ -8,14 +8,15 @@ import pytest
 from allworlds import Estimate, Move, explain, replay, run, search, twins, worst
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import named_map
-from allworlds.reports import file_of
+from allworlds.reports.format_table import file_of
 from allworlds.reports.telling import SizeCost
 from allworlds.reports.tellings.lookalikes import letters
 from allworlds.reports.web import frame
 from allworlds.reports.web.sections import LONGEST, plot
 from allworlds.studies.ambiguity import class_of, projection_of
-from allworlds.studies.check import check, most_expensive_runs
-from allworlds.studies.compare import compare
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.check.report import most_expensive_runs
+from allworlds.studies.compare.contest import compare
 from allworlds.world import Directional, World, world_named
 from html_tree import read
 

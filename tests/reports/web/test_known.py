@@ -1,9 +1,9 @@
 """The knowledge of an explorer, shown beside the world."""
 
 from allworlds import run
-from allworlds.document import replace
-from allworlds.protocol import Checkpoint
-from allworlds.reports import file_of
+from allworlds.document.struct import replace
+from allworlds.protocol.answers import Checkpoint
+from allworlds.reports.format_table import file_of
 from allworlds.reports.tellings.single_run import known
 from allworlds.reports.web.sections import NEVER
 from html_tree import read

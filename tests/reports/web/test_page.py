@@ -13,13 +13,15 @@ import pytest
 
 from allworlds import Estimate, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
-from allworlds.judging import Finding, explain
+from allworlds.document.struct import replace
+from allworlds.judging.explanations.explanation import explain
+from allworlds.judging.findings.finding import Finding
 from allworlds.maps import named_map
-from allworlds.reports import file_of
+from allworlds.reports.format_table import file_of
 from allworlds.reports.rendering import legal
-from allworlds.studies.check import GateCell, check
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.check.report import GateCell
+from allworlds.studies.fuzz.drive import fuzz
 from allworlds.words import escaped
 from html_tree import read
 
@@ -232,7 +234,7 @@ SAME = """
 import sys
 from allworlds import check
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.reports import file_of
+from allworlds.reports.format_table import file_of
 from html_tree import read
 wrong = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")
 report = check(wrong.explorer(), edges=3)

@@ -8,8 +8,10 @@ way, but over all worlds exactly as far; renamed: its map with other names of th
 import json
 import sys
 
-from allworlds.explorers import BUILT_IN
-from allworlds.protocol import Checkpoint, Choices, Percept, policy_named
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.choices import Choices, policy_named
 
 HOW, POLICY, LIGHTHOUSE = sys.argv[1:]
 NAMES = {

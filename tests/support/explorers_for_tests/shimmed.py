@@ -2,9 +2,11 @@
 
 import ctypes
 
-from allworlds.explorers import load
+from allworlds.explorers.loading import load
 from allworlds.explorers.shared_library.library import CAction, CPercept
-from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Percept
+from allworlds.protocol.actions import Drop, Move, Percept
+from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.choices import Choices
 
 MOVE, DROP, CHECKPOINT, ANSWER = 1, 2, 4, 5
 

@@ -18,7 +18,7 @@ from itertools import count
 from pathlib import Path
 
 from allworlds import Choices, CombinatorialMap, Estimate, Move
-from allworlds.explorers import algorithm1
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 EDGE = CombinatorialMap((0, 1), (1, 0))
 KEPT = []

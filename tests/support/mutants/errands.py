@@ -8,9 +8,11 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.judging import Judge, Task, WalkLog
-from allworlds.judging.tasks import TASKS
-from allworlds.protocol import Move, Percept, Told, Transcript
+from allworlds.judging.tasks import TASKS, Judge, Task
+from allworlds.judging.walk_log import WalkLog
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.player import Told
+from allworlds.protocol.transcript import Transcript
 from allworlds.world import World
 
 

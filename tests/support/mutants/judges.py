@@ -6,11 +6,12 @@ from collections.abc import Callable
 
 from msgspec import Struct
 
-from allworlds.judging import Case, Violation, paper_bound
-from allworlds.judging.laws.case import ambiguity_law
+from allworlds.judging.laws.bounds import paper_bound
+from allworlds.judging.laws.case import Case, Violation, ambiguity_law
 from allworlds.judging.laws.law_table import Check, Checks, bound_law, map_law
 from allworlds.maps import CombinatorialMap, isomorphism, to_networkx
-from allworlds.protocol import Estimate, Move
+from allworlds.protocol.actions import Move
+from allworlds.protocol.answers import Estimate
 
 
 def mirror_accepted(case: Case) -> Violation | None:

@@ -23,29 +23,19 @@ from allworlds.corpus.explorers import (
     WrongExplorer,
     WrongLearner,
 )
-from allworlds.explorers import in_process_subject
-from allworlds.judging import (
-    LAWS,
-    Answered,
-    Case,
-    Undecided,
-    canonical_world,
-    default_step_budget,
-    judge,
-    paper_bound,
-    play,
-)
-from allworlds.judging.laws.law_table import Setting
+from allworlds.explorers.subject import in_process_subject
+from allworlds.judging.endings import Answered, Undecided
+from allworlds.judging.episode import default_step_budget, play
+from allworlds.judging.findings.finding import canonical_world
+from allworlds.judging.laws.bounds import paper_bound
+from allworlds.judging.laws.case import Case
+from allworlds.judging.laws.law_table import LAWS, Setting, judge
 from allworlds.judging.tasks import task_named
-from allworlds.maps import (
-    CombinatorialMap,
-    rooted_code,
-    rooted_maps,
-    rooted_maps_by_permutations,
-    source_for,
-)
-from allworlds.protocol import Choices
-from allworlds.studies.check import check
+from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
+from allworlds.maps.bruteforce import rooted_maps_by_permutations
+from allworlds.maps.counting.sources import source_for
+from allworlds.protocol.choices import Choices
+from allworlds.studies.check.exhaustive import check
 from allworlds.words import plural
 from allworlds.world import Directional, World
 from allworlds.world.lighthouses.kinds import lighthouse_named

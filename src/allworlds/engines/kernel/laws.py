@@ -33,7 +33,7 @@ from allworlds.engines.kernel.instructions import (
     unlike,
 )
 from allworlds.engines.kernel.records import DARTS, NONE
-from allworlds.judging import PRECEDENCE
+from allworlds.judging.laws.law_table import PRECEDENCE
 
 LAWS = ("", *PRECEDENCE)
 """The laws by their numbers, in their order of precedence; 0: none is broken."""

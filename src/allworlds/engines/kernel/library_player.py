@@ -38,7 +38,7 @@ from allworlds.engines.kernel.instructions import (
     put_word,
 )
 from allworlds.engines.kernel.records import LIBRARY, NONE, Stretch, new
-from allworlds.explorers import NativeExplorer, threads_left, threads_now
+from allworlds.explorers.shared_library.native import NativeExplorer, threads_left, threads_now
 
 LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS + LANES
 """The largest number of bytes that are written in one step."""

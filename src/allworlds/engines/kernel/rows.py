@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from msgspec import Struct
 from numpy import array, int64, ones
 
-from allworlds.judging import paper_bound
+from allworlds.judging.laws.bounds import paper_bound
 
 UNBOUNDED = 1 << 40
 """The number in place of no bound: more than any walk costs."""

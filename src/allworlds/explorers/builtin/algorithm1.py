@@ -26,8 +26,10 @@ from collections.abc import Callable, Generator
 from typing import TypeAlias, TypeVar
 
 from allworlds.explorers.builtin.partial_map import PartialMap, simple_path, walks
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import Checkpoint, Choices, Estimate, Move, Percept
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.choices import Choices
 
 R = TypeVar("R")
 Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]

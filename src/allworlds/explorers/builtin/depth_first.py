@@ -6,8 +6,10 @@ from collections.abc import Callable
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
 from allworlds.explorers.builtin.partial_map import PartialMap, bearing_of, walks
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import Choices, Estimate, Move, Percept
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.choices import Choices
 
 
 def dfs(

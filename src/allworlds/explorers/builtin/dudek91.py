@@ -21,8 +21,10 @@ from typing import TypeAlias, TypeVar
 
 from allworlds.explorers.builtin.algorithm1 import nobody
 from allworlds.explorers.builtin.partial_map import PartialMap, walks
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import Action, Checkpoint, Choices, Drop, Estimate, Move, Percept, Pick
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick
+from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.choices import Choices
 
 R = TypeVar("R")
 Acts: TypeAlias = Generator[Action | Checkpoint, Percept, R]

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from bisect import insort
 
-from allworlds.protocol import Percept
+from allworlds.protocol.actions import Percept
 
 OPEN = -1
 """The other end of a dart that the robot has not gone through."""

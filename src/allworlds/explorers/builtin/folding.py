@@ -17,8 +17,10 @@ from typing import TypeAlias
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
 from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
 from allworlds.explorers.builtin.partial_map import bearing_of
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import Choices, Estimate, Move, Percept
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.choices import Choices
 
 Way: TypeAlias = Callable[[FoldedLog, int], list[int]]
 """The darts to leave by, one after the other, from the robot's dart to the end of an open one."""

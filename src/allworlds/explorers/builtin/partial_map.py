@@ -6,7 +6,9 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from typing import overload
 
-from allworlds.protocol import Checkpoint, Choices, Kind, Percept
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.choices import Choices, Kind
 
 
 def bearing_of(percept: Percept) -> int:

@@ -6,8 +6,10 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
-from allworlds.maps import CombinatorialMap
-from allworlds.protocol import Ambiguous, Choices, Estimate, Move, Percept
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.protocol.choices import Choices
 
 
 class TreeDart(NamedTuple):

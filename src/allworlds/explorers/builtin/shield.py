@@ -25,8 +25,10 @@ from allworlds.explorers.builtin.algorithm1 import Walk, algorithm1
 from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
 from allworlds.explorers.builtin.folding import estimate, has_open_dart, way
 from allworlds.explorers.builtin.partial_map import bearing_of
-from allworlds.inputs import integer, let_users_interrupt, show
-from allworlds.protocol import Checkpoint, Estimate, ExplorerFault, Move, Percept
+from allworlds.inputs.checks import integer, let_users_interrupt, show
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.faults import ExplorerFault
 
 MOST_CHECKPOINTS = 1000
 """The largest number of checkpoints between two motions: an explorer with more is out."""

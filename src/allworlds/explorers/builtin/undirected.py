@@ -15,7 +15,9 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk, nobody
-from allworlds.protocol import Choices, Estimate, Move, Percept
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.choices import Choices
 
 Recognised: TypeAlias = Callable[[Percept], bool]
 """Whether a percept is that of one certain vertex."""

@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from allworlds.inputs import InputError, existing_file, is_loop_of_links, show
+from allworlds.inputs.checks import InputError, existing_file, is_loop_of_links, show
 
 
 def header_text() -> str:

@@ -24,22 +24,12 @@ from allworlds.explorers.shared_library.library import (
     Library,
     Pick,
 )
-from allworlds.maps import CombinatorialMap, InvalidMap
-from allworlds.protocol import (
-    KINDS,
-    Action,
-    Ambiguous,
-    Answer,
-    Checkpoint,
-    Choices,
-    Drop,
-    Estimate,
-    ExplorerFault,
-    Move,
-    Percept,
-    Pick as PickUp,
-    Told,
-)
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick as PickUp
+from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
+from allworlds.protocol.choices import KINDS, Choices
+from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.player import Told
 
 T = TypeVar("T")
 

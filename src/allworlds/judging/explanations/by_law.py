@@ -1,4 +1,4 @@
-"""What is said of a finding, law by law."""
+"""The words about a finding, law by law."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from allworlds.explorers import is_program
-from allworlds.inputs import InputError, an_integer
+from allworlds.explorers.names import is_program
+from allworlds.inputs.checks import InputError, an_integer
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.explanations.slips import (
     bearings_anticlockwise,
@@ -22,10 +22,14 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import true_walk
 from allworlds.judging.laws.bounds import paper_terms
 from allworlds.judging.laws.folding import Folded, fold
-from allworlds.maps import CombinatorialMap, Dart, carries, cycles, numbering, rooted_isomorphism
-from allworlds.protocol import BUILT, NO_MAP, Transcript
+from allworlds.maps.canonical import carries, numbering, rooted_isomorphism
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
+from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol.playing import BUILT, NO_MAP
+from allworlds.protocol.transcript import Transcript
 from allworlds.words import listed, plural, size
-from allworlds.world import Directional, IllegalAction, World
+from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.world import World
 
 
 def another_world(world: World, transcript: Transcript) -> World | None:

@@ -6,26 +6,23 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import Annotated
 
-from allworlds.document import Aside, Natural, Positive, Report, Some, Text, about, computed
-from allworlds.explorers import CONVENTIONS, TRANSLATED
-from allworlds.inputs import InputError, show
+from allworlds.document.report import Report
+from allworlds.document.struct import Aside, Natural, Positive, Some, Text, about, computed
+from allworlds.explorers.names import TRANSLATED
+from allworlds.explorers.translated import CONVENTIONS
+from allworlds.inputs.checks import InputError, show
 from allworlds.judging.explanations.by_law import teller_of
 from allworlds.judging.explanations.slips import mirror_image
 from allworlds.judging.explanations.story import Belief, Spending, Story
 from allworlds.judging.findings.finding import Chirality, Finding
 from allworlds.judging.laws.law_table import LawName
-from allworlds.maps import (
-    DEFAULT_EDGES,
-    CombinatorialMap,
-    Dart,
-    Extent,
-    MapClass,
-    isomorphism,
-    rooted_maps,
-)
-from allworlds.protocol import Estimate
+from allworlds.maps.canonical import isomorphism
+from allworlds.maps.classes import DEFAULT_EDGES, Extent, MapClass
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.enumeration import rooted_maps
+from allworlds.protocol.answers import Estimate
 from allworlds.words import plural, size
-from allworlds.world import World
+from allworlds.world.world import World
 
 LARGEST = 5
 """The largest number of edges of the chiral worlds: each class has some."""

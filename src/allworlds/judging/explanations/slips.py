@@ -10,17 +10,10 @@ from msgspec import Struct
 
 from allworlds.judging.explanations.story import Belief, Walked
 from allworlds.judging.findings.walks import trail_to
-from allworlds.maps import (
-    CombinatorialMap,
-    Dart,
-    InvalidMap,
-    Mismatch,
-    contracted,
-    deleted,
-    isomorphism,
-    rooted_isomorphism,
-)
-from allworlds.protocol import Move, Percept
+from allworlds.maps.canonical import Mismatch, isomorphism, rooted_isomorphism
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap
+from allworlds.maps.surgery import contracted, deleted
+from allworlds.protocol.actions import Move, Percept
 from allworlds.words import plural
 
 PYTHON = "Traceback (most recent call last):"

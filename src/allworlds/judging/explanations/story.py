@@ -8,13 +8,15 @@ from typing import TypeAlias
 
 from msgspec import Struct
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs.checks import InputError, show
 from allworlds.judging.findings.belief import Parting, believed_walk
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import recorded_trail
-from allworlds.maps import Dart
-from allworlds.protocol import Estimate, Move, Percept, Transcript
-from allworlds.world import World
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.transcript import Transcript
+from allworlds.world.world import World
 
 
 class Spending(Struct, frozen=True):

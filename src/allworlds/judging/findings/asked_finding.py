@@ -10,21 +10,10 @@ from typing import Annotated, NamedTuple
 
 from msgspec import Struct
 
-from allworlds.inputs import (
-    SCOPE,
-    Argument,
-    InputError,
-    Named,
-    Option,
-    Request,
-    in_file,
-    integer_of,
-    parse_json,
-    read_text,
-    show,
-)
+from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
+from allworlds.inputs.requests import SCOPE, Argument, Named, Option, Request
 from allworlds.judging.findings.finding import Finding, findings_of
-from allworlds.protocol import OtherText
+from allworlds.protocol.user_code import OtherText
 
 
 class ChosenFinding(NamedTuple):

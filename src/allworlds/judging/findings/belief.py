@@ -1,4 +1,4 @@
-"""What an explorer believed: its walk traced back, and where it parts from the world."""
+"""The belief of an explorer: its walk traced back, and where it parts from the world."""
 
 from __future__ import annotations
 
@@ -7,9 +7,11 @@ from collections.abc import Iterable, Sequence
 from msgspec import Struct
 
 from allworlds.judging.findings.walks import believed_percepts, trail_from, trail_to, true_trail
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Estimate, Percept, Transcript
-from allworlds.world import World
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.transcript import Transcript
+from allworlds.world.world import World
 
 
 class Parting(Struct, frozen=True):

@@ -10,27 +10,28 @@ from typing import Annotated, Any, Final, Literal
 
 from msgspec import Struct
 
-from allworlds.document import (
-    SCHEMA,
+from allworlds.document.reading import taken
+from allworlds.document.report import SCHEMA, Paged
+from allworlds.document.struct import (
     Aside,
     Document,
     FromJson,
     IfAny,
     Natural,
-    Paged,
     about,
     computed,
     read_by,
-    taken,
 )
-from allworlds.explorers import HASH_SEED, named_on_command_line, own_bound
-from allworlds.inputs import InputError, parse_json, show
+from allworlds.explorers.names import named_on_command_line, own_bound
+from allworlds.explorers.subject import HASH_SEED
+from allworlds.inputs.checks import InputError, parse_json, show
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.case import Value
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName
-from allworlds.maps import Code, numbering, rooted_code
-from allworlds.protocol import Estimate, Transcript
-from allworlds.world import World
+from allworlds.maps.canonical import Code, numbering, rooted_code
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.transcript import Transcript
+from allworlds.world.world import World
 
 
 class Misreading(Struct, frozen=True):

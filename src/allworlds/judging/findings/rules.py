@@ -8,22 +8,18 @@ from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
-from allworlds.document import Different, Document, IfAny, Positive, Text, about
-from allworlds.explorers import Subject, is_library
-from allworlds.inputs import (
+from allworlds.document.struct import Different, Document, IfAny, Positive, Text, about
+from allworlds.explorers.names import is_library
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
+from allworlds.inputs.requests import (
     RULES,
-    InputError,
     Option,
     Request,
     Taken,
-    a_text,
-    an_integer,
     as_json,
     fields_of,
     given_again,
-    integer_of,
-    one_of,
-    show,
     told_by,
     values_of,
 )
@@ -31,18 +27,19 @@ from allworlds.judging.episode import default_step_budget
 from allworlds.judging.laws.bounds import BOUNDS, NO_BOUND, Bound, bound_named, paper_bound
 from allworlds.judging.laws.law_table import LAWS, TASK, JudgedLaw, Setting
 from allworlds.judging.tasks import MAP, TASKS, Judge, Task, task_named
-from allworlds.maps import AND, CombinatorialMap, Condition
-from allworlds.protocol import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
-from allworlds.world import (
-    Directional,
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.conditions import AND, Condition
+from allworlds.protocol.choices import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.kinds import (
     GivenLighthouse,
-    Lighthouse,
     LighthouseKind,
-    World,
     kind_of,
     lighthouse_kind,
     numbers_told,
 )
+from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.world import World
 
 
 def law_names(text: str) -> tuple[str, ...]:

@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from allworlds.inputs import InputError
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Drop, Move, Percept, Pick, Transcript
-from allworlds.world import IllegalAction, State, WalkInAnswer, World
+from allworlds.inputs.checks import InputError
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Drop, Move, Percept, Pick
+from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol.transcript import Transcript
+from allworlds.world.lighthouses.base import WalkInAnswer
+from allworlds.world.state import State
+from allworlds.world.world import World
 
 
 def true_trail(world: World, transcript: Transcript) -> list[Dart]:

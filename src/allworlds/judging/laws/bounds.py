@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from allworlds.inputs import InputError, show
-from allworlds.maps import CombinatorialMap, Dart
+from allworlds.inputs.checks import InputError, show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 VARIABLES = ("n", "m", "d0", "D", "d", "g")
 _NAMES = (*VARIABLES, "paper")

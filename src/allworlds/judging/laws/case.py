@@ -1,4 +1,4 @@
-"""What a law is asked about, and the answers that are quotients."""
+"""Cases that a law is asked about, and the answers that are quotients."""
 
 from __future__ import annotations
 
@@ -7,16 +7,13 @@ from typing import Literal, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.maps import (
-    CombinatorialMap,
-    Dart,
-    Quotient,
-    carries,
-    is_ambiguous,
-    numbering,
-    project,
-)
-from allworlds.protocol import Ambiguous, Answer, Checkpoint, Estimate, Move, Transcript
+from allworlds.maps.canonical import carries, numbering
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.criterion import is_ambiguous
+from allworlds.maps.quotient import Quotient, project
+from allworlds.protocol.actions import Move
+from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
+from allworlds.protocol.transcript import Transcript
 
 
 class Case(Struct, frozen=True, dict=True):

@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from allworlds.protocol import Move, Percept, Transcript
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.transcript import Transcript
 
 
 class Contradiction(ValueError):

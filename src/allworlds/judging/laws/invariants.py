@@ -13,10 +13,10 @@ from operator import ne
 
 from msgspec import Struct
 
-from allworlds.inputs import show
+from allworlds.inputs.checks import show
 from allworlds.judging.laws.case import Case, Violation
-from allworlds.maps import Dart
-from allworlds.protocol import Checkpoint
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.answers import Checkpoint
 
 
 class BrokenInvariant(Struct, frozen=True):

@@ -11,11 +11,11 @@ from typing import Annotated, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document import one_of
+from allworlds.document.struct import one_of
 from allworlds.judging.laws.case import Case, Violation, ambiguity_law
 from allworlds.judging.laws.folding import fold
 from allworlds.judging.laws.invariants import invariant_1, invariant_2, variant
-from allworlds.protocol import Estimate
+from allworlds.protocol.answers import Estimate
 
 Check: TypeAlias = Callable[[Case], Violation | None]
 """The function of a law: the violation, or None if the law holds."""

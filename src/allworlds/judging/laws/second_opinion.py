@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, Literal
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from allworlds.maps import CombinatorialMap, Dart
+    from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 
 def same_map(a: CombinatorialMap, b: CombinatorialMap) -> bool:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from allworlds.maps import CombinatorialMap, Dart, Mismatch, isomorphism
+from allworlds.maps.canonical import Mismatch, isomorphism
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.drawing.layout import Layout, layout
 from allworlds.reports.drawing.scene import Names
 

@@ -10,7 +10,8 @@ from math import pi, tau
 
 from msgspec import Struct
 
-from allworlds.maps import CombinatorialMap, Dart, Mismatch, cycles, isomorphism, unrooted_code
+from allworlds.maps.canonical import Mismatch, isomorphism, unrooted_code
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
 from allworlds.reports.drawing.planar import PlanarMap, drawings, mesh, place
 
 ROUND_VERTEX, ROUND_CROSSING = 40.0, 30.0

@@ -9,7 +9,7 @@ from math import inf, tau
 
 from msgspec import Struct
 
-from allworlds.maps import CombinatorialMap, Dart, cycles
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
 
 TRIES = 12
 """In so many orders of the edges it is tried; the drawing with the fewest crossings is kept."""

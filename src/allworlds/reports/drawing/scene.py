@@ -7,9 +7,9 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct, field
 
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Percept
-from allworlds.world import World
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Percept
+from allworlds.world.world import World
 
 
 class Names(Struct, frozen=True):

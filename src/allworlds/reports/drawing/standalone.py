@@ -8,14 +8,14 @@ from xml.etree import ElementTree as ET
 
 from msgspec import Struct
 
-from allworlds.inputs import InputError, a_path, show
-from allworlds.maps import CombinatorialMap
+from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.drawing.svg import picture
 from allworlds.reports.drawing.text import draw as drawn_in_characters
 from allworlds.reports.rendering import tag
 from allworlds.words import size
-from allworlds.world import World
+from allworlds.world.world import World
 
 # No variables and no nesting: other programs than browsers read it.  In a notebook the rules of a
 # drawing reach the whole page, so that each begins with the name of its drawing.

@@ -8,7 +8,7 @@ from itertools import pairwise
 from math import cos, pi, sin, tau
 from xml.etree import ElementTree as ET
 
-from allworlds.maps import Dart
+from allworlds.maps.combinatorial import Dart
 from allworlds.reports.drawing.layout import CHIP, DISC, HIGH, Layout, bridges_of, layout, rim
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.rendering import Child, tag

@@ -16,7 +16,7 @@ import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
-from allworlds.maps import CombinatorialMap, Dart
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.drawing.scene import Scene
 
 T = TypeVar("T")

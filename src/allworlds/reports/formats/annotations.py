@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.explorers import place_of_explorer
+from allworlds.explorers.source_line import place_of_explorer
 from allworlds.outcome import Verdict
 from allworlds.reports.file_format import Format
 from allworlds.reports.project import project_folder
@@ -26,7 +26,7 @@ KINDS = {
 def runner_commands(telling: ToldResult) -> str:
     """Commands, one for each finding at the explorer's file and line; else for the verdict."""
     from allworlds.reports.tellings.finding import headline_of
-    from allworlds.studies.check import CheckReport
+    from allworlds.studies.check.report import CheckReport
 
     report, head = telling.result, telling.headline
     assert isinstance(report, CheckReport)

@@ -15,7 +15,7 @@ from allworlds.reports.telling import ToldResult
 from allworlds.verbs import GROWTH
 
 if TYPE_CHECKING:
-    from allworlds.studies.compare import Growth
+    from allworlds.studies.compare.growth import Growth
 
 COLUMNS, SIDE = 3, 3.4
 """Panels side by side, and the side of one in inches."""
@@ -26,7 +26,7 @@ def growth_plot(telling: ToldResult) -> str:
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
-    from allworlds.studies.compare import Growth
+    from allworlds.studies.compare.growth import Growth
 
     report = telling.result
     assert isinstance(report, Growth)

@@ -8,10 +8,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-from allworlds.explorers import SourceLine, place_of_explorer
-from allworlds.judging import ASKED, Finding, file_name as name_of_finding, true_trail
+from allworlds.explorers.source_line import SourceLine, place_of_explorer
+from allworlds.judging.findings.asked_finding import file_name as name_of_finding
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.walks import true_trail
+from allworlds.judging.laws.law_table import ASKED
 from allworlds.outcome import Verdict
-from allworlds.protocol import Move
+from allworlds.protocol.actions import Move
 from allworlds.reports.file_format import Format
 from allworlds.reports.project import project_folder
 from allworlds.reports.rendering import finding_in_words
@@ -22,7 +25,7 @@ from allworlds.version import __version__
 from allworlds.words import harmless_json
 
 if TYPE_CHECKING:
-    from allworlds.studies.check import CheckReport
+    from allworlds.studies.check.report import CheckReport
 
 SCHEMA = (
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
@@ -50,7 +53,7 @@ def sarif(telling: ToldResult) -> str:
     news is a notification.  ``properties`` hold the report without its findings, those of a result
     the document of its finding.
     """
-    from allworlds.studies.check import CheckReport
+    from allworlds.studies.check.report import CheckReport
 
     report, head = telling.result, telling.headline
     assert isinstance(report, CheckReport)

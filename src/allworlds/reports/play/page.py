@@ -7,16 +7,18 @@ from importlib.resources import files
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from allworlds.inputs import InputError
-from allworlds.judging import bound_named
-from allworlds.protocol import Pick
+from allworlds.inputs.checks import InputError
+from allworlds.judging.laws.bounds import bound_named
+from allworlds.protocol.actions import Pick
 from allworlds.reports.drawing.scene import scene_of
 from allworlds.reports.rendering import record, tag
 from allworlds.reports.tellings.played import LEAST, NAMES
 from allworlds.reports.web.frame import Own, Page, framed
 from allworlds.reports.web.viewer import figure
 from allworlds.studies.play import Play
-from allworlds.world import Movable, NumberRoom, World, parts_of
+from allworlds.world.lighthouses.kinds import parts_of
+from allworlds.world.lighthouses.left import Movable, NumberRoom
+from allworlds.world.world import World
 
 HOW = (
     "Click a number, or press its key, to leave by that edge: 0 is the way back, the others "

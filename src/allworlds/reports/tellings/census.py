@@ -14,9 +14,9 @@ from allworlds.reports.telling import (
 )
 from allworlds.reports.tellings.lookalikes import alike
 from allworlds.reports.tellings.scope import finished, gate_told, maps_words, places_told
-from allworlds.studies.ambiguity import AmbiguityCensus, CensusCell, CensusRow
+from allworlds.studies.ambiguity.marked_worlds import AmbiguityCensus, CensusCell, CensusRow
 from allworlds.words import number, plural
-from allworlds.world import Position
+from allworlds.world.lighthouses.marked import Position
 
 
 def census_telling(census: AmbiguityCensus) -> ToldResult:

@@ -1,13 +1,17 @@
-"""What is told of a check."""
+"""The telling of a check."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from allworlds.engines import Given, Row, Sample, Shard, SingleRun, tried_places
-from allworlds.judging import Finding
-from allworlds.maps import source_of
+from allworlds.engines.scope import Given, Sample
+from allworlds.engines.single import SingleRun
+from allworlds.engines.swept_report import tried_places
+from allworlds.engines.tally import Row
+from allworlds.engines.units import Shard
+from allworlds.judging.findings.finding import Finding
+from allworlds.maps.count_source import source_of
 from allworlds.outcome import Disagreed, Verdict
 from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
@@ -34,13 +38,9 @@ from allworlds.reports.tellings.scope import (
     trust_told,
 )
 from allworlds.reports.tellings.single_run import cost_words, run_section
-from allworlds.studies.check import (
-    CheckReport,
-    Guess,
-    TimeEstimate,
-    UserCorpus,
-    most_expensive_runs,
-)
+from allworlds.studies.check.known_findings import UserCorpus
+from allworlds.studies.check.report import CheckReport, most_expensive_runs
+from allworlds.studies.check.time_estimate import Guess, TimeEstimate
 from allworlds.version import __version__
 from allworlds.words import about, counted, duration, listed, number, plural, size
 

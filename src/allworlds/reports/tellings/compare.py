@@ -1,10 +1,10 @@
-"""What is told of a comparison."""
+"""The telling of a comparison."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from allworlds.explorers import short_names
+from allworlds.explorers.spelling import short_names
 from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,
@@ -20,18 +20,9 @@ from allworlds.reports.tellings.finding import finding_section
 from allworlds.reports.tellings.scope import SAID, explorers_told, maps_words, options_told
 from allworlds.reports.tellings.single_run import run_section
 from allworlds.reports.world_rows import rows_of_worlds
-from allworlds.studies.compare import (
-    LEAST_SIZES,
-    LEAST_WORLDS,
-    LEVEL,
-    ComparedRow,
-    Comparison,
-    CostRatio,
-    Exponent,
-    GrowRow,
-    Growth,
-    Shape,
-)
+from allworlds.studies.compare.comparison import ComparedRow, Comparison
+from allworlds.studies.compare.growth import CostRatio, Exponent, GrowRow, Growth, Shape
+from allworlds.studies.compare.intervals import LEAST_SIZES, LEAST_WORLDS, LEVEL
 from allworlds.words import number, plural, size
 
 

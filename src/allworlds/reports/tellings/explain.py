@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.judging import Explanation
+from allworlds.judging.explanations.explanation import Explanation
 from allworlds.reports.telling import ToldResult
 from allworlds.reports.tellings.finding import finding_section, headline_of
 

@@ -5,18 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from allworlds.explorers import is_program
-from allworlds.judging import (
-    Belief,
-    Explanation,
-    Finding,
-    Rules,
-    Story,
-    explain,
-    find_parting,
-    true_trail,
-)
-from allworlds.protocol import BUILT, NO_MAP, Estimate
+from allworlds.explorers.names import is_program
+from allworlds.judging.explanations.explanation import Explanation, explain
+from allworlds.judging.explanations.story import Belief, Story
+from allworlds.judging.findings.belief import find_parting
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import Rules
+from allworlds.judging.findings.walks import true_trail
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
 from allworlds.reports.telling import (
     Block,
@@ -31,7 +28,7 @@ from allworlds.reports.telling import (
     fact,
 )
 from allworlds.words import listed, number, plural, size
-from allworlds.world import World
+from allworlds.world.world import World
 
 LONGEST_LIST = 60
 """The choices of a longer list are told from both ends."""

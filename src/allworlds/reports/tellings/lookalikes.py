@@ -1,14 +1,18 @@
-"""What is told of worlds that look alike, with the tours that show it."""
+"""The telling of worlds that look alike, with the tours that show it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from string import ascii_lowercase
 
-from allworlds.document import UNSET
-from allworlds.judging import Walked, true_trail
-from allworlds.maps import CombinatorialMap, Dart, Quotient
-from allworlds.protocol import Move, Transcript
+from msgspec import UNSET
+
+from allworlds.judging.explanations.story import Walked
+from allworlds.judging.findings.walks import true_trail
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.quotient import Quotient
+from allworlds.protocol.actions import Move
+from allworlds.protocol.transcript import Transcript
 from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
@@ -24,9 +28,10 @@ from allworlds.reports.telling import (
     Words,
     fact,
 )
-from allworlds.studies.ambiguity import AmbiguityClass, ComparedWorlds, projection_of
+from allworlds.studies.ambiguity.members import AmbiguityClass, projection_of
+from allworlds.studies.ambiguity.telling_apart import ComparedWorlds
 from allworlds.words import number, plural
-from allworlds.world import World
+from allworlds.world.world import World
 
 
 def walk_along(world: World, motions: Sequence[int]) -> Transcript:

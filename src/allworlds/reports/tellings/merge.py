@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from allworlds.document import Report
-from allworlds.engines import WHOLE
-from allworlds.judging import MAP
+from allworlds.document.report import Report
+from allworlds.engines.units import WHOLE
+from allworlds.judging.tasks import MAP
 from allworlds.reports.rendering import told, verb_of
 from allworlds.reports.telling import Section, ToldFacts, ToldResult
 from allworlds.studies.status import Standing

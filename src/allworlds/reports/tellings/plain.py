@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from allworlds.document import Report
-from allworlds.inputs import show
+from allworlds.document.report import Report
+from allworlds.inputs.checks import show
 from allworlds.reports.rows import CsvRows, Value
 from allworlds.reports.telling import (
     Block,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.judging import Walked
+from allworlds.judging.explanations.story import Walked
 from allworlds.reports.scenes import walk_in_world
 from allworlds.reports.telling import (
     Block,

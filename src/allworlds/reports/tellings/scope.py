@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TypeAlias
 
-from allworlds.document import replace
-from allworlds.engines import Shard, SweptReport, tried_places
-from allworlds.inputs import given_again
-from allworlds.maps import Extent
-from allworlds.studies.check import CheckReport
-from allworlds.studies.compare import ContestReport
+from allworlds.document.struct import replace
+from allworlds.engines.swept_report import SweptReport, tried_places
+from allworlds.engines.units import Shard
+from allworlds.inputs.requests import given_again
+from allworlds.maps.classes import Extent
+from allworlds.studies.check.report import CheckReport
+from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.words import counted, plural
 
 OfWorlds: TypeAlias = SweptReport | CheckReport

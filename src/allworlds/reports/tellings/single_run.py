@@ -1,13 +1,16 @@
-"""What is told of one run, and of its map."""
+"""The telling of one run, and of its map."""
 
 from __future__ import annotations
 
 import json
 
-from allworlds.document import replace
-from allworlds.engines import SingleRun
-from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk, true_trail
-from allworlds.protocol import Ambiguous
+from allworlds.document.struct import replace
+from allworlds.engines.single import SingleRun
+from allworlds.judging.endings import Answered, Over, Said, Undecided
+from allworlds.judging.explanations.story import Walked
+from allworlds.judging.findings.belief import believed_walk
+from allworlds.judging.findings.walks import true_trail
+from allworlds.protocol.answers import Ambiguous
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
 from allworlds.reports.telling import (
@@ -30,7 +33,8 @@ from allworlds.reports.tellings.finding import (
     printed,
 )
 from allworlds.studies.replay import Replay
-from allworlds.studies.run import WorldNames, embedded, hypotheses_in
+from allworlds.studies.run.hypotheses import embedded, hypotheses_in
+from allworlds.studies.run.run_request import WorldNames
 from allworlds.words import number, plural
 
 

@@ -19,9 +19,9 @@ from allworlds.reports.tellings.scope import (
     gate_told,
     maps_words,
 )
-from allworlds.studies.worst import WorstReport
+from allworlds.studies.worst.worst_report import WorstReport
 from allworlds.words import number, plural, size
-from allworlds.world import code_of
+from allworlds.world.named import code_of
 
 
 def worst_telling(report: WorstReport) -> ToldResult:

@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby
 from xml.etree import ElementTree as ET
 
-from allworlds.document import replace
-from allworlds.judging import Walked
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Move
+from allworlds.document.struct import replace
+from allworlds.judging.explanations.story import Walked
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Move
 from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
 from allworlds.reports.drawing.layout import Layout, layout
 from allworlds.reports.plain_text import cost_picture
@@ -31,7 +31,7 @@ from allworlds.reports.telling import (
     Words,
 )
 from allworlds.reports.web.viewer import figure, viewer
-from allworlds.studies.run import Hypothesis
+from allworlds.studies.run.hypotheses import Hypothesis
 from allworlds.words import number, plural, size
 
 

@@ -8,35 +8,18 @@ from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document import Text, about
-from allworlds.engines import AskedCluster, AskedDirectory, AskedListener, AskedShard, AskedTime
-from allworlds.inputs import (
-    EFFORT,
-    OUTPUT,
-    SCOPE,
-    Argument,
-    InputError,
-    Option,
-    Request,
-    Taken,
-    integer_of,
-    one_of,
-    seconds_of,
-    show,
-)
-from allworlds.maps import AskedClass, AskedExtent
-from allworlds.world import (
-    LIGHTHOUSE,
-    LIGHTHOUSES,
-    OWN,
-    WORLD,
-    AskedWhere,
-    GivenLighthouse,
-    LighthouseKind,
-    Position,
-    World,
-    tried_kind,
-)
+from allworlds.document.struct import Text, about
+from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
+from allworlds.engines.units import AskedShard
+from allworlds.inputs.checks import InputError, integer_of, one_of, seconds_of, show
+from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Argument, Option, Request, Taken
+from allworlds.maps.classes import AskedClass, AskedExtent
+from allworlds.world.asked_lighthouse import tried_kind
+from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
+from allworlds.world.lighthouses.marked import Position
+from allworlds.world.named import LIGHTHOUSE, WORLD
+from allworlds.world.own_condition import AskedWhere
+from allworlds.world.world import World
 
 DEFAULT_LIMIT = 1000
 """The largest class whose members are all made, unless another limit is named."""

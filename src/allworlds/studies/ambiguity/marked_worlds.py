@@ -11,7 +11,7 @@ from msgspec import Struct, field
 from msgspec.structs import asdict
 from typing_extensions import override
 
-from allworlds.document import (
+from allworlds.document.struct import (
     Aside,
     Document,
     Edges,
@@ -22,39 +22,35 @@ from allworlds.document import (
     about,
     computed,
 )
-from allworlds.engines import (
+from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.here import here_or
+from allworlds.engines.kept_form import from_kept
+from allworlds.engines.sweep import Sweep
+from allworlds.engines.swept_report import (
     GATE,
-    WHOLE,
-    LevelUnit,
-    ReadyEngine,
-    Sweep,
-    SweptLevel,
     SweptReport,
     ToldGate,
     TriedPlaces,
-    from_kept,
-    here_or,
     told_scope,
     tried_places,
 )
-from allworlds.inputs import InputError, answers
-from allworlds.maps import (
-    CombinatorialMap,
-    Extent,
-    MapClass,
-    Quotient,
-    class_size,
-    is_ambiguous,
-    numbering,
-    project,
-    rooted_code,
-)
+from allworlds.engines.units import WHOLE, LevelUnit, SweptLevel
+from allworlds.inputs.checks import InputError
+from allworlds.inputs.requests import answers
+from allworlds.maps.canonical import numbering, rooted_code
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.criterion import class_size, is_ambiguous
+from allworlds.maps.quotient import Quotient, project
 from allworlds.outcome import Disagreement, Ending
-from allworlds.protocol import Percept
+from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import CensusRequest
 from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
 from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
-from allworlds.world import InvalidWorld, LighthouseKind, Position, World
+from allworlds.world.lighthouses.kinds import LighthouseKind
+from allworlds.world.lighthouses.marked import Position
+from allworlds.world.lighthouses.options import InvalidWorld
+from allworlds.world.world import World
 
 BATCH = 200
 """Maps after which a part of a unit is handed over."""

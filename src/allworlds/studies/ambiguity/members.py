@@ -7,35 +7,21 @@ from functools import partial
 from itertools import permutations
 from typing import Annotated, NamedTuple, Self, TypeAlias
 
-from allworlds.document import (
-    Document,
-    Natural,
-    Positive,
-    Report,
-    Some,
-    Text,
-    about,
-    computed,
-    key,
-)
-from allworlds.inputs import InputError, an_integer, answers, show
-from allworlds.maps import (
-    Code,
-    CombinatorialMap,
-    Dart,
-    MapClass,
-    Projection,
-    Quotient,
-    class_size,
-    is_ambiguous,
-    pose_count,
-    project,
-    rooted_code,
-)
+from allworlds.document.report import Report
+from allworlds.document.struct import Document, Natural, Positive, Some, Text, about, computed, key
+from allworlds.inputs.checks import InputError, an_integer, show
+from allworlds.inputs.requests import answers
+from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.classes import MapClass
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.criterion import class_size, is_ambiguous, pose_count
+from allworlds.maps.quotient import Projection, Quotient, project
 from allworlds.outcome import Disagreement
-from allworlds.protocol import Percept
+from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import ClassRequest
-from allworlds.world import Directional, Position, World, a_world
+from allworlds.world.lighthouses.marked import Directional, Position
+from allworlds.world.named import a_world
+from allworlds.world.world import World
 
 
 class LeastRooting(NamedTuple):

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
 
-from allworlds.document import (
-    UNSET,
-    Natural,
-    Pair,
-    Report,
-    Some,
-    UnsetType,
-    about,
-    computed,
-    narrowed,
-)
-from allworlds.inputs import InputError, answers
-from allworlds.maps import Dart, carries, classes_of_union, numbering
+from msgspec import UNSET, UnsetType
+
+from allworlds.document.report import Report
+from allworlds.document.struct import Natural, Pair, Some, about, computed, narrowed
+from allworlds.inputs.checks import InputError
+from allworlds.inputs.requests import answers
+from allworlds.maps.canonical import carries, numbering
+from allworlds.maps.combinatorial import Dart
+from allworlds.maps.quotient import classes_of_union
 from allworlds.outcome import Disagreement
-from allworlds.protocol import Move, Percept
+from allworlds.protocol.actions import Move, Percept
 from allworlds.studies.ambiguity.ambiguity_requests import TwinsRequest
-from allworlds.world import LIGHTHOUSES, World, a_world, flaw, kind_of
+from allworlds.world.bisimulation import flaw
+from allworlds.world.lighthouses.kinds import LIGHTHOUSES, kind_of
+from allworlds.world.named import a_world
+from allworlds.world.world import World
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
 """``different``: two maps, or two places of the lighthouse."""

@@ -27,36 +27,3 @@
 ``most_expensive``
     the most expensive run of every size, played again.
 """
-
-from typing import TYPE_CHECKING
-
-from allworlds.lazy import open_door
-
-if TYPE_CHECKING:
-    from allworlds.studies.check.confirmation import Confirmation as Confirmation
-    from allworlds.studies.check.exhaustive import check as check, estimate as estimate
-    from allworlds.studies.check.known_findings import UserCorpus as UserCorpus
-    from allworlds.studies.check.report import (
-        CheckReport as CheckReport,
-        GateCell as GateCell,
-        count_gate as count_gate,
-        most_expensive_runs as most_expensive_runs,
-    )
-    from allworlds.studies.check.requests import (
-        CheckRequest as CheckRequest,
-        ManyRuns as ManyRuns,
-        ManyWorlds as ManyWorlds,
-        SharedFile as SharedFile,
-        shared_file as shared_file,
-    )
-    from allworlds.studies.check.shielding import shield as shield
-    from allworlds.studies.check.tally_sweep import (
-        TallySweep as TallySweep,
-        record_of as record_of,
-        rules_known as rules_known,
-        rules_record as rules_record,
-        subject_of_record as subject_of_record,
-    )
-    from allworlds.studies.check.time_estimate import Guess as Guess, TimeEstimate as TimeEstimate
-else:
-    open_door(__name__)

@@ -9,21 +9,17 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.document import replace
-from allworlds.engines import (
-    LOST,
-    Limits,
-    Records,
-    Scope,
-    Tally,
-    canonical,
-    confirmed,
-    finding_from_record,
-    finding_to_record,
-    nondeterministic,
-)
-from allworlds.explorers import Subject
-from allworlds.judging import Finding
+from allworlds.document.struct import replace
+from allworlds.engines.comparison import nondeterministic
+from allworlds.engines.database import canonical
+from allworlds.engines.effort import Limits
+from allworlds.engines.examiner import LOST
+from allworlds.engines.other_worlds import confirmed
+from allworlds.engines.run_directory import Records
+from allworlds.engines.scope import Scope
+from allworlds.engines.tally import Tally, finding_from_record, finding_to_record
+from allworlds.explorers.subject import Subject
+from allworlds.judging.findings.finding import Finding
 
 UNREPEATED = "what happened to the explorer was not repeated by a fresh process"
 

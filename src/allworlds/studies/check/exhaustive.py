@@ -8,30 +8,26 @@ from typing import Any
 
 from typing_extensions import override
 
-from allworlds.document import replace
-from allworlds.engines import (
+from allworlds.document.struct import replace
+from allworlds.engines.database import Identity
+from allworlds.engines.engine_table import (
     ENGINES,
-    WHOLE,
     EngineKind,
-    Given,
-    Identity,
     Job,
-    Listener,
-    Once,
-    Portion,
     ReadyEngine,
-    Scope,
-    Silent,
-    SweptLevel,
-    Tally,
     engine_for,
-    is_counted,
-    subject_of,
     why_not_compiled,
 )
-from allworlds.explorers import Subject
-from allworlds.inputs import InputError, a_path, answers, show
-from allworlds.maps import Extent, numbering
+from allworlds.engines.progress import Listener, Once, Silent
+from allworlds.engines.scope import Given, Scope
+from allworlds.engines.single import subject_of
+from allworlds.engines.tally import Tally
+from allworlds.engines.units import WHOLE, Portion, SweptLevel, is_counted
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.inputs.requests import answers
+from allworlds.maps.canonical import numbering
+from allworlds.maps.classes import Extent
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, Verdict
 from allworlds.studies.check.confirmation import UNREPEATED
 from allworlds.studies.check.known_findings import UserCorpus
@@ -48,7 +44,8 @@ from allworlds.studies.check.time_estimate import (
     one_larger,
 )
 from allworlds.words import duration
-from allworlds.world import LighthouseKind, World, kind_of
+from allworlds.world.lighthouses.kinds import LighthouseKind, kind_of
+from allworlds.world.world import World
 
 EXCLUSIVE = ("edges", "vertices", "where", "lighthouse", "run", "corpus")
 """The options that name other worlds, or need worlds that another command can name."""

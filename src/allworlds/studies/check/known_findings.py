@@ -8,18 +8,17 @@ from typing import Annotated
 
 from msgspec import Struct, field
 
-from allworlds.document import Document, IfAny, Text, about
-from allworlds.engines import (
-    GivenWorlds,
-    Limits,
-    RunCounter,
-    Scope,
-    confirmed,
-    workers_for,
-)
-from allworlds.explorers import Subject
-from allworlds.judging import LAWS, Finding, file_name, kept_findings, write_finding
-from allworlds.maps import Extent, MapClass
+from allworlds.document.struct import Document, IfAny, Text, about
+from allworlds.engines.effort import Limits
+from allworlds.engines.lanes import workers_for
+from allworlds.engines.other_worlds import confirmed
+from allworlds.engines.scope import GivenWorlds, Scope
+from allworlds.engines.tally import RunCounter
+from allworlds.explorers.subject import Subject
+from allworlds.judging.findings.asked_finding import file_name, kept_findings, write_finding
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.laws.law_table import LAWS
+from allworlds.maps.classes import Extent, MapClass
 
 
 class UserCorpus(Struct):

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from typing_extensions import override
 
-from allworlds.document import (
+from allworlds.document.struct import (
     EXIT_CODE,
     Aside,
     Different,
@@ -22,34 +22,34 @@ from allworlds.document import (
     about,
     computed,
 )
-from allworlds.engines import (
-    GOES_BY_HASHES,
-    AtRun,
+from allworlds.engines.effort import Limits
+from allworlds.engines.engine_table import EngineName
+from allworlds.engines.lane import GOES_BY_HASHES
+from allworlds.engines.scope import Given, Sample, Scope
+from allworlds.engines.single import SingleRun, single_run, subject_of
+from allworlds.engines.swept_report import (
     EndedReport,
-    EngineName,
-    Given,
-    Limits,
-    Portion,
-    Sample,
-    Scope,
-    Shard,
-    SingleRun,
     SweptExit,
-    Tally,
     TriedPlaces,
-    single_run,
-    subject_of,
     told_scope,
     tried_places,
 )
-from allworlds.explorers import Subject
-from allworlds.inputs import InputError
-from allworlds.judging import Finding, Rules, Task, checked_laws
-from allworlds.maps import CombinatorialMap, Extent, named_map, source_of
+from allworlds.engines.tally import AtRun, Tally
+from allworlds.engines.units import Portion, Shard
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import Rules
+from allworlds.judging.laws.law_table import checked_laws
+from allworlds.judging.tasks import Task
+from allworlds.maps.build import named_map
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Verdict
 from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
 from allworlds.studies.check.requests import CheckRequest, SharedFile
-from allworlds.world import World
+from allworlds.world.world import World
 
 
 class GateCell(Document):

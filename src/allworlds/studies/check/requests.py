@@ -1,4 +1,4 @@
-"""What a check is asked for; files that hold an explorer, and code that judges it."""
+"""The request of a check; files that hold an explorer, and code that judges it."""
 
 from __future__ import annotations
 
@@ -6,30 +6,21 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated, TypeAlias
 
-from allworlds.document import Bounded, IfAny, about, replace
-from allworlds.engines import (
-    AskedCluster,
-    AskedDirectory,
-    AskedListener,
-    AskedShard,
-    Limits,
-)
-from allworlds.explorers import AskedExplorer, Subject, files_of_explorer
-from allworlds.inputs import (
-    EFFORT,
-    RULES,
-    SCOPE,
-    InputError,
-    Option,
-    Taken,
-    an_integer,
-    integer_of,
-    show,
-)
-from allworlds.judging import Among, AskedRules, Rules
-from allworlds.maps import DEFAULT_EDGES, AskedClass, AskedExtent, Condition, Extent
-from allworlds.protocol import Schedule, a_schedule
-from allworlds.world import AskedLighthouse, AskedWhere, World, files_of_condition
+from allworlds.document.struct import Bounded, IfAny, about, replace
+from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, Limits
+from allworlds.engines.units import AskedShard
+from allworlds.explorers.asked import AskedExplorer
+from allworlds.explorers.source_line import files_of_explorer
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError, an_integer, integer_of, show
+from allworlds.inputs.requests import EFFORT, RULES, SCOPE, Option, Taken
+from allworlds.judging.findings.rules import Among, AskedRules, Rules
+from allworlds.maps.classes import DEFAULT_EDGES, AskedClass, AskedExtent, Extent
+from allworlds.maps.conditions import Condition
+from allworlds.protocol.choices import Schedule, a_schedule
+from allworlds.world.asked_lighthouse import AskedLighthouse
+from allworlds.world.own_condition import AskedWhere, files_of_condition
+from allworlds.world.world import World
 
 SharedFile: TypeAlias = Annotated[
     IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 from typing import Any, overload
 
-from allworlds.explorers import SHIELD, Shield
-from allworlds.inputs import InputError, show
+from allworlds.explorers.builtin.shield import Shield
+from allworlds.explorers.names import SHIELD
+from allworlds.inputs.checks import InputError, show
 
 
 @overload

@@ -1,4 +1,4 @@
-"""What studies of one explorer in many worlds share, and how run directories know it."""
+"""The common part of studies of one explorer in many worlds, and how run directories know it."""
 
 from __future__ import annotations
 
@@ -8,11 +8,17 @@ from typing import Any, TypeVar
 
 from typing_extensions import override
 
-from allworlds.engines import Job, Scope, Sweep, SweptLevel, Tally, from_kept
-from allworlds.explorers import Subject, content_digest, subject_known
-from allworlds.inputs import as_json, meant
-from allworlds.judging import Among, AskedRules, Rules
-from allworlds.maps import Extent
+from allworlds.engines.engine_table import Job
+from allworlds.engines.kept_form import from_kept
+from allworlds.engines.scope import Scope
+from allworlds.engines.sweep import Sweep
+from allworlds.engines.tally import Tally
+from allworlds.engines.units import SweptLevel
+from allworlds.explorers.digest import content_digest
+from allworlds.explorers.subject import Subject, subject_known
+from allworlds.inputs.requests import as_json, meant
+from allworlds.judging.findings.rules import Among, AskedRules, Rules
+from allworlds.maps.classes import Extent
 from allworlds.studies.check.confirmation import Confirmation
 
 

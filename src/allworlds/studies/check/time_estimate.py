@@ -8,34 +8,27 @@ from itertools import islice
 from random import Random
 from typing import Annotated, Any, TypeAlias
 
-from allworlds.document import (
+from allworlds.document.report import Report
+from allworlds.document.struct import (
     Aside,
     Document,
     Figure,
     Natural,
     Positive,
-    Report,
     Seconds,
     Text,
     about,
     computed,
     replace,
 )
-from allworlds.engines import (
-    ClusterLost,
-    EngineKind,
-    EngineName,
-    EnginesDisagree,
-    Given,
-    Job,
-    LevelRuns,
-    TimeIsUp,
-    Unsettled,
-    drawn_units,
-    level_size,
-    shards_of,
-)
-from allworlds.maps import Extent, source_of
+from allworlds.engines.effort import ClusterLost, TimeIsUp
+from allworlds.engines.engine_table import EngineKind, EngineName, Job
+from allworlds.engines.players import Unsettled
+from allworlds.engines.scope import Given, LevelRuns
+from allworlds.engines.tally import EnginesDisagree
+from allworlds.engines.units import drawn_units, level_size, shards_of
+from allworlds.maps.classes import Extent
+from allworlds.maps.count_source import source_of
 
 SECONDS = 2.0
 """Seconds that a sample takes from its first piece on."""

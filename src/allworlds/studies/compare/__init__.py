@@ -19,32 +19,3 @@ drawn from seeds, and isomorphic ones count once; every member has a name that g
 ``intervals``
     intervals of means, ratios and exponents, by a bootstrap over the worlds.
 """
-
-from typing import TYPE_CHECKING
-
-from allworlds.lazy import open_door
-
-if TYPE_CHECKING:
-    from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
-    from allworlds.studies.compare.comparison import (
-        ComparedRow as ComparedRow,
-        Comparison as Comparison,
-    )
-    from allworlds.studies.compare.contest import compare as compare, compared as compared
-    from allworlds.studies.compare.contest_report import ContestReport as ContestReport
-    from allworlds.studies.compare.contestants import InWorld as InWorld
-    from allworlds.studies.compare.growth import (
-        CostRatio as CostRatio,
-        Exponent as Exponent,
-        GrowRow as GrowRow,
-        Growth as Growth,
-        Shape as Shape,
-    )
-    from allworlds.studies.compare.intervals import (
-        LEAST_SIZES as LEAST_SIZES,
-        LEAST_WORLDS as LEAST_WORLDS,
-        LEVEL as LEVEL,
-        mean_interval as mean_interval,
-    )
-else:
-    open_door(__name__)

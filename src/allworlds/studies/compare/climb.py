@@ -10,15 +10,13 @@ from typing import Self
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.document import replace
-from allworlds.engines import (
-    GivenWorlds,
-    Shard,
-    SweptLevel,
-    dealt,
-)
-from allworlds.inputs import InputError, an_integer, show
-from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of, rootings
+from allworlds.document.struct import replace
+from allworlds.engines.scope import GivenWorlds
+from allworlds.engines.units import Shard, SweptLevel, dealt
+from allworlds.inputs.checks import InputError, an_integer, show
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.families import edges_of, rootings
 from allworlds.outcome import Ending
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.contestants import (
@@ -31,7 +29,8 @@ from allworlds.studies.compare.contestants import (
 )
 from allworlds.studies.compare.growing_families import FORMS, LEAST, Member, distinct, members_of
 from allworlds.studies.compare.growth import GrownWorld, GrowRow, Growth
-from allworlds.world import Lighthouse, World
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.world import World
 
 WORLDS, PLACES, SEED = 10, 8, 1
 """Defaults: seeds of a size, places in a world, and the first seed."""

@@ -1,4 +1,4 @@
-"""What 'compare' is asked for."""
+"""The request of 'compare'."""
 
 from __future__ import annotations
 
@@ -6,23 +6,23 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Annotated, Any, TypedDict
 
-from allworlds.document import Natural, Positive, Some, Text, about
-from allworlds.engines import AskedCluster, AskedDirectory, AskedRows, AskedShard, Listener, Portion
-from allworlds.explorers import ExplorersWords
-from allworlds.inputs import (
-    SCOPE,
-    InputError,
-    Named,
-    Option,
-    Taken,
-    a_text,
-    integer_of,
-    show,
-)
-from allworlds.judging import Bound, Judge, Task
-from allworlds.maps import FORMS, AskedExtent, Condition
-from allworlds.studies.check import ManyWorlds
-from allworlds.world import HOLES, AskedWhere, GivenLighthouse, Predicate
+from allworlds.document.struct import Natural, Positive, Some, Text, about
+from allworlds.engines.effort import AskedCluster, AskedDirectory
+from allworlds.engines.progress import Listener
+from allworlds.engines.swept_report import AskedRows
+from allworlds.engines.units import AskedShard, Portion
+from allworlds.explorers.asked import ExplorersWords
+from allworlds.inputs.checks import InputError, a_text, integer_of, show
+from allworlds.inputs.requests import SCOPE, Named, Option, Taken
+from allworlds.judging.laws.bounds import Bound
+from allworlds.judging.tasks import Judge, Task
+from allworlds.maps.classes import AskedExtent
+from allworlds.maps.conditions import Condition
+from allworlds.maps.families import FORMS
+from allworlds.studies.check.requests import ManyWorlds
+from allworlds.world.lighthouses.kinds import GivenLighthouse
+from allworlds.world.named import HOLES
+from allworlds.world.own_condition import AskedWhere, Predicate
 
 
 def _families(given: object) -> tuple[str, ...] | None:

@@ -9,14 +9,23 @@ from typing import Annotated
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.document import Aside, Document, Edges, Figure, Natural, Positive, Vertices, about
-from allworlds.engines import SingleRun, single_run
-from allworlds.inputs import InputError
+from allworlds.document.struct import (
+    Aside,
+    Document,
+    Edges,
+    Figure,
+    Natural,
+    Positive,
+    Vertices,
+    about,
+)
+from allworlds.engines.single import SingleRun, single_run
+from allworlds.inputs.checks import InputError
 from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.studies.compare.contestants import InWorld
 from allworlds.studies.compare.growing_families import Member
 from allworlds.studies.compare.intervals import geometric_mean
-from allworlds.world import World
+from allworlds.world.world import World
 
 
 class InMap(Struct, frozen=True):

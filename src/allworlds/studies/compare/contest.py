@@ -10,22 +10,17 @@ from typing import Any, Unpack, overload
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.document import replace
-from allworlds.engines import (
-    WHOLE,
-    GivenWorlds,
-    Identity,
-    Listener,
-    Portion,
-    Shard,
-    SweptLevel,
-    UnitOfRuns,
-    level_size,
-)
-from allworlds.inputs import InputError, show, takes_fields
-from allworlds.maps import CombinatorialMap, Extent
+from allworlds.document.struct import replace
+from allworlds.engines.database import Identity
+from allworlds.engines.progress import Listener
+from allworlds.engines.scope import GivenWorlds, UnitOfRuns
+from allworlds.engines.units import WHOLE, Portion, Shard, SweptLevel, level_size
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import takes_fields
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending, Stopped
-from allworlds.studies.check import GateCell, count_gate
+from allworlds.studies.check.report import GateCell, count_gate
 from allworlds.studies.compare.climb import GrowingWorlds, growing
 from allworlds.studies.compare.compare_request import (
     CompareKeywords,
@@ -53,7 +48,7 @@ from allworlds.studies.compare.contestants import (
 )
 from allworlds.studies.compare.growing_families import Member, form_of
 from allworlds.studies.compare.growth import Growth
-from allworlds.world import World
+from allworlds.world.world import World
 
 
 @overload

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from typing_extensions import override
 
-from allworlds.document import (
+from allworlds.document.struct import (
     EXIT_CODE,
     Aside,
     Document,
@@ -17,7 +17,7 @@ from allworlds.document import (
     computed,
     replace,
 )
-from allworlds.engines import (
+from allworlds.engines.swept_report import (
     By,
     SweptExit,
     SweptReport,
@@ -26,12 +26,13 @@ from allworlds.engines import (
     told_scope,
     tried_places,
 )
-from allworlds.judging import AskedRules, Finding
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import AskedRules
 from allworlds.outcome import Verdict
-from allworlds.studies.check import SharedFile
+from allworlds.studies.check.requests import SharedFile
 from allworlds.studies.compare.compare_request import AskedContestWorlds
 from allworlds.studies.compare.contestants import Contestant
-from allworlds.world import AskedLighthouse
+from allworlds.world.asked_lighthouse import AskedLighthouse
 
 
 class ComparedName(Document):

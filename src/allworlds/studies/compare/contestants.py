@@ -11,41 +11,32 @@ from typing import Any, NamedTuple, Self, TypeAlias, TypeVar
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.document import replace
-from allworlds.engines import (
-    WHOLE,
-    By,
-    GivenWorlds,
-    Job,
-    Outcome,
-    PartialResult,
-    Portion,
-    ReadyEngine,
-    RunCounter,
-    Scope,
-    Sweep,
-    SweptLevel,
-    Tally,
-    Transport,
-    UnitOfRuns,
-    from_kept,
-    players_for,
-    subject_of,
-)
-from allworlds.explorers import Subject
-from allworlds.inputs import InputError, show
-from allworlds.judging import Finding, Rules
-from allworlds.maps import CombinatorialMap, Extent
+from allworlds.document.struct import replace
+from allworlds.engines.engine_table import Job, ReadyEngine, players_for
+from allworlds.engines.examiner import Outcome
+from allworlds.engines.kept_form import from_kept
+from allworlds.engines.scope import GivenWorlds, Scope, UnitOfRuns
+from allworlds.engines.single import subject_of
+from allworlds.engines.sweep import Sweep
+from allworlds.engines.swept_report import By
+from allworlds.engines.tally import RunCounter, Tally
+from allworlds.engines.units import WHOLE, PartialResult, Portion, SweptLevel, Transport
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError, show
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Completed, Ending
-from allworlds.studies.check import (
-    Confirmation,
+from allworlds.studies.check.confirmation import Confirmation
+from allworlds.studies.check.tally_sweep import (
     record_of,
     rules_known,
     rules_record,
     subject_of_record,
 )
 from allworlds.studies.compare.compare_request import CompareRequest
-from allworlds.world import World
+from allworlds.world.world import World
 
 MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]
 """Numbers of edges and vertices, sigma and alpha: sorts rooted maps from small to large."""

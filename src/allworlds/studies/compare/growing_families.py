@@ -7,9 +7,11 @@ from collections.abc import Callable, Iterable
 
 from msgspec import Struct
 
-from allworlds.inputs import InputError, show
-from allworlds.maps import Code, CombinatorialMap, edges_of, rooted_code
-from allworlds.world import map_of_family
+from allworlds.inputs.checks import InputError, show
+from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.families import edges_of
+from allworlds.world.named import map_of_family
 
 LEAST, SIZES = 12, 6
 """No size has fewer edges, and there are no more sizes."""

@@ -7,13 +7,13 @@ from enum import StrEnum
 from math import fsum
 from typing import Annotated, TypeAlias
 
+from msgspec import Meta
 from typing_extensions import override
 
-from allworlds.document import (
+from allworlds.document.struct import (
     Aside,
     Document,
     Figure,
-    Meta,
     Natural,
     Pair,
     Positive,
@@ -22,7 +22,7 @@ from allworlds.document import (
     about,
     computed,
 )
-from allworlds.maps import CombinatorialMap
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Verdict
 from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.studies.compare.contestants import InWorld

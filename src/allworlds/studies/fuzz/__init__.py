@@ -11,16 +11,3 @@
 ``shrink``
     from a refuting world to one that no small change makes smaller.
 """
-
-from typing import TYPE_CHECKING
-
-from allworlds.lazy import open_door
-
-if TYPE_CHECKING:
-    from allworlds.studies.fuzz.drive import (
-        MapsRequest as MapsRequest,
-        fuzz as fuzz,
-        refuted_in as refuted_in,
-    )
-else:
-    open_door(__name__)

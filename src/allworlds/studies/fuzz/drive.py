@@ -8,53 +8,33 @@ from typing import Annotated
 
 from typing_extensions import override
 
-from allworlds.engines import (
-    AskedCluster,
-    AskedDirectory,
-    AskedShard,
-    GivenWorlds,
-    Identity,
-    Listener,
-    Portion,
-    ReadyEngine,
-    RunCounter,
-    Sample,
-    Scope,
-    Silent,
-    SweptLevel,
-    Tally,
-    TimeIsUp,
-    Transport,
-    confirmed,
-    gather,
-    players_for,
-    shards_of,
-    subject_of,
-    workers_for,
-)
-from allworlds.explorers import Subject
-from allworlds.inputs import (
-    SCOPE,
-    InputError,
-    Option,
-    Request,
-    an_integer,
-    answers,
-    integer_of,
-    show,
-)
-from allworlds.judging import Finding, Rules
-from allworlds.maps import Code, CombinatorialMap, Extent, contracted, deleted, moved, rooted_code
+from allworlds.engines.database import Identity
+from allworlds.engines.effort import AskedCluster, AskedDirectory, TimeIsUp
+from allworlds.engines.engine_table import ReadyEngine, players_for
+from allworlds.engines.lanes import workers_for
+from allworlds.engines.other_worlds import confirmed
+from allworlds.engines.progress import Listener, Silent
+from allworlds.engines.scope import GivenWorlds, Sample, Scope
+from allworlds.engines.single import subject_of
+from allworlds.engines.sweep import gather
+from allworlds.engines.tally import RunCounter, Tally
+from allworlds.engines.units import AskedShard, Portion, SweptLevel, Transport, shards_of
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError, an_integer, integer_of, show
+from allworlds.inputs.requests import SCOPE, Option, Request, answers
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.surgery import contracted, deleted, moved
 from allworlds.outcome import Completed, Ending
-from allworlds.studies.check import (
-    CheckReport,
-    ManyRuns,
-    TallySweep,
-    rules_known,
-    subject_of_record,
-)
+from allworlds.studies.check.report import CheckReport
+from allworlds.studies.check.requests import ManyRuns
+from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
 from allworlds.studies.fuzz.sample import batches
-from allworlds.world import AskedWhere, World
+from allworlds.world.own_condition import AskedWhere
+from allworlds.world.world import World
 
 
 class AskedSample(Request):

@@ -8,20 +8,17 @@ from random import Random
 
 from msgspec import Struct
 
-from allworlds.engines import Placed, Sample, Shard
-from allworlds.inputs import InputError, show
-from allworlds.maps import (
-    CombinatorialMap,
-    Condition,
-    Extent,
-    Gluing,
-    MapClass,
-    lattice,
-    narrowing,
-    random_map,
-    rooted_code,
-)
-from allworlds.world import Lighthouse
+from allworlds.engines.scope import Placed, Sample
+from allworlds.engines.units import Shard
+from allworlds.inputs.checks import InputError, show
+from allworlds.maps.build import lattice
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.conditions import Condition, narrowing
+from allworlds.maps.enumeration import Gluing
+from allworlds.maps.families import random_map
+from allworlds.world.lighthouses.base import Lighthouse
 
 BATCH = 64
 """The runs that one worker does at a time."""

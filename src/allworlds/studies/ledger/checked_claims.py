@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal, TypeAlias, cast, get_args
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.document import (
+from allworlds.document.struct import (
     EXIT_CODE,
     Aside,
     ExitCode,
@@ -23,26 +23,14 @@ from allworlds.document import (
     computed,
     one_of,
 )
-from allworlds.engines import (
-    AskedListener,
-    AskedWorkers,
-    EnginesDisagree,
-    Listener,
-    RowsReport,
-)
-from allworlds.inputs import (
-    EFFORT,
-    SCOPE,
-    Argument,
-    InputError,
-    Option,
-    Taken,
-    a_path,
-    answers,
-    show,
-)
+from allworlds.engines.effort import AskedListener, AskedWorkers
+from allworlds.engines.progress import Listener
+from allworlds.engines.swept_report import RowsReport
+from allworlds.engines.tally import EnginesDisagree
+from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Option, Taken, answers
 from allworlds.outcome import Disagreement, Exit, until_interrupted
-from allworlds.protocol import attribute_of, module_of_text, text_of
+from allworlds.protocol.importing import attribute_of, module_of_text, text_of
 from allworlds.studies.ledger.claim import (
     Budget,
     Check,
@@ -56,7 +44,7 @@ from allworlds.studies.ledger.claim import (
     Unfinished,
     claims_in,
 )
-from allworlds.world import World
+from allworlds.world.world import World
 
 Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked", "error"]
 Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]

@@ -12,13 +12,14 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
-from msgspec import Struct, field
+from msgspec import Meta, Struct, field
 
-from allworlds.document import Document, Meta, Positive, Text, about, key, taken
-from allworlds.inputs import InputError, read_text, show
+from allworlds.document.reading import taken
+from allworlds.document.struct import Document, Positive, Text, about, key
+from allworlds.inputs.checks import InputError, read_text, show
 from allworlds.outcome import Verdict
-from allworlds.studies.check import CheckReport
-from allworlds.world import World
+from allworlds.studies.check.report import CheckReport
+from allworlds.world.world import World
 
 Truth: TypeAlias = Literal["holds", "refuted"]
 Budget: TypeAlias = Literal["quick", "full"]

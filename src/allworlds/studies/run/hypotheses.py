@@ -13,12 +13,18 @@ from typing import Any, TypeVar
 
 from msgspec import Struct
 
-from allworlds.engines import SingleRun
-from allworlds.explorers import BUILT_IN, built_in
-from allworlds.judging import AroundExplorer, Environment, Log, followed, true_trail
-from allworlds.maps import Dart
-from allworlds.protocol import Action, Checkpoint, Choices, Kind, Percept, Told, play_run
-from allworlds.world import World
+from allworlds.engines.single import SingleRun
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.explorers.subject import built_in
+from allworlds.judging.episode import AroundExplorer, Environment, Log, followed
+from allworlds.judging.findings.walks import true_trail
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.actions import Action, Percept
+from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.choices import Choices, Kind
+from allworlds.protocol.player import Told
+from allworlds.protocol.playing import play_run
+from allworlds.world.world import World
 
 T = TypeVar("T")
 

@@ -6,11 +6,14 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any
 
-from allworlds.document import Report, Text, about
-from allworlds.engines import AskedPatience
-from allworlds.inputs import RULES, InputError, Option, Taken, an_integer, show
-from allworlds.judging import AskedRules
-from allworlds.world import AskedWorld, World
+from allworlds.document.report import Report
+from allworlds.document.struct import Text, about
+from allworlds.engines.effort import AskedPatience
+from allworlds.inputs.checks import InputError, an_integer, show
+from allworlds.inputs.requests import RULES, Option, Taken
+from allworlds.judging.findings.rules import AskedRules
+from allworlds.world.named import AskedWorld
+from allworlds.world.world import World
 
 
 def index_list(text: str) -> tuple[int, ...]:

@@ -5,16 +5,12 @@ from __future__ import annotations
 import os
 import re
 
-from allworlds.engines import (
-    SingleRun,
-    single_run,
-    subject_of,
-    unused_choice,
-)
-from allworlds.explorers import HASH_SEED
-from allworlds.inputs import InputError, answers
+from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
+from allworlds.explorers.subject import HASH_SEED
+from allworlds.inputs.checks import InputError
+from allworlds.inputs.requests import answers
 from allworlds.studies.run.run_request import RunRequest
-from allworlds.world import kind_of
+from allworlds.world.lighthouses.kinds import kind_of
 
 
 @answers(RunRequest)

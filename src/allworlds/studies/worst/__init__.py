@@ -11,14 +11,3 @@
 ``compiled_engine``
     that engine, and what it brings.
 """
-
-from typing import TYPE_CHECKING
-
-from allworlds.lazy import open_door
-
-if TYPE_CHECKING:
-    from allworlds.studies.worst.all_worlds import worst as worst
-    from allworlds.studies.worst.every_schedule import EverySchedule as EverySchedule
-    from allworlds.studies.worst.worst_report import WorstReport as WorstReport
-else:
-    open_door(__name__)

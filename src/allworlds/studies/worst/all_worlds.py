@@ -8,39 +8,37 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.engines import (
-    COMPILER,
-    WHOLE,
-    Dask,
-    Identity,
-    LevelUnit,
-    Limits,
-    Listener,
-    Portion,
-    ReadyEngine,
-    ScheduleCosts,
-    Sweep,
-    SweptLevel,
-    Threads,
-    cells_of_level,
-    flag,
-    is_compiled,
-    schedule_costs_of_unit,
-    search,
-    single_run,
-)
-from allworlds.explorers import load
-from allworlds.inputs import InputError, answers, ensure_installed, show
-from allworlds.judging import Answered, AskedRules, default_step_budget, paper_bound, play
-from allworlds.maps import CombinatorialMap, Extent, MapClass
+from allworlds.engines.dask import Dask
+from allworlds.engines.database import Identity
+from allworlds.engines.effort import Limits
+from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.here import Threads
+from allworlds.engines.kernel.compiling import is_compiled
+from allworlds.engines.kernel.engine import flag
+from allworlds.engines.kernel.schedules import ScheduleCosts, schedule_costs_of_unit, search
+from allworlds.engines.obstacles import COMPILER
+from allworlds.engines.progress import Listener
+from allworlds.engines.single import single_run
+from allworlds.engines.sweep import Sweep
+from allworlds.engines.units import WHOLE, LevelUnit, Portion, SweptLevel, cells_of_level
+from allworlds.explorers.loading import load
+from allworlds.inputs.checks import InputError, ensure_installed, show
+from allworlds.inputs.requests import answers
+from allworlds.judging.endings import Answered
+from allworlds.judging.episode import default_step_budget, play
+from allworlds.judging.findings.rules import AskedRules
+from allworlds.judging.laws.bounds import paper_bound
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.studies.worst.worst_report import WorstReport, WorstRequest, WorstRow
 from allworlds.words import size
-from allworlds.world import Directional, World
+from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.world import World
 
 if TYPE_CHECKING:
-    from allworlds.engines import ScheduleCosts
+    from allworlds.engines.kernel.schedules import ScheduleCosts
 
 
 class ScheduleCostsBySize(Struct):
@@ -159,7 +157,7 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
 
     @override
     def ready(self) -> ReadyEngine:
-        from allworlds.engines import COMPILING
+        from allworlds.engines.kernel.capabilities import COMPILING
         from allworlds.studies.worst.all_worlds import ScheduleSearch
 
         cluster, workers = self.request.cluster, self.request.workers

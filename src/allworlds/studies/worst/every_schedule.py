@@ -16,9 +16,9 @@ from typing import Literal, TypeAlias, TypeVar
 
 from msgspec import Struct
 
-from allworlds.maps import CombinatorialMap, Dart
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.outcome import Disagreement
-from allworlds.protocol import Choices, Kind
+from allworlds.protocol.choices import Choices, Kind
 
 T = TypeVar("T")
 

@@ -1,4 +1,4 @@
-"""What 'worst' is asked for, and reports."""
+"""The request and the report of 'worst'."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, cast, get_args
 
 from typing_extensions import override
 
-from allworlds.document import (
+from allworlds.document.struct import (
     EXIT_CODE,
     Aside,
     Document,
@@ -20,39 +20,28 @@ from allworlds.document import (
     about,
     computed,
 )
-from allworlds.engines import (
-    GATE,
+from allworlds.engines.effort import (
     AskedCluster,
     AskedDirectory,
     AskedListener,
-    AskedShard,
     AskedTime,
     AskedWorkers,
     Limits,
-    SingleRun,
-    SweptExit,
-    SweptReport,
-    ToldGate,
-    single_run,
-    told_scope,
 )
-from allworlds.explorers import DEFAULT_EXPLORER, Subject, algorithm1
-from allworlds.inputs import (
-    RULES,
-    SCOPE,
-    Argument,
-    InputError,
-    Option,
-    Request,
-    Taken,
-    an_integer,
-    integer_of,
-    show,
-)
-from allworlds.judging import AskedRules, Finding, Rules
-from allworlds.maps import AskedClass
+from allworlds.engines.single import SingleRun, single_run
+from allworlds.engines.swept_report import GATE, SweptExit, SweptReport, ToldGate, told_scope
+from allworlds.engines.units import AskedShard
+from allworlds.explorers.asked import DEFAULT_EXPLORER
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers.subject import Subject
+from allworlds.inputs.checks import InputError, an_integer, integer_of, show
+from allworlds.inputs.requests import RULES, SCOPE, Argument, Option, Request, Taken
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.maps.classes import AskedClass
 from allworlds.studies.worst.every_schedule import Transit
-from allworlds.world import AskedLighthouse, World
+from allworlds.world.asked_lighthouse import AskedLighthouse
+from allworlds.world.world import World
 
 DEFAULT_EDGES, MOST_EDGES = 5, 12
 

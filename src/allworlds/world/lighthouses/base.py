@@ -10,10 +10,12 @@ from functools import cache
 from itertools import islice
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 
-from allworlds.document import about
-from allworlds.inputs import show
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Action, Percept, Told, UserCode, Write
+from allworlds.document.struct import about
+from allworlds.inputs.checks import show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Action, Percept, Write
+from allworlds.protocol.player import Told
+from allworlds.protocol.user_code import UserCode
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
     ensure_legal,

@@ -10,9 +10,10 @@ from typing import Any, ClassVar
 
 from typing_extensions import override
 
-from allworlds.inputs import show
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Action, Percept, Told
+from allworlds.inputs.checks import show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Action, Percept
+from allworlds.protocol.player import Told
 from allworlds.world.lighthouses.base import Lighthouse, WalkInAnswer
 from allworlds.world.lighthouses.knowledge import Knowledge
 from allworlds.world.lighthouses.options import InvalidWorld, value_of

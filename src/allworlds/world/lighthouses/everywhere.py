@@ -9,10 +9,11 @@ from typing import Annotated, ClassVar
 
 from typing_extensions import override
 
-from allworlds.document import Aside, Some, about
-from allworlds.inputs import show
-from allworlds.maps import CombinatorialMap, Dart, numbering
-from allworlds.protocol import Percept
+from allworlds.document.struct import Aside, Some, about
+from allworlds.inputs.checks import show
+from allworlds.maps.canonical import numbering
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Percept
 from allworlds.world.lighthouses.base import ReferenceLighthouse, Sensing, WalkInAnswer, Where
 from allworlds.world.lighthouses.options import (
     InvalidWorld,

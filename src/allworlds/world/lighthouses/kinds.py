@@ -10,9 +10,9 @@ from typing import Any, TypeAlias
 from msgspec import Struct
 from msgspec.structs import replace
 
-from allworlds.inputs import InputError, a_text, show
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Role, UserCode
+from allworlds.inputs.checks import InputError, a_text, show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.lighthouses.base import Lighthouse, Sensing, WalkInAnswer, Where
 from allworlds.world.lighthouses.composed import PLUS, Composed, composed, composed_from_json
 from allworlds.world.lighthouses.everywhere import Compass, Labels

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal, TypeAlias
 
-from allworlds.document import Different, about, narrowed
-from allworlds.maps import CombinatorialMap
+from allworlds.document.struct import Different, about, narrowed
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.world.lighthouses.base import PlacelessLighthouse
 
 

@@ -6,11 +6,12 @@ from abc import abstractmethod
 from dataclasses import dataclass, replace
 from typing import Annotated, ClassVar
 
+from msgspec import Meta
 from typing_extensions import override
 
-from allworlds.document import IfAny, Meta, Positive, about
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Action, Drop, Pick, Write
+from allworlds.document.struct import IfAny, Positive, about
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Action, Drop, Pick, Write
 from allworlds.world.lighthouses.base import PlacelessLighthouse
 from allworlds.world.state import State
 

@@ -9,9 +9,9 @@ from typing import Annotated, ClassVar
 
 from typing_extensions import override
 
-from allworlds.document import IfAny, about
-from allworlds.inputs import show
-from allworlds.maps import CombinatorialMap, Dart
+from allworlds.document.struct import IfAny, about
+from allworlds.inputs.checks import show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
     ReferenceLighthouse,
     Sensing,

@@ -7,10 +7,12 @@ from dataclasses import MISSING, fields
 from functools import cache
 from typing import Any, Literal, NamedTuple, TypeAlias, get_args, get_origin, get_type_hints
 
-from allworlds.document import ASIDE, IF_ANY, Meta, plain
-from allworlds.inputs import InputError, integer, show
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import pairs_in
+from msgspec import Meta
+
+from allworlds.document.struct import ASIDE, IF_ANY, plain
+from allworlds.inputs.checks import InputError, integer, show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.user_code import pairs_in
 
 
 class InvalidWorld(InputError):

@@ -9,9 +9,12 @@ from dataclasses import MISSING, dataclass, fields
 from functools import cache, wraps
 from typing import Any
 
-from allworlds.inputs import integer, show
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Action, Percept, Told, UserCode, tried
+from allworlds.inputs.checks import integer, show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Action, Percept
+from allworlds.protocol.importing import tried
+from allworlds.protocol.player import Told
+from allworlds.protocol.user_code import UserCode
 from allworlds.words import plural
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.options import InvalidWorld, Unsteady, kind_with, options_in

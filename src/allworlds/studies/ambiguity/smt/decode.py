@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from allworlds.inputs import InputError
-from allworlds.maps import CombinatorialMap, Dart, numbering, rooted_code
-from allworlds.protocol import Move, Percept
+from allworlds.inputs.checks import InputError
+from allworlds.maps.canonical import numbering, rooted_code
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Move, Percept
 from allworlds.studies.ambiguity.smt.formula import Block
 from allworlds.studies.ambiguity.smt.one_world import OneWorld
 from allworlds.studies.ambiguity.smt.pair import Pair
 from allworlds.studies.ambiguity.smt.question import SEARCHED, Question
 from allworlds.studies.ambiguity.smt.result import Twins
-from allworlds.world import Where, World, flaw
+from allworlds.world.bisimulation import flaw
+from allworlds.world.lighthouses.base import Where
+from allworlds.world.world import World
 
 
 def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]] | None:

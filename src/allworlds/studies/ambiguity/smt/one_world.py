@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 
-from allworlds.maps import MapClass
+from allworlds.maps.classes import MapClass
 from allworlds.studies.ambiguity.smt.formula import Block, Formula
 
 

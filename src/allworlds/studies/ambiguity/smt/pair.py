@@ -18,7 +18,7 @@ from msgspec import Struct
 from allworlds.studies.ambiguity.smt.formula import Block, Formula
 from allworlds.studies.ambiguity.smt.one_world import OneWorld, Size, one_world
 from allworlds.studies.ambiguity.smt.question import Question, Sensed, Sizes
-from allworlds.world import Sensing, Where
+from allworlds.world.lighthouses.base import Sensing, Where
 
 ALIKE = "related darts sense the same"
 DIFFERENT = "the codes differ, and the first is the smaller one"

@@ -8,28 +8,17 @@ from typing import Any, NamedTuple
 
 from msgspec import Struct
 
-from allworlds.inputs import (
-    LARGEST_SIZE,
-    InputError,
-    a_text,
-    an_integer,
-    at_most,
-    show,
-)
-from allworlds.maps import Dart, MapClass
+from allworlds.inputs.checks import LARGEST_SIZE, InputError, a_text, an_integer, at_most, show
+from allworlds.maps.classes import MapClass
+from allworlds.maps.combinatorial import Dart
 from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest
 from allworlds.studies.ambiguity.smt.one_world import Degrees, Size
 from allworlds.words import plural
-from allworlds.world import (
-    LIGHTHOUSES,
-    Compass,
-    Directional,
-    Lighthouse,
-    Nothing,
-    Position,
-    ReferenceLighthouse,
-    Sensing,
-)
+from allworlds.world.lighthouses.base import Lighthouse, ReferenceLighthouse, Sensing
+from allworlds.world.lighthouses.everywhere import Compass
+from allworlds.world.lighthouses.kinds import LIGHTHOUSES
+from allworlds.world.lighthouses.knowledge import Nothing
+from allworlds.world.lighthouses.marked import Directional, Position
 
 SEARCHED: Mapping[str, Callable[[Sequence[Dart]], Lighthouse]] = {
     Nothing.kind: lambda _: Nothing(),

@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 
 from typing_extensions import override
 
-from allworlds.document import (
+from allworlds.document.struct import (
     EXIT_CODE,
     Aside,
     Document,
@@ -21,12 +21,12 @@ from allworlds.document import (
     narrowed,
     one_of,
 )
-from allworlds.engines import EndedReport
-from allworlds.maps import MapClass
+from allworlds.engines.swept_report import EndedReport
+from allworlds.maps.classes import MapClass
 from allworlds.outcome import Exit
 from allworlds.studies.ambiguity.smt.question import SEARCHED, Question, Sizes
 from allworlds.studies.ambiguity.smt.solvers import Status
-from allworlds.world import World
+from allworlds.world.world import World
 
 Classes: TypeAlias = Pair[Annotated[tuple[Natural, ...], narrowed(minItems=2)]]
 

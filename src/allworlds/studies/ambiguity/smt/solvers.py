@@ -13,7 +13,7 @@ from typing import Literal, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs.checks import InputError, show
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity.smt.formula import read_dimacs, write_dimacs
 from allworlds.studies.ambiguity.smt.pair import ALIKE, DIFFERENT

@@ -13,9 +13,10 @@ from typing import Any
 
 from msgspec import Struct, field
 
-from allworlds.document import replace
-from allworlds.engines import Listener, Silent
-from allworlds.inputs import INSTALL, InputError, a_path, answers, at_most, show
+from allworlds.document.struct import replace
+from allworlds.engines.progress import Listener, Silent
+from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
+from allworlds.inputs.requests import answers
 from allworlds.outcome import COMPLETED, Completed, Ending, ended
 from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest
 from allworlds.studies.ambiguity.smt.decode import decoded, same_world_from
