@@ -44,7 +44,8 @@ def test_without_stderr_the_report_is_the_same(cli, stderr):
 def test_without_stderr_an_explorer_prints_into_the_void(stderr, tmp_path):
     file = tmp_path / "loud.py"
     file.write_text(
-        "import sys\nprint('imported')\nfrom allworlds.explorers.builtin.algorithm1 import algorithm1\n"
+        "import sys\nprint('imported')\n"
+        "from allworlds.explorers.builtin.algorithm1 import algorithm1\n"
         "def explore(first):\n    print('explored')\n    print('!', file=sys.stderr)\n"
         "    return (yield from algorithm1(first))\n"
     )

@@ -10,7 +10,7 @@ pytestmark = pytest.mark.usefixtures("without_workers")
 
 STAYS = "def explore(first):\n    return None\n    yield\n"
 RAISES = "def explore(first):\n    raise ValueError\n    yield\n"
-RIGHT = "from allworlds.explorers.builtin.explorer_table import BUILT_IN\nexplore = BUILT_IN['algorithm1'].explore\n"
+RIGHT = "from allworlds.explorers.builtin.algorithm1 import algorithm1 as explore\n"
 ENDS = "an interrupt"
 
 

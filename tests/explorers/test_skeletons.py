@@ -58,7 +58,7 @@ def test_the_code_that_makes_a_skeleton_right_fits_into_it(shell, tmp_path):
     """The next step of a reader: the skeleton has the signature of a right explorer."""
     init(tmp_path / "mine")
     file = tmp_path / "mine" / "explorer.py"
-    right = "\n\nfrom allworlds.explorers.builtin.explorer_table import BUILT_IN\nexplore = BUILT_IN['algorithm1'].explore\n"
+    right = "\n\nfrom allworlds.explorers.builtin.algorithm1 import algorithm1 as explore\n"
     file.write_text(file.read_text() + right)
     done = shell("allworlds check explorer.py:explore --edges 2 -q", tmp_path / "mine")
     assert done.stdout.startswith("HOLDS"), done.stderr

@@ -19,5 +19,3 @@ Three things are said beside a type:
 ``name: Aside[T]``
     belongs to the result in Python, and is no key.
 """
-
-from __future__ import annotations

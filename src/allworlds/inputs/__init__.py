@@ -7,5 +7,3 @@
 ``requests``
     requests: what a verb is asked for, as a value.
 """
-
-from __future__ import annotations
