@@ -18,7 +18,7 @@ from allworlds.engines import run_directory
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.progress import Silent
 from allworlds.inputs.checks import InputError
-from allworlds.studies.worst.all_worlds import ScheduleSearch
+from allworlds.studies.worst.compiled_engine import ScheduleSearch
 from kept_jobs import EXPLORERS, stable
 from small import long
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.engines.dask import Dask
@@ -13,14 +12,11 @@ from allworlds.engines.database import Identity
 from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import Threads
-from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.engine import flag
-from allworlds.engines.kernel.schedules import ScheduleCosts, schedule_costs_of_unit, search
 from allworlds.engines.obstacles import COMPILER
 from allworlds.engines.progress import Listener
 from allworlds.engines.single import single_run
 from allworlds.engines.sweep import Sweep
-from allworlds.engines.units import WHOLE, LevelUnit, Portion, SweptLevel, cells_of_level
+from allworlds.engines.units import WHOLE, Portion, SweptLevel, cells_of_level
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.inputs.requests import answers
@@ -31,7 +27,7 @@ from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending
-from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
+from allworlds.studies.worst.every_schedule import EverySchedule, Planned
 from allworlds.studies.worst.worst_report import WorstReport, WorstRequest, WorstRow
 from allworlds.words import size
 from allworlds.world.lighthouses.marked import Directional
@@ -39,74 +35,7 @@ from allworlds.world.world import World
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.schedules import ScheduleCosts
-
-
-class ScheduleCostsBySize(Struct):
-    """Costs over every schedule, by the number of vertices. They add up in any order."""
-
-    by_vertices: dict[int, ScheduleCosts] = field(default_factory=dict)
-
-    @classmethod
-    def of(cls, rows: Iterable[ScheduleCosts]) -> ScheduleCostsBySize:
-        """Return the costs of a part's rows."""
-        return cls({row.vertices: row for row in rows})
-
-    def __contains__(self, vertices: object) -> bool:
-        return vertices in self.by_vertices
-
-    @property
-    def worlds(self) -> int:
-        """The number of rooted maps."""
-        return sum(row.rooted for row in self.by_vertices.values())
-
-    def add(self, other: ScheduleCostsBySize) -> None:
-        """Add the costs of another part."""
-        for vertices, row in other.by_vertices.items():
-            mine = self.by_vertices.get(vertices)
-            self.by_vertices[vertices] = _joined(mine, row) if mine else row
-
-
-def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
-    """Sums, maxima, and the least of the worlds that attain the worst cost."""
-    most_expensive = min(
-        (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a
-    )
-    return most_expensive._replace(
-        rooted=a.rooted + b.rooted,
-        best=max(a.best, b.best),
-        tests=a.tests + b.tests,
-        wrong=a.wrong + b.wrong,
-    )
-
-
-class ScheduleSearch(Struct, frozen=True):
-    """The engine that searches all schedules."""
-
-    extent: Extent
-    transit: Transit
-    flag: Any = field(default_factory=flag)
-
-    def halt(self) -> None:
-        """Set the flag that ends the compiled search."""
-        self.flag[0] = 1
-
-    def is_compiled(self) -> bool:
-        """Whether an earlier use has left the compiled code behind."""
-        return is_compiled(search)
-
-    def parts(self, unit: LevelUnit) -> Iterator[ScheduleCostsBySize]:
-        """The most expensive worlds of the unit."""
-        map_class = self.extent.map_class
-        rows = schedule_costs_of_unit(
-            unit.edges,
-            self.extent.vertex_limit(unit.edges),
-            unit.prefix,
-            self.transit,
-            self.flag,
-            simple=map_class.simple,
-            planar=map_class.planar,
-        )
-        yield ScheduleCostsBySize.of(rows)
+    from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
 
 @answers(WorstRequest)
@@ -136,7 +65,7 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
     extent: Extent
 
     def __init__(self, request: WorstRequest, extent: Extent) -> None:
-        from allworlds.studies.worst.all_worlds import ScheduleCostsBySize
+        from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
         super().__init__(request, extent)
         self.result = ScheduleCostsBySize  # type: ignore[misc]  # loaded now, with the kernel
@@ -158,7 +87,7 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
     @override
     def ready(self) -> ReadyEngine:
         from allworlds.engines.kernel.capabilities import COMPILING
-        from allworlds.studies.worst.all_worlds import ScheduleSearch
+        from allworlds.studies.worst.compiled_engine import ScheduleSearch
 
         cluster, workers = self.request.cluster, self.request.workers
         engine = ScheduleSearch(self.extent, self.request.transit)

@@ -1,0 +1,83 @@
+"""The most expensive worlds of a level: the compiled search over schedules as an engine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from msgspec import Struct, field
+
+from allworlds.engines.kernel.compiling import is_compiled
+from allworlds.engines.kernel.engine import flag
+from allworlds.engines.kernel.schedules import ScheduleCosts, schedule_costs_of_unit, search
+from allworlds.engines.units import LevelUnit
+from allworlds.maps.classes import Extent
+from allworlds.studies.worst.every_schedule import Transit
+
+
+class ScheduleCostsBySize(Struct):
+    """Costs over every schedule, by the number of vertices. They add up in any order."""
+
+    by_vertices: dict[int, ScheduleCosts] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, rows: Iterable[ScheduleCosts]) -> ScheduleCostsBySize:
+        """Return the costs of a part's rows."""
+        return cls({row.vertices: row for row in rows})
+
+    def __contains__(self, vertices: object) -> bool:
+        return vertices in self.by_vertices
+
+    @property
+    def worlds(self) -> int:
+        """The number of rooted maps."""
+        return sum(row.rooted for row in self.by_vertices.values())
+
+    def add(self, other: ScheduleCostsBySize) -> None:
+        """Add the costs of another part."""
+        for vertices, row in other.by_vertices.items():
+            mine = self.by_vertices.get(vertices)
+            self.by_vertices[vertices] = _joined(mine, row) if mine else row
+
+
+def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
+    """Sums, maxima, and the least of the worlds that attain the worst cost."""
+    most_expensive = min(
+        (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a
+    )
+    return most_expensive._replace(
+        rooted=a.rooted + b.rooted,
+        best=max(a.best, b.best),
+        tests=a.tests + b.tests,
+        wrong=a.wrong + b.wrong,
+    )
+
+
+class ScheduleSearch(Struct, frozen=True):
+    """The engine that searches all schedules."""
+
+    extent: Extent
+    transit: Transit
+    flag: Any = field(default_factory=flag)
+
+    def halt(self) -> None:
+        """Set the flag that ends the compiled search."""
+        self.flag[0] = 1
+
+    def is_compiled(self) -> bool:
+        """Whether an earlier use has left the compiled code behind."""
+        return is_compiled(search)
+
+    def parts(self, unit: LevelUnit) -> Iterator[ScheduleCostsBySize]:
+        """The most expensive worlds of the unit."""
+        map_class = self.extent.map_class
+        rows = schedule_costs_of_unit(
+            unit.edges,
+            self.extent.vertex_limit(unit.edges),
+            unit.prefix,
+            self.transit,
+            self.flag,
+            simple=map_class.simple,
+            planar=map_class.planar,
+        )
+        yield ScheduleCostsBySize.of(rows)
