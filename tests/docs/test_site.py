@@ -40,11 +40,7 @@ def test_every_page_has_its_place_in_the_navigation():
     named = set(re.findall(r"([\w/-]+\.md|[\w/-]+/)$", NAV, re.MULTILINE))
     folders = {name for name in named if name.endswith("/")}
     assert {page for page in pages if f"{Path(page).parent}/" not in folders} <= named
-    made = {
-        name
-        for name in named
-        if name.startswith(("reference/", "internals/", "gallery/", "repository/"))
-    }
+    made = {name for name in named if name.startswith(("reference/", "gallery/", "repository/"))}
     assert named - made - folders <= pages
 
 
@@ -173,15 +169,6 @@ def test_the_reference_of_the_package_has_every_name():
     assert {f"testing.{name}" for name in testing.__all__} < {*whole}
     assert {f"strategies.{name}" for name in strategies.__all__} < {*whole}
     assert {"class_of", "census"} < {name.rpartition(".")[2] for name in whole}
-
-
-def test_the_inside_of_the_package_stands_apart_from_the_public_api():
-    generated = load("generated")
-    inside = {name: text for name, text in generated.pages().items() if "internals/" in name}
-    assert {"internals/engines.md", "internals/judging.md"} < {*inside}
-    assert not {"internals/testing.md", "internals/strategies.md"} & {*inside}
-    assert all("not of the public API" in text for text in inside.values())
-    assert NAV.index("reference/python.md") < NAV.index("Project:") < NAV.index("internals/")
 
 
 def test_every_figure_that_a_page_asks_for_is_drawn_and_every_one_is_asked_for():

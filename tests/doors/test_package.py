@@ -30,11 +30,11 @@ NOT_FOR_EXPLORERS = (
 """What who checks an explorer of one's own does not need."""
 
 EXPLORER = """
-import allworlds.explorers
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 
 
 def explore(first, *, choices):
-    return (yield from allworlds.explorers.algorithm1(first, choices=choices))
+    return (yield from algorithm1(first, choices=choices))
 """
 
 

@@ -68,7 +68,9 @@ def test_an_entry_point_that_does_not_load_is_bad_input(monkeypatch):
     points = EntryPoints(
         [
             EntryPoint("mine", "no_such_module:x", "allworlds.explorers"),
-            EntryPoint("ours", "allworlds.explorers:algorithm1", "allworlds.explorers"),
+            EntryPoint(
+                "ours", "allworlds.explorers.builtin.algorithm1:algorithm1", "allworlds.explorers"
+            ),
         ]
     )
     monkeypatch.setattr("importlib.metadata.entry_points", lambda group: points)

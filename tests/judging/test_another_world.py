@@ -7,7 +7,7 @@ import pytest
 import allworlds
 from allworlds import Move, Percept
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.judging.explanations import another_world as another
+from allworlds.judging.explanations import by_law as another
 from allworlds.judging.explanations.by_law import another_world
 from allworlds.judging.explanations.explanation import explain
 from allworlds.judging.laws.folding import fold

@@ -9,8 +9,8 @@ from allworlds.maps import (
     CombinatorialMap,
     named_map,
     project,
+    quotient as refinement,
     random_map,
-    refinement,
     rooted_code,
     rooted_maps,
 )

@@ -30,8 +30,8 @@ from allworlds.reports.rendering import text as text_of
 from allworlds.studies.compare.climb import GrowingWorlds
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.contestants import Contestant
-from allworlds.studies.compare.growing_families import GROWING, GrownWorld, distinct, members_of
-from allworlds.studies.compare.growth import GrowRow, Growth
+from allworlds.studies.compare.growing_families import GROWING, distinct, members_of
+from allworlds.studies.compare.growth import GrownWorld, GrowRow, Growth
 from allworlds.world import Directional, World
 from allworlds.world.named import map_of_code, map_of_family
 from kept_jobs import EXPLORERS

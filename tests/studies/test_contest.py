@@ -81,11 +81,15 @@ def test_the_rows_agree_with_a_check(report):
 
 
 def test_an_explorer_beside_itself_under_another_name_differs_nowhere():
-    report = compare("algorithm1", "allworlds.explorers:algorithm1", edges=2)
+    other = "allworlds.explorers.builtin.algorithm1:algorithm1"
+    report = compare("algorithm1", other, edges=2)
     assert report.exit_code == 0
     assert report.differ_most is None
     assert [*report.walks()] == []
-    assert all(row.equal["allworlds.explorers:algorithm1"] == row.worlds for row in report.rows)
+    assert all(
+        row.equal["allworlds.explorers.builtin.algorithm1:algorithm1"] == row.worlds
+        for row in report.rows
+    )
 
 
 def test_a_map_without_a_place_for_one_is_left_out_for_all():

@@ -18,7 +18,7 @@ from allworlds.maps.counting.sources import CountSource
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate
-from allworlds.studies import check as checker
+from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.run.single import run
 from allworlds.world import Directional, World, worlds
 from small import long, slow
@@ -99,7 +99,7 @@ def test_the_witnesses_of_algorithm_1_occur(edges):
 
 @pytest.mark.usefixtures("without_workers")
 def test_a_missing_witness_is_no_success(monkeypatch):
-    explorers = importlib.import_module("allworlds.explorers")
+    explorers = importlib.import_module("allworlds.explorers.builtin.explorer_table")
     built_in = explorers.BUILT_IN["algorithm1"]
     forgetful = explorers.BuiltIn(
         built_in.explore, "directional", {**built_in.witnesses, "case-4": ((2, 2), None)}

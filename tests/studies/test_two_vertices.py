@@ -17,7 +17,7 @@ from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.transcript import Transcript
 from allworlds.reports.rendering import text as text_of
-from allworlds.studies import check as checker
+from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
 from allworlds.studies.run.single import run

@@ -24,7 +24,7 @@ from allworlds.protocol.answers import Estimate
 from allworlds.words import plural, size
 from allworlds.world.world import World
 
-LARGEST = 5
+LARGEST_CHIRAL = 5
 """The largest number of edges of the chiral worlds: each class has some."""
 
 NARROWEST = (MapClass.PLANAR_SIMPLE, MapClass.SIMPLE, MapClass.PLANAR, MapClass.MAPS)
@@ -41,7 +41,7 @@ def chiral_worlds(finding: Finding) -> Iterator[World]:
 
     They have its lighthouse, and are simple or planar where its world is.
     """
-    for edges in range(1, LARGEST + 1):
+    for edges in range(1, LARGEST_CHIRAL + 1):
         for map_ in rooted_maps(edges, narrowest_class(finding)):
             place = next(iter(finding.rules.kind.places(map_, 0)), None)
             if place and not isomorphism(map_, map_.mirrored()):
