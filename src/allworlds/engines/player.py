@@ -149,36 +149,14 @@ class _Server:
         self._beat[1] = 0
 
     def _play(self, batch: dict[str, Any]) -> None:
-        rows = batch["rows"]
-        make = _makers()[batch["kind"]]
         if batch["kind"] == "model":
             import pickle
 
-            rows = pickle.loads(rows)  # noqa: S301  # our own process
-        logs: list[bytes] = [b""] * len(rows)
-        for number in batch["order"]:
-            logs[number] = self._run(batch, rows[number], number, make)
-            if os.getpid() != self._pid:
-                # The explorer has forked this process; its copy must not go on with the work.
-                os._exit(0)
+            batch["rows"] = pickle.loads(batch["rows"])  # noqa: S301  # our own process
+        logs = played(batch, self._player, self._beat, _sender() if batch["hear"] else None)
         for timer in TIMERS:
             signal.setitimer(timer, 0)
         _answer(LOGS, *logs_message(logs))
-
-    def _run(self, batch: dict[str, Any], row: Any, number: int, make: Callable[..., Any]) -> bytes:
-        from allworlds.protocol.playing import play_run
-
-        world, told, over, budget, name, script = row
-        self._beat[0] = number
-        return play_run(
-            make(world, told, over),
-            self._player,
-            _choices(batch, name, script),
-            budget,
-            self._beat,
-            any_answer=batch["any_answer"],
-            hear=_sender() if batch["hear"] else None,
-        )
 
     def _native(self, batch: dict[str, Any]) -> None:
         from allworlds.engines.kernel.library_player import LibraryPlayer
@@ -195,6 +173,30 @@ class _Server:
         if os.getpid() != self._pid:
             os._exit(0)
         _answer(NO_ROOM) if logs is None else _answer(LOGS, *logs)
+
+
+def played(
+    batch: dict[str, Any],
+    player: Player,
+    beat: Any,
+    hear: Callable[[bytearray], None] | None = None,
+) -> list[bytes]:
+    """Play the runs of a batch, whose kind is none of a library; return their logs."""
+    from allworlds.protocol.playing import play_run
+
+    rows, make, own = batch["rows"], _makers()[batch["kind"]], os.getpid()
+    logs: list[bytes] = [b""] * len(rows)
+    for number in batch["order"]:
+        world, told, over, budget, name, script = rows[number]
+        beat[0] = number
+        around, choices = make(world, told, over), _choices(batch, name, script)
+        logs[number] = play_run(
+            around, player, choices, budget, beat, any_answer=batch["any_answer"], hear=hear
+        )
+        if os.getpid() != own:
+            # The explorer has forked this process; its copy must not go on with the work.
+            os._exit(0)
+    return logs
 
 
 def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:

@@ -40,6 +40,7 @@ from allworlds.engines.player import (
     READY,
     REFUSAL,
     logs_message,
+    played,
 )
 from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers.names import is_library, is_program
@@ -47,7 +48,6 @@ from allworlds.explorers.subject import HASH_SEED, Subject
 from allworlds.inputs.checks import InputError, show
 from allworlds.outcome import NoResult
 from allworlds.protocol.player import Player as Explorer
-from allworlds.protocol.playing import play_run
 from allworlds.words import ended_by, harmless
 
 GRACE = 2.0
@@ -454,26 +454,9 @@ class PlayerHere:
             return []
         job, message = self.jobs.popleft()
         if not self._of_user:
-            return [Answer(job, self._played(message))]
+            return [Answer(job, played(message, self._explorer, self.beat))]
         with printing_to(self.prints if self._recorded else Prints()):
-            return [Answer(job, self._played(message))]
-
-    def _played(self, message: dict[str, Any]) -> list[bytes]:
-        from allworlds.engines.player import _choices, _makers
-
-        rows, make = message["rows"], _makers()[message["kind"]]
-        logs = [b""] * len(rows)
-        for number in message["order"]:
-            world, told, over, budget, name, script = rows[number]
-            logs[number] = play_run(
-                make(world, told, over),
-                self._explorer,
-                _choices(message, name, script),
-                budget,
-                self.beat,
-                any_answer=message["any_answer"],
-            )
-        return logs
+            return [Answer(job, played(message, self._explorer, self.beat))]
 
     def again(self) -> None:
         """Go on in this process, which cannot be replaced."""
