@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-ROWS, CASES, FINDINGS, GROWTH = "rows or a walk", "cases", "findings", "costs that grow"
+ROWS, CASES, FINDINGS = "rows or a walk", "cases", "findings"
 """Parts that the telling of a result can have."""
 
 
@@ -167,8 +167,15 @@ VERBS = (
         "Compare explorers in the same worlds, or in worlds that grow.",
         telling="reports.tellings.compare:compare_telling",
         panel=COSTS,
-        has=(ROWS, GROWTH),
         sweep="studies.compare.contest:SameWorlds",
+        example="algorithm1 dudek91 --edges 4",
+        help=(
+            "Explorers side by side on the same worlds, each under its own lighthouse; the first "
+            "is compared with each other one, in each rooted map by the mean over the lighthouse's "
+            "places. With --to one or more explorers in worlds that grow: cost by size, as in "
+            "allworlds compare algorithm1 dudek91 --family lattice,torus --to 100. "
+            "Every run is judged. Exit code 0: no law is broken, 1: one is."
+        ),
     ),
     Verb(
         "worst",

@@ -21,7 +21,6 @@ NOT_FOR_EXPLORERS = (
     "distributed",
     "hypothesis",
     "llvmlite",
-    "matplotlib",
     "numba",
     "pysat",
     "sympy",

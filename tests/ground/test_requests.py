@@ -93,7 +93,6 @@ def test_mypy_knows_the_keywords(tmp_path):
         'check("x", edgs=4)': 'Unexpected keyword argument "edgs" for "check"',
         'check("x", edges="4")': 'Argument "edges" to "check" has incompatible type "str"',
         "fuzz(runs=3)": 'Missing named argument "edges" for "fuzz"',
-        'compare("a", "b", edgs=3)': 'Unexpected keyword argument "edgs"',
         'check("x", map_class="simple", shard=(0, 2), laws=["map"], bound=7)': None,
     }
     file = tmp_path / "calls.py"

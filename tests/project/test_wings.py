@@ -65,7 +65,6 @@ HOMES = {
         *("document", "outcome", "maps", "protocol", "world", "explorers", "judging", "engines"),
         *("reports", "studies"),
     ],
-    "matplotlib": ["reports.formats.plot"],
     "networkx": [
         "maps.surgery",
         "maps.networks",
@@ -84,7 +83,7 @@ HOMES = {
 # What comes with Python, or will.
 EVERYWHERE = {*sys.stdlib_module_names, "typing_extensions"}
 # Loaded only inside the functions that need them, or for types.
-LAZY = {"dask", "distributed", "matplotlib", "networkx", "rich"}
+LAZY = {"dask", "distributed", "networkx", "rich"}
 
 INPUTS = {"inputs", "inputs.checks", "inputs.requests"}
 """The door to checks of values, and what is behind it."""

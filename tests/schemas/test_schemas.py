@@ -255,7 +255,7 @@ TABLES = {
     *("witnesses", "by_vertices", "by_genus", "labelled", "expected", "parameters"),
     *("expected_witnesses", "figures", "expected_figures"),
     # By the explorer.
-    *("explorers", "mean", "worst", "less", "equal", "more", "costs", "ratio", "exponents"),
+    *("explorers", "mean", "worst", "less", "equal", "more", "costs", "ratio"),
 }
 
 

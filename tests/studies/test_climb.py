@@ -1,11 +1,10 @@
-"""Cost by size: members that their names give back, runs that single runs confirm, exponents."""
+"""Cost by size: members that their names give back, runs that single runs confirm."""
 
 import csv
 import io
 import json
 import sys
 from itertools import combinations
-from math import log
 from statistics import mean
 
 import pytest
@@ -183,50 +182,6 @@ def grown(costs, explorers=("who",)):
     )
 
 
-def test_the_exponent_of_a_power_is_its_exponent():
-    (fitted,) = grown({"who": {m: [3 * m**2] for m in (10, 20, 40)}}).exponents
-    assert (fitted.exponent, fitted.interval, fitted.residual) == (2, None, 0)
-    assert (fitted.shape, abs(fitted.distance)) == ("power", 0)
-
-
-@pytest.mark.parametrize(
-    ("cost", "shape"),
-    [
-        (lambda m: 2**m, "steeper"),
-        (lambda m: int(1000 * log(m / 4)), "flatter"),
-        (lambda m: m**2 * (3 if m == 20 else 1), "flatter"),
-        (lambda m: m**2 * (3 if m in (10, 40) else 1), "uneven"),
-    ],
-)
-def test_costs_that_are_no_power_are_said_to_be_none(cost, shape):
-    told = grown({"who": {m: [cost(m)] for m in (5, 10, 20, 40)}})
-    (fitted,) = told.exponents
-    assert fitted.shape == shape
-    assert f"no: {shape}, " in text_of("compare", told, 120)
-
-
-@pytest.mark.parametrize(
-    ("sizes", "worlds", "said"), [(4, 5, "too few sizes"), (5, 4, "too few worlds"), (5, 5, "..")]
-)
-def test_an_exponent_without_an_interval_is_shown_and_says_why(sizes, worlds, said):
-    costs = {m: [m**2 + i for i in range(worlds)] for m in [10, 20, 40, 80, 160][:sizes]}
-    told = grown({"who": costs})
-    (fitted,) = told.exponents
-    assert fitted.exponent == pytest.approx(2, abs=0.02)
-    document = told.to_json()["exponents"][0]
-    assert (document["interval"] is None) == (said != "..")
-    assert [row["interval"] is None for row in told.to_json()["rows"]] == [worlds < 5] * sizes
-    lines = text_of("compare", told, 120).partition("Fitted exponents")[2].splitlines()
-    assert f"{fitted.exponent:.2f}" in lines[2]
-    assert said in lines[2]
-
-
-def test_two_sizes_fit_any_power_and_a_cost_of_zero_none():
-    (fitted,) = grown({"who": {10: [5], 20: [7]}}).exponents
-    assert fitted.shape == "untested"
-    assert grown({"who": {10: [5], 20: [0]}}).exponents == ()
-
-
 def test_the_ratio_is_that_of_each_world_and_has_an_interval():
     first = {10: [10, 20, 40, 80, 160, 320]}
     told = grown({"a": first, "b": {10: [2 * c for c in first[10]]}}, ("a", "b"))
@@ -352,24 +307,6 @@ def test_by_size_the_csv_has_a_line_for_each_row_with_its_ratio(report):
         report.records("edge")
 
 
-def test_the_plot_names_its_families_and_explorers(report):
-    pytest.importorskip("matplotlib")
-    plot = file_of("compare", "plot", report)
-    assert "<svg" in plot
-    assert all(text in plot for text in ("lattice", "cubic", "folding-oldest", "algorithm1"))
-    assert "exact" not in plot
-
-
-@pytest.mark.slow
-@pytest.mark.long
-def test_the_plot_is_the_same_for_the_same_report(report):
-    pytest.importorskip("matplotlib")
-    assert file_of("compare", "plot", report) == file_of("compare", "plot", report)
-    assert ">folding-oldest, exact<" in file_of(
-        "compare", "plot", compare("folding-oldest", family="torus", to=18)
-    )
-
-
 def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
     file = tmp_path / "rows.csv"
     code, out, _ = cli(
@@ -378,12 +315,6 @@ def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
     assert code == 0
     assert json.loads(out)["verdict"] == "not-refuted"
     assert file.read_text().startswith("code,family,holes,seed,edges")
-
-
-def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused, monkeypatch):
-    monkeypatch.setattr("allworlds.inputs.checks.find_spec", lambda _: None)
-    said = refused("compare", "folding-oldest", "--family", "strip", "--to", 20, "--plot", "x.svg")
-    assert ".[figures]" in said
 
 
 @pytest.mark.parametrize(
@@ -419,7 +350,6 @@ def test_what_grows_is_asked_for_by_to(refused):
     assert "worlds = 2 is for worlds that grow" in refused(
         "compare", "folding-oldest", "--worlds", 2
     )
-    assert "--to" in refused("compare", "folding-oldest", "--family", "strip", "--plot", "x.svg")
 
 
 def test_a_seed_left_out_is_the_first(cli):

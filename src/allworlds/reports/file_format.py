@@ -41,7 +41,6 @@ class Format(Struct, frozen=True):
         of_telling: the text of the file, made of the telling of a result.
         help: the help of the option.
         shows: what a verb must have to get the option.
-        library: without which the text cannot be made, if there is one.
         binary: what is made in place of the text, by the end of the file's name.
         summary: the variable in which a CI service names a file to which the report is added
             without being asked for; empty where there is none.
@@ -51,7 +50,6 @@ class Format(Struct, frozen=True):
     of_telling: Callable[[ToldResult], str]
     help: str
     shows: str = ROWS
-    library: NeededLibrary | None = None
     binary: Mapping[str, Binary] = {}
     summary: str = ""
     told_to: str = ""

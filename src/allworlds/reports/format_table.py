@@ -11,10 +11,10 @@ from allworlds.inputs.checks import ensure_installed
 from allworlds.reports import formats
 from allworlds.reports.file_format import Format
 from allworlds.reports.rendering import told
-from allworlds.verbs import BY_NAME, CASES, FINDINGS, GROWTH, ROWS
+from allworlds.verbs import BY_NAME, CASES, FINDINGS, ROWS
 from allworlds.words import escaped, harmless
 
-_SHOWN = (ROWS, CASES, FINDINGS, GROWTH)
+_SHOWN = (ROWS, CASES, FINDINGS)
 """The order of the options: first those for what most verbs have."""
 
 
@@ -55,11 +55,8 @@ def ensure_possible(form: str, name: str) -> None:
     Raises:
         InputError: if a library is not installed.
     """
-    format_ = FORMATS[form]
-    binary = format_.binary_for(name)
-    library = binary.library if binary else format_.library
-    if library:
-        ensure_installed(*library)
+    if binary := FORMATS[form].binary_for(name):
+        ensure_installed(*binary.library)
 
 
 def _fit_for_a_file(text: str, *, is_for_a_runner: bool) -> str:

@@ -21,19 +21,17 @@ from allworlds.reports.tellings.scope import SAID, explorers_told, maps_words, o
 from allworlds.reports.tellings.single_run import run_section
 from allworlds.reports.world_rows import rows_of_worlds
 from allworlds.studies.compare.comparison import ComparedRow, Comparison
-from allworlds.studies.compare.growth import CostRatio, Exponent, GrowRow, Growth, Shape
-from allworlds.studies.compare.intervals import LEAST_SIZES, LEAST_WORLDS, LEVEL
+from allworlds.studies.compare.growth import CostRatio, GrowRow, Growth
+from allworlds.studies.compare.intervals import LEVEL
 from allworlds.words import number, plural, size
 
 
 def growth_telling(report: Growth) -> ToldResult:
-    """A row for each family, size and explorer; then the exponents."""
+    """A row for each family, size and explorer."""
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     blocks: list[Block] = [_growth_table(report)]
     if report.ratios:
         blocks.append(_ratios(report))
-    if report.exponents:
-        blocks.append(_exponents(report))
     blocks.append(ToldFacts(_growth_facts(report)))
     return ToldResult(
         "allworlds compare",
@@ -112,35 +110,7 @@ def _ratios(report: Growth) -> ToldTable:
     return ToldTable(header, rows, "Ratios in the same worlds", keys=3)
 
 
-def _exponents(report: Growth) -> ToldTable:
-    rows: list[list[Cell]] = [
-        [
-            *(one.family, one.explorer),
-            Shown(one.exponent, f"{one.exponent:.2f}"),
-            _interval(one, ".2f") or f"too few {_lacking(one)}",
-            *(Shown(one.residual, f"{one.residual:.2f}"), _shape(one)),
-        ]
-        for one in report.exponents
-    ]
-    header = ["family", "explorer", "exponent", "interval", "residual", "power law"]
-    return ToldTable(header, rows, "Fitted exponents", keys=2)
-
-
-def _lacking(one: Exponent) -> str:
-    """The word for that of which an exponent without an interval has too few."""
-    return "sizes" if len(one.fit.distances) < LEAST_SIZES else "worlds"
-
-
-def _shape(one: Exponent) -> str:
-    """The words for whether a power law fits."""
-    if one.shape is Shape.POWER:
-        return "fits"
-    if one.shape is Shape.UNTESTED:
-        return "two sizes"
-    return f"no: {one.shape.value}, {one.distance:+.0%} at {plural(one.farthest, 'edge')}"
-
-
-def _interval(found: GrowRow | CostRatio | Exponent, form: str) -> Cell:
+def _interval(found: GrowRow | CostRatio, form: str) -> Cell:
     if found.exact:
         return "exact"
     if found.interval is None:
@@ -178,13 +148,6 @@ def _growth_facts(report: Growth) -> list[tuple[str, str]]:
         ]
     if any(row.exact for row in report.rows):
         words.append(("exact", "every world that seeds draw was run, in every place"))
-    if report.exponents:
-        best = "of the power of the edges that fits all worlds best, in logarithms"
-        needs = f"{LEAST_SIZES} sizes, and {LEAST_WORLDS} worlds of each that is not exact"
-        words += [
-            ("exponent", f"{best}; its interval takes {needs}"),
-            ("residual", "standard deviation of the logarithm of the cost about that power"),
-        ]
     if report.rows:
         member = report.rows[-1].members[-1].name
         words.append(("again", f"allworlds run {report.names[0]} --family {member}"))

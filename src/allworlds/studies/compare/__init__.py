@@ -15,7 +15,7 @@ drawn from seeds, and isomorphic ones count once; every member has a name that g
 ``contest``, ``comparison``
     the runs in every world of a class, and what they have shown;
 ``growing_families``, ``climb``, ``growth``
-    families and their members, the runs in them, and cost by size with fitted exponents;
+    families and their members, the runs in them, and cost by size;
 ``intervals``
-    intervals of means, ratios and exponents, by a bootstrap over the worlds.
+    intervals of means and ratios, by a bootstrap over the worlds.
 """

@@ -39,7 +39,7 @@ WORLDS, PLACES, SEED = 10, 8, 1
 def growing(contestants: Sequence[Contestant], request: CompareRequest, to: int) -> GrowingWorlds:
     """Run explorers in larger and larger worlds: of each family some members of each size.
 
-    Every run is judged, and how the cost grows is fitted.
+    Every run is judged.
 
     Args:
         contestants: the explorers.

@@ -3,26 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from pathlib import Path
-from typing import Annotated, Any, TypedDict
+from typing import Annotated, Any
 
 from allworlds.document.struct import Natural, Positive, Some, Text, about
 from allworlds.engines.effort import AskedCluster, AskedDirectory
-from allworlds.engines.progress import Listener
 from allworlds.engines.swept_report import AskedRows
-from allworlds.engines.units import AskedShard, Portion
+from allworlds.engines.units import AskedShard
 from allworlds.explorers.asked import ExplorersWords
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import SCOPE, Named, Option, Taken
-from allworlds.judging.laws.bounds import Bound
-from allworlds.judging.tasks import Judge, Task
 from allworlds.maps.classes import AskedExtent
-from allworlds.maps.conditions import Condition
 from allworlds.maps.families import FORMS
 from allworlds.studies.check.requests import ManyWorlds
-from allworlds.world.lighthouses.kinds import GivenLighthouse
 from allworlds.world.named import HOLES
-from allworlds.world.own_condition import AskedWhere, Predicate
+from allworlds.world.own_condition import AskedWhere
 
 
 def _families(given: object) -> tuple[str, ...] | None:
@@ -124,40 +118,3 @@ class CompareRequest(
             "or more.",
         ),
     ] = ()
-
-
-class SameWorldsKeywords(TypedDict, total=False):
-    """The fields of a request but the explorers, for worlds that do not grow."""
-
-    edges: int | None
-    vertices: int | None
-    map_class: str
-    where: str | Predicate | Condition | Sequence[str | Predicate | Condition] | None
-    family: str | Sequence[str] | None
-    holes: str | None
-    seed: int | None
-    shard: tuple[int, int] | Portion | None
-    lighthouse: GivenLighthouse | None
-    task: str | Judge | Task
-    policy: str
-    bound: str | int | Bound | None
-    laws: Iterable[str] | None
-    step_budget: int | None
-    answer_timeout: float
-    start_timeout: float
-    workers: int
-    time_limit: float | None
-    memory: int | None
-    listener: Listener | None
-    dask: str | None
-    dask_timeout: float
-    run: str | Path | None
-    by: str | None
-
-
-class CompareKeywords(SameWorldsKeywords, total=False):
-    """All fields of a request but the explorers."""
-
-    to: int | None
-    worlds: int | None
-    places: int | None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from statistics import geometric_mean
 from typing import Annotated
 
 from msgspec import Struct
@@ -24,7 +25,6 @@ from allworlds.inputs.checks import InputError
 from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.studies.compare.contestants import InWorld
 from allworlds.studies.compare.growing_families import Member
-from allworlds.studies.compare.intervals import geometric_mean
 from allworlds.world.world import World
 
 
@@ -140,8 +140,7 @@ def row_of(edges: int, vertices: int, maps: Sequence[Mapping[str, InMap]]) -> Co
         means = [(costs[name].mean, costs[first].mean) for costs in maps]
         if not all(mine and beside for mine, beside in means):
             return None
-        found = geometric_mean([float(mine / beside) for mine, beside in means])
-        return found and round(found[0], 6)
+        return round(geometric_mean(float(mine / beside) for mine, beside in means), 6)
 
     mean = {n: sum((costs[n].mean for costs in maps), Fraction(0)) / len(maps) for n in maps[0]}
     return ComparedRow(

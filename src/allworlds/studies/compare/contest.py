@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby
-from typing import Any, Unpack, overload
+from typing import Any
 
 from msgspec import Struct
 from typing_extensions import override
@@ -22,11 +22,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending, Stopped
 from allworlds.studies.check.report import GateCell, count_gate
 from allworlds.studies.compare.climb import GrowingWorlds, growing
-from allworlds.studies.compare.compare_request import (
-    CompareKeywords,
-    CompareRequest,
-    SameWorldsKeywords,
-)
+from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.comparison import (
     ComparedRow,
     Comparison,
@@ -51,40 +47,22 @@ from allworlds.studies.compare.growth import Growth
 from allworlds.world.world import World
 
 
-@overload
-def compare(
-    *explorers: str | Callable[..., Any],
-    to: int,
-    worlds: int | None = ...,
-    places: int | None = ...,
-    **options: Unpack[SameWorldsKeywords],
-) -> Growth: ...
-@overload
-def compare(
-    *explorers: str | Callable[..., Any], **options: Unpack[SameWorldsKeywords]
-) -> Comparison: ...
-@overload
-def compare(
-    *explorers: str | Callable[..., Any], **options: Unpack[CompareKeywords]
-) -> Comparison | Growth: ...
-@takes_fields(CompareRequest, several="explorers")
-def compare(
-    *explorers: str | Callable[..., Any], **options: Unpack[CompareKeywords]
-) -> Comparison | Growth:
+def compared(request: CompareRequest) -> Comparison | Growth:
+    """Answer a request of ``compare``."""
+    return _contest(contestants_of(request), request).answer(request.run)
+
+
+@takes_fields(CompareRequest, several="explorers", answered=compared)
+def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison | Growth:
     """Run explorers in the same worlds, judge every run, and compare what they walk.
 
-    With ``to`` the worlds grow: of each family a few members of each size are run, and how the
-    cost grows is fitted; then one explorer is enough.
+    With ``to`` the worlds grow: of each family a few members of each size are run; then one
+    explorer is enough.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
     return compared(CompareRequest(explorers=explorers, **options))
-
-
-def compared(request: CompareRequest) -> Comparison | Growth:
-    """Answer a request of ``compare``."""
-    return _contest(contestants_of(request), request).answer(request.run)
 
 
 def _contest(

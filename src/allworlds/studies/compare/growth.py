@@ -1,13 +1,11 @@
-"""Costs in larger and larger worlds, and the exponents fitted to them."""
+"""Costs in larger and larger worlds."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from enum import StrEnum
 from math import fsum
 from typing import Annotated, TypeAlias
 
-from msgspec import Meta
 from typing_extensions import override
 
 from allworlds.document.struct import (
@@ -28,15 +26,11 @@ from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.studies.compare.contestants import InWorld
 from allworlds.studies.compare.growing_families import member_named
 from allworlds.studies.compare.intervals import (
-    LEAST_SIZES,
     LEAST_WORLDS,
     LEVEL,
-    NEAR,
     Interval,
-    PowerLaw,
     geometric_mean,
     mean_interval,
-    power_law,
 )
 
 Range: TypeAlias = Annotated[
@@ -126,55 +120,6 @@ class CostRatio(Document):
     interval: Annotated[Range, about("of the ratio")]
 
 
-class Shape(StrEnum):
-    """How costs differ from the power law that fits them best."""
-
-    POWER = "power"
-    STEEPER = "steeper"
-    FLATTER = "flatter"
-    UNEVEN = "uneven"
-    UNTESTED = "untested"
-
-
-class Exponent(Document):
-    """How an explorer's cost grows in a family: like this power of the number of edges.
-
-    ``fit`` holds the numbers before rounding.
-    """
-
-    family: Annotated[Text, about("as it was asked for")]
-    explorer: Annotated[Text, about("its name")]
-    exponent: Annotated[
-        float, about("fitted to all worlds of all sizes, by least squares of logarithms")
-    ] = computed(lambda one: round(one.fit.exponent, 3))
-    exact: Annotated[bool, about("fitted to every world that seeds draw of these sizes")]
-    interval: Annotated[
-        Pair[float] | None,
-        about(
-            f"by a bootstrap over the worlds of each size, at {LEVEL:.0%}; null: exact, or fewer "
-            f"than {LEAST_SIZES} sizes, or than {LEAST_WORLDS} worlds of one that is not exact"
-        ),
-    ] = computed(lambda one: _rounded(one.fit.interval, 3))
-    residual: Annotated[
-        Figure, about("standard deviation of the logarithm of the cost about the law")
-    ] = computed(lambda one: round(one.fit.residual, 3))
-    shape: Annotated[
-        Shape,
-        about(
-            f"power: each size is within {NEAR:.0%} of the law, or the law within its interval; "
-            "steeper: not so, costs grow faster than any power; flatter: more slowly; uneven: "
-            "neither; untested: two sizes fit any law"
-        ),
-    ] = computed(lambda one: Shape(one.fit.shape) if len(one.fit.distances) > 2 else Shape.UNTESTED)
-    farthest: Annotated[Positive, about("edges of the size that is farthest from the law")] = (
-        computed(lambda one: one.fit.farthest)
-    )
-    distance: Annotated[float, Meta(ge=-1), about("of that size: 0.1 is a tenth above the law")] = (
-        computed(lambda one: round(one.fit.distances[one.fit.farthest], 3))
-    )
-    fit: Aside[PowerLaw]
-
-
 class Growth(ContestReport):
     """Report of 'compare --to'.
 
@@ -184,9 +129,6 @@ class Growth(ContestReport):
     """
 
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
-    exponents: Annotated[
-        tuple[Exponent, ...], about("one for each family and explorer with two sizes or more")
-    ] = computed(lambda report: tuple(_exponents(report)))
     ratios: Annotated[
         tuple[CostRatio, ...], about("one for each family, size and explorer but the first")
     ] = computed(lambda report: tuple(_ratios(report)))
@@ -215,17 +157,6 @@ class Growth(ContestReport):
                 yield InWorld(map_, one.name, row.explorer, *told)
 
 
-def _exponents(report: Growth) -> Iterator[Exponent]:
-    for family in report.families:
-        for name in report.names:
-            rows = [r for r in report.rows if (r.family, r.explorer) == (family, name)]
-            exact = {row.edges for row in rows if row.exact}
-            fit = power_law({row.edges: row.means for row in rows}, exact)
-            if fit is not None:
-                every = len(exact) == len(rows)
-                yield Exponent(family=family, explorer=name, exact=every, fit=fit)
-
-
 def _ratios(report: Growth) -> Iterator[CostRatio]:
     first = {(r.family, r.edges): r for r in report.rows if r.explorer == report.names[0]}
     for row in report.rows:
@@ -251,5 +182,5 @@ def _mean(row: GrowRow) -> float:
     return fsum(row.means) / len(row.members)
 
 
-def _rounded(interval: Interval | None, digits: int = 6) -> Interval | None:
-    return interval and (round(interval[0], digits), round(interval[1], digits))
+def _rounded(interval: Interval | None) -> Interval | None:
+    return interval and (round(interval[0], 6), round(interval[1], 6))
