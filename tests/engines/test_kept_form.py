@@ -8,6 +8,7 @@ import pytest
 from allworlds import check
 from allworlds.document.struct import replace
 from allworlds.engines.kept_form import from_kept, to_kept
+from allworlds.engines.kernel.schedules import ScheduleCosts
 from allworlds.engines.tally import AtRun, Row, Tally
 from allworlds.inputs.checks import InputError
 from allworlds.maps import Quotient
@@ -15,7 +16,7 @@ from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.marked_worlds import SensedParts
 from allworlds.studies.compare.contestants import CostsOfAll, CostTally
 from allworlds.studies.count import Counted
-from allworlds.studies.worst.compiled_engine import ScheduleCosts, ScheduleCostsBySize
+from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
 ROW = Row(1, 2, 3, 4, 5, 6, -7, AtRun((0, 1), (1, 0), 0, (1,)))
 HALF_EDGE = Quotient((0,), (0,), (3,), (Percept(3, 1),), 4)
