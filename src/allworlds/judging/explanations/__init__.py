@@ -10,10 +10,6 @@
     the step where belief and truth diverge, and the open darts of the log, in sentences;
 ``slips``
     the one slip by which a right answer becomes a wrong one;
-``chirality``
-    which way round an explorer writes rotations, where the world of its finding cannot tell;
-``misread``
-    the wrong convention of an explorer that is right behind a translator;
 ``traceback_line``
     the line of a traceback with the error;
 ``spending``
