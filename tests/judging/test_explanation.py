@@ -8,11 +8,11 @@ import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document.struct import replace
 from allworlds.inputs.checks import InputError
-from allworlds.judging.explanations.explanation import explain
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import PRECEDENCE
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.transcript import Transcript
+from allworlds.studies.explain import explain
 
 # One mutant is first wrong in a world with four edges.
 MUTANTS = [m.name for m in WRONG_EXPLORERS if m.name != "confirmed-too-early"]

@@ -6,13 +6,13 @@ from allworlds import CombinatorialMap, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.explanations.by_law import GUESSED
-from allworlds.judging.explanations.explanation import explain
 from allworlds.judging.explanations.slips import LARGEST, SLIPS, the_slip
 from allworlds.judging.explanations.story import Belief, Story
 from allworlds.judging.laws.second_opinion import same_map, same_pose
 from allworlds.maps import contracted, deleted, family, isomorphism, rooted_isomorphism
 from allworlds.protocol.answers import Estimate
 from allworlds.studies.check.exhaustive import check
+from allworlds.studies.explain import explain
 from allworlds.studies.run.single import run
 from allworlds.world import Directional, World
 from small import slow
