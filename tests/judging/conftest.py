@@ -6,8 +6,8 @@ import pytest
 
 from allworlds import Estimate, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.judging.explanations.explanation import explain
 from allworlds.studies.check.exhaustive import check
+from allworlds.studies.explain import explain
 from allworlds.studies.run.single import run
 from allworlds.world import Directional, World
 

@@ -8,12 +8,12 @@ import pytest
 from allworlds.document.struct import replace
 from allworlds.inputs.checks import InputError
 from allworlds.judging.explanations.by_law import TELLERS, tell_whose_bound
-from allworlds.judging.explanations.explanation import explain
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import BOUNDS
 from allworlds.judging.laws.law_table import PRECEDENCE
 from allworlds.protocol.answers import Estimate
+from allworlds.studies.explain import explain
 from allworlds.studies.run.single import run
 from allworlds.world import Directional, World
 from small import EDGE, LASSO, PATH

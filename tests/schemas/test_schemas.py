@@ -12,13 +12,13 @@ from jsonschema import Draft202012Validator
 from allworlds import Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document.struct import replace
-from allworlds.judging.explanations.explanation import explain
 from allworlds.maps import named_map
 from allworlds.outcome import Interrupted
 from allworlds.studies.ambiguity import census, class_of, search, twins
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.compare.contest import compare
 from allworlds.studies.count import count
+from allworlds.studies.explain import explain
 from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.init import init
 from allworlds.studies.ledger.checked_claims import ledger

@@ -9,7 +9,6 @@ import pytest
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.builtin.undirected import TwoVertices
 from allworlds.inputs.checks import InputError
-from allworlds.judging.explanations.explanation import explain
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import believed_percepts
 from allworlds.maps import from_cycles, named_map
@@ -18,6 +17,7 @@ from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.transcript import Transcript
 from allworlds.reports.rendering import text as text_of
 from allworlds.studies.check import exhaustive as checker
+from allworlds.studies.explain import explain
 from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
 from allworlds.studies.run.single import run

@@ -37,8 +37,8 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
     **the** table of the engines, and the job that they get;
 ``sweep``, ``progress``, ``swept_report``
     **the** loop over units, and through the levels of a study; its listeners, and its reports;
-``single``, ``other_worlds``
-    single runs, and findings that are played again, by the same players; and that in other worlds;
+``single``
+    single runs, and findings that are played again, by the same players;
 ``prints``, ``linux``
     prints of explorers, escaped and limited, and a stderr that may be lost; what is Linux's alone.
 """

@@ -114,7 +114,6 @@ class Lane:
         subject: the explorer.
         engine: counts, and knows the scope.
         limits: of the time for an answer, and of memory.
-        twice: whether each run of a user's explorer is played a second time.
         given: the choices of each run; None for those that the scope asks for.
         seeds: the hash seeds of both players.
         more_seeds: whether records are played under other seeds, too.
@@ -130,7 +129,6 @@ class Lane:
         engine: RunCounter,
         limits: Limits,
         *,
-        twice: bool = True,
         given: tuple[int, ...] | None = None,
         seeds: tuple[int, int] = (FIRST, SECOND),
         more_seeds: bool = True,
@@ -139,7 +137,7 @@ class Lane:
         self.subject, self.engine = subject, engine
         self.judge = PythonJudge(engine, subject.name, given)
         self._setup = Setup(subject, limits)
-        self._twice = twice and subject.from_user
+        self._twice = subject.from_user
         self._apart = subject.from_user and subject.importable
         library = subject.compiled
         self._seeds = [seeds[0], seeds[0] if library or not self._apart else seeds[1]]

@@ -35,7 +35,7 @@ READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
 """The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
 input; a mistake of ours; a library's logs do not fit."""
 
-ADAPTED = ("exec:", "native:", "shield:", "translated:")
+ADAPTED = ("exec:", "native:", "shield:")
 """How the names of explorers begin that are no functions."""
 
 NO_RUN = -1

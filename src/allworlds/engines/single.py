@@ -1,9 +1,9 @@
-"""Single runs: one that is told, runs that are tried once, and findings that are played again."""
+"""Single runs: one that is told, and findings that are played again."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Annotated, Any
 
 from msgspec import UNSET, UnsetType
@@ -165,74 +165,59 @@ REPEATED = 5
 
 
 @dataclass(slots=True)
-class Outcomes(Tally):
-    """A tally of the outcome of each run, in their order."""
+class TallyWithOutcome(Tally):
+    """The tally of one run, with its outcome as soon as it is known."""
 
-    runs_told: list[tuple[World, Outcome]] = field(default_factory=list)
+    outcome: Outcome | None = None
 
     def add(self, other: Tally) -> None:
         """Take in another part's tally."""
         Tally.add(self, other)
-        if isinstance(other, Outcomes):
-            self.runs_told += other.runs_told
+        if isinstance(other, TallyWithOutcome):
+            self.outcome = other.outcome or self.outcome
 
 
 class OutcomeCounter(RunCounter, frozen=True):
-    """The counter that keeps the outcome of each run."""
+    """The counter that keeps the outcome of its run."""
 
     @override
-    def tally(self) -> Outcomes:
-        return Outcomes(self.keep)
+    def tally(self) -> TallyWithOutcome:
+        return TallyWithOutcome(self.keep)
 
     @override
     def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
-        assert isinstance(tally, Outcomes)
-        tally.runs_told.append((world, outcome))
+        assert isinstance(tally, TallyWithOutcome)
+        tally.outcome = outcome
 
     @override
     def settle(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        assert isinstance(tally, Outcomes)
-        tally.runs_told = [
-            (each, outcome if each is world else before) for each, before in tally.runs_told
-        ]
+        self.count_outcome(world, place, outcome, tally)
 
 
-def outcomes_of(
+def _outcome_of(
     subject: Subject,
     rules: Rules,
-    worlds: Sequence[World],
+    world: World,
+    script: tuple[int, ...],
     limits: Limits,
-    *,
-    twice: bool = True,
-    script: tuple[int, ...] = (),
-    hash_seed: int | None = None,
-) -> Iterator[tuple[World, Outcome]]:
-    """The judged runs of a user's explorer in these worlds, in their canonical numbering.
-
-    Args:
-        subject: the explorer.
-        rules: by which it is played and judged.
-        worlds: with their lighthouses.
-        limits: of its time and memory.
-        twice: whether each run is played a second time.
-        script: answers to the first choices.
-        hash_seed: of both players, if it matters.
-    """
-    most = max(world.map.edge_count for world in worlds)
-    counter = OutcomeCounter(Scope(Extent(MapClass.MAPS, most), rules), keep=1)
+    hash_seed: int | None,
+) -> Outcome:
+    """The judged run of a user's explorer in a canonical world."""
+    counter = OutcomeCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
     seeds = (FIRST, SECOND) if hash_seed is None else (hash_seed, hash_seed)
-    lane = Lane(subject, counter, limits, twice=twice, given=script, seeds=seeds, more_seeds=False)
+    lane = Lane(subject, counter, limits, given=script, seeds=seeds, more_seeds=False)
     whole = counter.tally()
     try:
-        lane.offer(GivenWorlds(tuple((canonical_world(w), place_of(w)) for w in worlds)))
+        lane.offer(GivenWorlds(((world, place_of(world)),)))
         while lane.busy:
             for part in lane.turn():
                 whole.add(part.result)
     finally:
         lane.close()
-    yield from whole.runs_told
+    assert whole.outcome is not None
+    return whole.outcome
 
 
 def single_run(
@@ -248,9 +233,8 @@ def single_run(
     Both players of a user's explorer have the hash seed, if one is given.
     """
     if subject.from_user:
-        ((canonical, outcome),) = outcomes_of(
-            subject, rules, [world], limits, script=script, hash_seed=hash_seed
-        )
+        canonical = canonical_world(world)
+        outcome = _outcome_of(subject, rules, canonical, script, limits, hash_seed)
         played = Plays(subject, rules, canonical, limits)
         lost = outcome.violation is not None and outcome.violation.law in LOST
         choices, seed = outcome.choices, hash_seed or FIRST

@@ -10,13 +10,12 @@ from itertools import islice
 from typing import Annotated, Any, NamedTuple, Self
 
 from msgspec import Struct
-from msgspec.structs import asdict
 
 from allworlds.document.struct import replace
 from allworlds.engines.examiner import Outcome, Referee
 from allworlds.engines.kept_form import Form
 from allworlds.engines.scope import NumberedRun, Scope, UnitOfRuns, numbered_runs
-from allworlds.judging.findings.finding import Chirality, Finding, Misreading
+from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps.canonical import rooted_code
 from allworlds.world.world import World
@@ -24,22 +23,12 @@ from allworlds.world.world import World
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
     """A finding with what its own document leaves out, but without the rules."""
-    record = {**finding.to_json(), "machine": finding.machine}
-    if finding.chirality:
-        record["chirality"] = asdict(finding.chirality)
-    if finding.misreading:
-        record["misreading"] = asdict(finding.misreading)
-    return record
+    return {**finding.to_json(), "machine": finding.machine}
 
 
 def finding_from_record(document: Mapping[str, Any]) -> Finding:
     """The finding of :func:`finding_to_record`'s document, but for its rules."""
-    return replace(
-        Finding.from_json(document),
-        machine=document["machine"],
-        chirality=Chirality(**document["chirality"]) if "chirality" in document else None,
-        misreading=Misreading(**document["misreading"]) if "misreading" in document else None,
-    )
+    return replace(Finding.from_json(document), machine=document["machine"])
 
 
 class AtRun(NamedTuple):

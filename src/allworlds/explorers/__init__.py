@@ -19,8 +19,6 @@
     the file and the line of one;
 ``program``, ``program_lines``
     a program in any language behind a pipe, and the lines between;
-``translated``
-    an explorer with one wrong convention, and a translator that puts it right;
 ``command_words``
     the words of its command: an interpreter and its script;
 ``shared_library``

@@ -5,16 +5,14 @@ from __future__ import annotations
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.functions import function_named
 from allworlds.explorers.names import (
+    SHIELD,
     command_of,
-    convention_in,
     entry_point,
     entry_points,
     has_shield,
     innermost,
     is_library,
     is_program,
-    is_translated,
-    one_inside,
     path_of,
 )
 from allworlds.explorers.program import Program
@@ -26,7 +24,6 @@ from allworlds.explorers.subject import (
     built_in,
     subject_of,
     with_shield,
-    with_translator,
 )
 from allworlds.inputs.checks import InputError, show
 from allworlds.protocol.faults import ANSWER_TIMEOUT
@@ -76,10 +73,7 @@ def load(
         InputError: if there is none, it does not import, or it is no generator function.
     """
     if has_shield(name):
-        return with_shield(load(one_inside(name), answer_timeout, source))
-    if is_translated(name):
-        inside = load(one_inside(name), answer_timeout, source)
-        return with_translator(inside, convention_in(name))
+        return with_shield(load(name.removeprefix(SHIELD), answer_timeout, source))
     if name in BUILT_IN:
         return built_in(name)
     if is_program(name):

@@ -6,7 +6,6 @@ import re
 from typing import TYPE_CHECKING
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.translated import CONVENTIONS
 from allworlds.inputs.checks import InputError, show
 from allworlds.protocol.importing import points_of
 
@@ -17,9 +16,7 @@ ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
 NATIVE = "native:"
 SHIELD = "shield:"
-TRANSLATED = "translated:"
-"""The beginnings of the names of programs, of shared libraries, and of explorers with a shield or
-behind a translator."""
+"""The beginnings of the names of programs, of shared libraries, and of explorers with a shield."""
 
 SHIELD_BOUND = "9*paper"
 """The bound that every explorer with a shield keeps."""
@@ -43,33 +40,10 @@ def has_shield(name: str) -> bool:
     return name.startswith(SHIELD)
 
 
-def is_translated(name: str) -> bool:
-    """Whether that is the name of an explorer behind a translator."""
-    return name.startswith(TRANSLATED)
-
-
-def convention_in(name: str) -> str:
-    """The name of the convention in ``translated:CONVENTION:NAME``.
-
-    Raises:
-        InputError: if there is no such convention.
-    """
-    convention = name.split(":", 2)[1]
-    if convention not in CONVENTIONS:
-        legal = ", ".join(CONVENTIONS)
-        raise InputError(f"convention {show(convention)} is not one of {legal}")
-    return convention
-
-
-def one_inside(name: str) -> str:
-    """The name without its shield, or without its translator."""
-    return name.removeprefix(SHIELD) if has_shield(name) else name.split(":", 2)[-1]
-
-
 def innermost(name: str) -> str:
-    """The name without shields and translators."""
-    while has_shield(name) or is_translated(name):
-        name = one_inside(name)
+    """The name without shields."""
+    while has_shield(name):
+        name = name.removeprefix(SHIELD)
     return name
 
 
@@ -85,7 +59,7 @@ def path_of(name: str) -> str:
 
 def named_on_command_line(name: str) -> list[str]:
     """The arguments of the command line that name an explorer."""
-    if has_shield(name) or is_translated(name):
+    if has_shield(name):
         return [name]
     if is_program(name):
         return ["--exec", command_of(name)]
@@ -97,7 +71,7 @@ def named_on_command_line(name: str) -> list[str]:
 def names_explorer(text: str) -> bool:
     """Whether a text has the form of an explorer's name; whether there is one is not checked."""
     plain = text.partition("?")[0]
-    if has_shield(text) or is_translated(text) or plain in BUILT_IN or entry_point(plain):
+    if has_shield(text) or plain in BUILT_IN or entry_point(plain):
         return True
     return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
 

@@ -8,13 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches
 from pathlib import Path
 
-from allworlds.explorers.names import (
-    convention_in,
-    has_shield,
-    is_program,
-    is_translated,
-    one_inside,
-)
+from allworlds.explorers.names import SHIELD, has_shield, is_program
 from allworlds.inputs.checks import (
     InputError,
     did_you_mean,
@@ -36,11 +30,8 @@ def whole_name(name: str) -> str:
     Raises:
         InputError: if the file has several, is not there, or is no Python.
     """
-    if is_translated(name):
-        convention_in(name)
-    if has_shield(name) or is_translated(name):
-        inside = one_inside(name)
-        return name.removesuffix(inside) + whole_name(inside)
+    if has_shield(name):
+        return SHIELD + whole_name(name.removeprefix(SHIELD))
     if not name.endswith(".py") or ":" in name:
         return name
     if not Path(name).exists():

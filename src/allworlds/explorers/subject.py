@@ -20,14 +20,12 @@ from allworlds.explorers.names import (
     LIGHTHOUSE,
     NATIVE,
     SHIELD,
-    TRANSLATED,
     has_shield,
     is_program,
     own_bound,
 )
 from allworlds.explorers.program import Program
 from allworlds.explorers.shared_library.native import NativeExplorer
-from allworlds.explorers.translated import CONVENTIONS, Translated
 from allworlds.protocol.importing import SourceText
 from allworlds.protocol.player import Player
 
@@ -42,8 +40,7 @@ class Subject(Struct, frozen=True, weakref=True):
         name: by which it is found again: a built-in name, ``module:attribute``,
             ``path/to/file.py:attribute``, an entry point, each of which may end in ``?key=value``,
             ``exec:COMMAND`` or ``native:PATH``;
-            any of them with a shield as ``shield:NAME``, or behind a translator as
-            ``translated:CONVENTION:NAME``.
+            any of them with a shield as ``shield:NAME``.
         keywords: the ones of ``choices``, ``told`` and ``notice`` that it takes.
         explore: the generator function; None where another process finds it by its name, so
             that its code never gets into this one.
@@ -51,7 +48,7 @@ class Subject(Struct, frozen=True, weakref=True):
         source: the text of its file, if it stands in a file.
         program: the user's program behind it, if there is one that is run here.
         native: the shared library behind it, if there is one that is run here.
-        inside: the explorer inside a shield or behind a translator, if it is run here.
+        inside: the explorer inside a shield, if it is run here.
     """
 
     name: str
@@ -72,7 +69,7 @@ class Subject(Struct, frozen=True, weakref=True):
     def is_program(self) -> bool:
         """Whether it is a program behind a pipe, by its name, here and in other processes.
 
-        A program with a shield, or behind a translator, is still a program.
+        A program with a shield is still a program.
         """
         return is_program(self.name)
 
@@ -80,13 +77,13 @@ class Subject(Struct, frozen=True, weakref=True):
     def compiled(self) -> bool:
         """Whether it is a shared library, by its name, here and in other processes.
 
-        False with a shield or a translator: then Python calls it, as any other explorer.
+        False with a shield: then Python calls it, as any other explorer.
         """
         return self.name.startswith(NATIVE)
 
     @property
     def innermost(self) -> Subject:
-        """The explorer without a shield or a translator, if it is run here; else itself."""
+        """The explorer without a shield, if it is run here; else itself."""
         return self.inside or self
 
     @property
@@ -133,22 +130,12 @@ class Subject(Struct, frozen=True, weakref=True):
 
 def with_shield(inside: Subject) -> Subject:
     """The explorer with a shield; one shield is enough."""
-    return inside if has_shield(inside.name) else _around(inside, SHIELD, _shield)
-
-
-def with_translator(inside: Subject, convention: str) -> Subject:
-    """The explorer behind the translator of a convention."""
-    name = f"{TRANSLATED}{convention}:"
-    return _around(inside, name, lambda explore: Translated(explore, CONVENTIONS[convention]))
-
-
-def _around(
-    inside: Subject, before: str, wrapped: Callable[[Callable[..., Any]], Callable[..., Any]]
-) -> Subject:
-    name, keywords = before + inside.name, inside.keywords - {"notice"}
+    if has_shield(inside.name):
+        return inside
+    name, keywords = SHIELD + inside.name, inside.keywords - {"notice"}
     if inside.explore is None:
         return Subject(name, keywords, source=inside.source)
-    return Subject(name, keywords, wrapped(inside.explore), source=inside.source, inside=inside)
+    return Subject(name, keywords, _shield(inside.explore), source=inside.source, inside=inside)
 
 
 def _shield(explore: Callable[..., Any]) -> Shield:

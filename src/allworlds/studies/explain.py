@@ -4,27 +4,61 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from allworlds.document.struct import replace
-from allworlds.engines.effort import AskedPatience, Limits
-from allworlds.engines.other_worlds import played_elsewhere
-from allworlds.engines.single import single_run, subject_of
+from allworlds.document.report import Report
+from allworlds.document.struct import Aside, Natural, Positive, Some, Text, about, computed
 from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import answers
-from allworlds.judging.explanations.explanation import (
-    Explanation,
-    explain as explained,
-    may_be_misread,
-    needs_a_chiral_world,
-)
-from allworlds.judging.findings.finding import Chirality, Finding
+from allworlds.inputs.requests import Request, answers
+from allworlds.judging.explanations.by_law import teller_of
+from allworlds.judging.explanations.story import Spending, Story
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.laws.law_table import LawName
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.answers import Estimate
+from allworlds.world.world import World
 
 
-class AskedExplanation(AskedPatience):
-    """Options for the explanation of a finding."""
+class Explanation(Report):
+    """Report of 'explain'.
+
+    Vertices and darts are those of the world, in the numbering of the finding.
+
+    ``spent`` tells what the traversals were spent on, where they were too many.
+    """
+
+    explorer: Annotated[str, about("its name")] = computed(lambda told: told.finding.explorer)
+    law: Annotated[LawName, about("the broken one")] = computed(lambda told: told.finding.law)
+    step: Annotated[
+        Natural | None,
+        about(
+            "the first at which the walk in the world and the same walk in the answer part; 0 is "
+            "the start, null: at none"
+        ),
+    ]
+    sentences: Annotated[Some[Text], about("in plain words")]
+    world: Annotated[World, about("that of the finding")] = computed(
+        lambda told: told.finding.world
+    )
+    robot: Annotated[Dart, about("where the robot is at the end")]
+    answer: Annotated[Estimate | None, about("the wrong answer; null where the finding holds none")]
+    other: Annotated[
+        World | None,
+        about("under the law `folding` another world that agrees with the log; else null"),
+    ]
+    slip: Annotated[
+        Text | None,
+        about(
+            "the one difference between answer and world, such as "
+            "`mirror image`; null: none that is known"
+        ),
+    ]
+    number: Annotated[Positive, about("the number of the finding in its report; 1: the first")]
+    findings: Annotated[Positive, about("how many findings the report holds")]
+    finding: Aside[Finding]
+    spent: Aside[Spending | None] = None
 
 
-class ExplainRequest(AskedExplanation, kw_only=False):
-    """Request of ``explain``: the finding, and how it is explained."""
+class ExplainRequest(Request, kw_only=False):
+    """Request of ``explain``: the finding, and its place in its report."""
 
     finding: Annotated[Finding, "the finding"]
     number: Annotated[int, "the number of the finding in its report, from 1 on"] = 1
@@ -35,10 +69,6 @@ class ExplainRequest(AskedExplanation, kw_only=False):
 def explain(request: ExplainRequest) -> Explanation:
     """Explain the finding in plain words.
 
-    Where a wrong convention may be the cause, the recorded explorer is played behind translators;
-    where both a wrong ``here`` and wrong rotations would explain the answer, since the world is
-    its own mirror image, in a world that tells them apart; unless it does something else now.
-
     Raises:
         InputError: if the transcript of the finding is no walk in its world, or its answer is
             none.
@@ -46,32 +76,17 @@ def explain(request: ExplainRequest) -> Explanation:
     finding = request.finding
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    if needs_a_chiral_world(finding) or may_be_misread(finding):
-        limits = Limits(answer_timeout=request.answer_timeout)
-        finding = _played(finding, limits)
-    return explained(finding, number=request.number, findings=request.findings)
-
-
-def _played(finding: Finding, limits: Limits) -> Finding:
-    """The finding with what the recorded explorer shows elsewhere, if it is still the same."""
-    try:
-        subject = subject_of(finding.explorer, limits)
-    except InputError as error:
-        return _undecided(finding, f"the explorer cannot be run ({error})")
-    run = single_run(
-        subject, finding.world, finding.rules, finding.choices, limits, finding.hash_seed
+    story = Story(finding)
+    telling = teller_of(finding.law)(story)
+    return Explanation(
+        step=telling.step,
+        sentences=(*telling.sentences,),
+        robot=story.walked[-1],
+        answer=telling.answer,
+        other=telling.other,
+        slip=telling.slip or None,
+        number=request.number,
+        findings=request.findings,
+        finding=finding,
+        spent=telling.spent,
     )
-    now = run.finding
-    if now is None or not _alike(now, finding):
-        return _undecided(finding, "the explorer has changed since, and was not played again")
-    return played_elsewhere(finding, subject, limits)
-
-
-def _undecided(finding: Finding, why: str) -> Finding:
-    needs = needs_a_chiral_world(finding)
-    return replace(finding, chirality=Chirality("unknown", why) if needs else None)
-
-
-def _alike(one: Finding, other: Finding) -> bool:
-    """Whether two findings of one world hold the same run."""
-    return (one.law, one.transcript, one.seen) == (other.law, other.transcript, other.seen)

@@ -14,13 +14,13 @@ import pytest
 from allworlds import Estimate, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document.struct import replace
-from allworlds.judging.explanations.explanation import explain
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import named_map
 from allworlds.reports.format_table import file_of
 from allworlds.reports.rendering import legal
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import GateCell
+from allworlds.studies.explain import explain
 from allworlds.studies.fuzz.drive import fuzz
 from allworlds.words import escaped
 from html_tree import read

@@ -263,14 +263,9 @@ def _whose(finding: Finding) -> str:
 TURNED, ELSEWHERE = "off by a turn", "another vertex"
 """The names of a wrong ``here``, at the robot's vertex and at another one."""
 
-HERE, BOTH = "'here' is wrong", "This world is its own mirror image"
-
 
 def tell_pose(story: Story) -> Telling:
-    """Tell where the robot is, where the answer says that it is, and where the walks diverge.
-
-    If the answer is also right as a mirror image, another world may have decided.
-    """
+    """Tell where the robot is, where the answer says that it is, and where the walks diverge."""
     belief = Belief(story)
     images = _images(belief)
     alike = len(images) - 1
@@ -278,36 +273,18 @@ def tell_pose(story: Story) -> Telling:
     where = f"{_say_where(belief, images)}{symmetry if alike else ''}"
     turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
     name = TURNED if turned else ELSEWHERE
-    mirrored, bearings = mirror_image(belief), bearings_anticlockwise(belief)
-    shown = story.finding.chirality
-    decided = not mirrored or (shown is not None and shown.rotations != "unknown")
-    if not decided:
-        causes = [HERE, "the rotations are anticlockwise"]
+    bearings = bearings_anticlockwise(belief)
+    told = [f"The map is right, but 'here' is wrong: {where}."]
+    if mirror_image(belief):
+        causes = ["'here' is wrong", "the rotations are anticlockwise"]
         causes += ["the bearings are counted anticlockwise"] if bearings else []
-        reason = "'allworlds explain' plays the explorer in another one"
-        if shown:
-            reason = f"no other one decides: {shown.where}"
         told = [
             f"Either {', or '.join(causes)}: {where}.",
-            f"{BOTH} and does not show which; {reason}.",
+            "This world is its own mirror image and does not show which.",
         ]
-    elif mirrored and shown and shown.rotations == "anticlockwise":
-        name = mirrored.name
-        told = [
-            mirrored.sentence,
-            f"{BOTH}, but in {shown.where}, the explorer's map is the mirror image, too.",
-            f"Therefore {HERE}: {where}.",
-        ]
-    elif bearings and not story.finding.misreading:  # which says so before
+    elif bearings:
         name = bearings.name
-        told = [f"The map is right, but {HERE}: {where}.", f"Or: {bearings.sentence}"]
-    else:
-        told = [f"The map is right, but {HERE}: {where}."]
-        if mirrored and shown:
-            told.append(
-                f"The rotations are clockwise, as they should be: in {shown.where}, the "
-                "explorer's map is right."
-            )
+        told.append(f"Or: {bearings.sentence}")
     return Telling([*told, *tell_parting(belief)], belief.step, belief.answer, slip=name)
 
 
@@ -436,7 +413,7 @@ def tell_no_estimate(story: Story) -> Telling:
     if built:
         told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
         told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
-    if built and "must be a permutation" in message and not story.finding.misreading:
+    if built and "must be a permutation" in message:
         told.append(ANTICLOCKWISE)
     told += _tell_first_wrong(story)
     return Telling([*told, _say_last_step(story)], story.checkpoint)
@@ -477,7 +454,7 @@ def tell_budget(story: Story) -> Telling:
     """Tell whose the budget is, and whether the robot went round, or found no new edge."""
     how = "The explorer did not end within its step budget, so the run was stopped."
     wrong = _tell_first_wrong(story)
-    if wrong or story.finding.misreading:  # that is the cause
+    if wrong:  # that is the cause
         return Telling([*wrong, how], story.checkpoint)
     if str(story.finding.seen).startswith("checkpoint "):
         why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]

@@ -4,10 +4,6 @@
     the rules by which a run is played and judged; a finding records them;
 ``finding``
     a world, an explorer, its run there, and the law that it broke;
-``sense_of_rotation``
-    the explorer's sense of rotation, where another world has shown it;
-``misreading``
-    the explorer's wrong convention, where it is right behind a translator;
 ``asked_finding``
     the choice of a finding of a file;
 ``walks``

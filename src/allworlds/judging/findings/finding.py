@@ -8,8 +8,6 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
 from typing import Annotated, Any, Final, Literal
 
-from msgspec import Struct
-
 from allworlds.document.reading import taken
 from allworlds.document.report import SCHEMA, Paged
 from allworlds.document.struct import (
@@ -32,35 +30,6 @@ from allworlds.maps.canonical import Code, numbering, rooted_code
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
-
-
-class Misreading(Struct, frozen=True):
-    """The result of playing the explorer of a finding behind a translator: no law was broken.
-
-    Attributes:
-        convention: the name in :data:`allworlds.explorers.CONVENTIONS`.
-        runs: the number of runs besides that of the finding, in all worlds of a size.
-        edges: the largest number of edges of their worlds.
-        among: the class of these worlds, and the condition on them.
-    """
-
-    convention: str
-    runs: int
-    edges: int
-    among: str
-
-
-class Chirality(Struct, frozen=True):
-    """The result of playing the explorer of a finding in a chiral world.
-
-    Attributes:
-        rotations: the order in which the explorer lists the darts round a vertex.
-        where: the chiral world in words, or, if the order is unknown, the reason as a clause.
-    """
-
-    rotations: Literal["clockwise", "anticlockwise", "unknown"]
-    where: str
-
 
 VERSION: Final = 2
 
@@ -90,8 +59,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     other keys are ignored, but not in its world.
 
     ``at`` holds the place and ``under`` the rules, where they need not be made of the world and the
-    options. The ``machine`` may be the cause. The ``chirality`` is what a chiral world
-    showed, and the ``misreading`` what a translator did.
+    options. The ``machine`` may be the cause.
     """
 
     version: Annotated[Literal[2], about("the version of findings")]
@@ -155,8 +123,6 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     at: Aside[int | None] = None
     under: Aside[Rules | None] = None
     machine: Aside[bool] = False
-    chirality: Aside[Chirality | None] = None
-    misreading: Aside[Misreading | None] = None
 
     @cached_property
     def rules(self) -> Rules:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from allworlds.judging.explanations.explanation import Explanation
 from allworlds.reports.telling import ToldResult
 from allworlds.reports.tellings.finding import finding_section, headline_of
+from allworlds.studies.explain import Explanation
 
 
 def explain_telling(explanation: Explanation) -> ToldResult:
@@ -14,7 +14,7 @@ def explain_telling(explanation: Explanation) -> ToldResult:
     if explanation.findings > 1:
         which = f"finding {explanation.number} of {explanation.findings}"
         title = f"{title} ({which}; --finding K tells another)"
-    section = finding_section(finding, explanation.number, title=title, told=explanation)
+    section = finding_section(finding, explanation.number, title=title)
     return ToldResult(
         "allworlds explain",
         explanation.explorer,

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import Any
 
 from allworlds.explorers.names import is_program
-from allworlds.judging.explanations.explanation import Explanation, explain
 from allworlds.judging.explanations.story import Belief, Story
 from allworlds.judging.findings.belief import find_parting
 from allworlds.judging.findings.finding import Finding
@@ -27,6 +26,7 @@ from allworlds.reports.telling import (
     View,
     fact,
 )
+from allworlds.studies.explain import Explanation, explain
 from allworlds.words import listed, number, plural, size
 from allworlds.world.world import World
 
@@ -48,7 +48,6 @@ def finding_section(
     *,
     title: str = "",
     checked: bool = True,
-    told: Explanation | None = None,
 ) -> Section:
     """Everything about a finding, as one section.
 
@@ -58,9 +57,8 @@ def finding_section(
         origin: where it comes from; empty where a check has come upon it by itself.
         title: in place of its number, its explorer and its law.
         checked: it comes from a check, which has confirmed it, or tried to.
-        told: its explanation, where that knows more than its run.
     """
-    story, told = Story(finding), told or explain(finding)
+    story, told = Story(finding), explain(finding)
     title = title or f"Finding {number}: {headline_of(finding)}"
     detail = _detail(finding)
     blocks: list[Block] = [_law(finding)]

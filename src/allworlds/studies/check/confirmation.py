@@ -14,9 +14,9 @@ from allworlds.engines.comparison import nondeterministic
 from allworlds.engines.database import canonical
 from allworlds.engines.effort import Limits
 from allworlds.engines.examiner import LOST
-from allworlds.engines.other_worlds import confirmed
 from allworlds.engines.run_directory import Records
 from allworlds.engines.scope import Scope
+from allworlds.engines.single import played_again
 from allworlds.engines.tally import Tally, finding_from_record, finding_to_record
 from allworlds.explorers.subject import Subject
 from allworlds.judging.findings.finding import Finding
@@ -75,8 +75,7 @@ class Confirmation(Struct, frozen=True):
         return self.deadline is not None and time.monotonic() > self.deadline
 
     def _again(self, found: Finding) -> Finding:
-        scope = self.scope
-        return confirmed(found, self.subject, self.limits, scope.extent)
+        return played_again(found, self.subject, self.limits)
 
     def _settled(self, found: Finding) -> Finding | str:
         """Confirm in a fresh process. A crash that is not repeated becomes a remark."""

@@ -11,8 +11,8 @@ from msgspec import Struct, field
 from allworlds.document.struct import Document, IfAny, Text, about
 from allworlds.engines.effort import Limits
 from allworlds.engines.lanes import workers_for
-from allworlds.engines.other_worlds import confirmed
 from allworlds.engines.scope import GivenWorlds, Scope
+from allworlds.engines.single import played_again
 from allworlds.engines.tally import RunCounter
 from allworlds.explorers.subject import Subject
 from allworlds.judging.findings.asked_finding import file_name, kept_findings, write_finding
@@ -128,5 +128,5 @@ def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None
         world = GivenWorlds(((finding.world, finding.place),))
         for part in workers.map(RunCounter(scope, keep=1), [world]):
             for found in part.result.findings:
-                return confirmed(found, subject, limits)
+                return played_again(found, subject, limits)
     return None

@@ -12,10 +12,9 @@ from allworlds.engines.database import Identity
 from allworlds.engines.effort import AskedCluster, AskedDirectory, TimeIsUp
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.lanes import workers_for
-from allworlds.engines.other_worlds import confirmed
 from allworlds.engines.progress import Listener, Silent
 from allworlds.engines.scope import GivenWorlds, Sample, Scope
-from allworlds.engines.single import subject_of
+from allworlds.engines.single import played_again, subject_of
 from allworlds.engines.sweep import gather
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import AskedShard, Portion, SweptLevel, Transport, shards_of
@@ -302,7 +301,7 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
         gather(workers, RunCounter(scope, tally.keep), in_chunks(given), tally, Silent())
         for found in tally.findings:
             smallest = smallest_from(found, workers, scope)
-            return confirmed(smallest, subject, limits, scope.extent)
+            return played_again(smallest, subject, limits)
     return None
 
 
