@@ -164,7 +164,7 @@ def test_what_every_verb_says_is_recorded():
 # other words.  What a function takes alone: who listens, and values in place of their names.
 PRINTED = {"as_json", "quiet", "events", "help", *FORMATS}
 ONLY_CLI = {
-    "check": {"estimate", "explorer", "command", "native", "watch"},
+    "check": {"estimate", "explorer", "command", "native"},
     "fuzz": {"explorer", "command", "native"},
     "run": {"arguments", "command", "native", "listed", "without_walk"},
     "replay": {"explorer", "command", "native", "file", "number"},
