@@ -34,7 +34,6 @@ from allworlds.cli.output import (
     say,
 )
 from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.exit_code import keep_exit_code
 from allworlds.inputs.requests import AS_IN_PYTHON, PANELS, Argument, Named, Option, fields_of
 from allworlds.lazy import loaded
 from allworlds.outcome import Exit, NoResult
@@ -299,7 +298,6 @@ def main() -> NoReturn:
         # A thread that could not be given up, such as a compiler's, is not waited for.
         sys.stdout.flush()
         os._exit(code)
-    keep_exit_code()  # models may be called at the exit, too
     sys.exit(code)
 
 
