@@ -11,9 +11,9 @@ from allworlds.judging.explanations import another_world as another
 from allworlds.judging.explanations.by_law import another_world
 from allworlds.judging.explanations.explanation import explain
 from allworlds.judging.laws.folding import fold
-from allworlds.judging.laws.second_opinion import same_pose
 from allworlds.protocol.transcript import Transcript
 from allworlds.studies.check.exhaustive import check
+from second_opinion import same_pose
 from small import long
 
 WORDS = [word for length in range(4) for word in product(range(2), repeat=length)]

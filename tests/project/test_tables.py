@@ -33,7 +33,6 @@ from allworlds.judging.laws.law_table import LAWS, PRECEDENCE
 from allworlds.judging.tasks import task_named
 from allworlds.lazy import loaded
 from allworlds.maps import MapClass, classes, rooted_maps
-from allworlds.maps.bruteforce import rooted_maps_by_permutations as all_rooted_maps
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting.sources import sources
 from allworlds.maps.families import FAMILIES
@@ -51,6 +50,7 @@ from allworlds.verbs import BY_NAME, GROUPS, VERBS
 from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses
 from allworlds.world.lighthouses.kinds import lighthouse_from_json
 from allworlds.world.lighthouses.options import place_keys
+from bruteforce import rooted_maps_by_permutations as all_rooted_maps
 from judges import WEAK_JUDGES
 from recorded.record import COMMANDS, LEAST
 

@@ -66,12 +66,7 @@ HOMES = {
         *("reports", "studies"),
     ],
     "matplotlib": ["reports.formats.plot"],
-    "networkx": [
-        "maps.surgery",
-        "maps.networks",
-        "maps.counting.atlas",
-        "judging.laws.second_opinion",
-    ],
+    "networkx": ["maps.surgery", "maps.networks", "maps.counting.atlas"],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
     "psutil": ["engines.dask"],
@@ -111,13 +106,7 @@ COMPARED = [
         "maps.quotient",
         {"maps.canonical", "maps.combinatorial", *INPUTS, *DOORS},
     ),
-    (
-        "maps.enumeration",
-        "maps.bruteforce",
-        {"lazy", "maps.combinatorial", "outcome", *DOCUMENT, *INPUTS},
-    ),
     ("maps.counting", "maps.enumeration", set()),
-    ("maps.counting", "maps.bruteforce", set()),
     ("engines.kernel.demand_driven", "explorers.builtin.algorithm1", DOORS),
     (
         "engines.kernel.demand_driven",
@@ -128,7 +117,6 @@ COMPARED = [
             *("engines.kernel.compiling", "engines.kernel.records"),
         },
     ),
-    ("judging.laws.second_opinion", "maps.canonical", {"maps.combinatorial", *INPUTS, *DOORS}),
 ]
 
 
