@@ -203,19 +203,3 @@ def _connected(draw: Callable[[], CombinatorialMap]) -> CombinatorialMap:
             return draw()
         except InvalidMap:
             continue
-
-
-__all__ = [
-    "BASE_EDGES",
-    "bouquet",
-    "cover",
-    "cubic",
-    "lollipop",
-    "lollipop_edges",
-    "regular",
-    "sparse",
-    "switched_prism",
-    "thick",
-    "thick_edges",
-    "torus",
-]

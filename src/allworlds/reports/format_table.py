@@ -74,12 +74,3 @@ def _fit_for_a_file(text: str, *, is_for_a_runner: bool) -> str:
     whole = re.sub("[\ud800-\udfff]", "\N{REPLACEMENT CHARACTER}", text)
     whole = whole.replace("\r", r"\x0d")
     return escaped(whole) if is_for_a_runner else harmless(whole)
-
-
-__all__ = [
-    "FORMATS",
-    "content_of",
-    "ensure_possible",
-    "file_of",
-    "formats_of",
-]

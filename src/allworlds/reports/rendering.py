@@ -117,12 +117,3 @@ def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
     from allworlds.reports.tellings.finding import finding_section
 
     return harmless(text_of([finding_section(finding, number)], width))
-
-
-__all__ = [
-    "brief",
-    "finding_in_words",
-    "text",
-    "told",
-    "verb_of",
-]

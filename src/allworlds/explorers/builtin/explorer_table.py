@@ -21,11 +21,10 @@ from typing import Any, TypeAlias
 
 from msgspec import Struct, field
 
-from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk, algorithm1, nobody
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.builtin.depth_first import dfs
 from allworlds.explorers.builtin.dudek91 import dudek91
-from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
-from allworlds.explorers.builtin.folding import explore_folding, folding, folding_oldest, way
+from allworlds.explorers.builtin.folding import folding, folding_oldest
 from allworlds.explorers.builtin.quotient import quotient
 from allworlds.explorers.builtin.undirected import algorithm1_cluster, algorithm1_natural
 
@@ -150,24 +149,3 @@ BUILT_IN: dict[str, BuiltIn] = {
     ),
 }
 """The built-in explorers by their names on the command line."""
-
-__all__ = [
-    "BUILT_IN",
-    "OPEN",
-    "Algorithm1",
-    "BuiltIn",
-    "FoldedLog",
-    "Size",
-    "Walk",
-    "algorithm1",
-    "algorithm1_cluster",
-    "algorithm1_natural",
-    "dfs",
-    "dudek91",
-    "explore_folding",
-    "folding",
-    "folding_oldest",
-    "nobody",
-    "quotient",
-    "way",
-]

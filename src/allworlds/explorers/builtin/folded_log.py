@@ -227,5 +227,3 @@ class _Supposed:
 
 
 _NOTHING: dict[int, int] = {}
-
-__all__ = ["OPEN", "FoldedLog"]

@@ -12,7 +12,6 @@ from math import comb, factorial, prod
 from allworlds.maps.counting.any_genus import (
     Degrees,
     carrell_chapuy,
-    catalan,
     rooted_maps,
     rooted_of_genus,
     rooted_of_genus_by_contraction,
@@ -31,8 +30,6 @@ from allworlds.maps.counting.arithmetic import (
     vertex_counts,
 )
 from allworlds.maps.counting.atlas import (
-    ATLAS_VERTICES,
-    ROTATIONS_LIMIT,
     rooted_planar_simple,
     rooted_simple,
 )
@@ -142,24 +139,6 @@ def _graphs(degrees: tuple[int, ...]) -> int:
         ways = prod(comb(count, t) for count, t in zip(rest.values(), taken, strict=True))
         total += ways * _graphs(tuple(sorted(left.elements(), reverse=True)))
     return total
-
-
-__all__ = [
-    "ATLAS_VERTICES",
-    "ROTATIONS_LIMIT",
-    "CountSource",
-    "catalan",
-    "rooted_maps",
-    "rooted_of_genus",
-    "rooted_of_genus_by_contraction",
-    "rooted_planar",
-    "rooted_planar_simple",
-    "rooted_planar_simple_by_substitution",
-    "rooted_simple",
-    "rooted_simple_by_degrees",
-    "source_for",
-    "sources",
-]
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from allworlds.inputs.checks import InputError, a_text, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.user_code import Role, UserCode
-from allworlds.world.lighthouses.base import Lighthouse, Sensing, WalkInAnswer, Where
+from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.composed import PLUS, Composed, composed, composed_from_json
 from allworlds.world.lighthouses.everywhere import Compass, Labels
 from allworlds.world.lighthouses.knowledge import Knowledge, Nothing
@@ -222,35 +222,3 @@ def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
     if options and not isinstance(code.load(), type):
         code = replace(code, name=with_arguments(name, options))
     return own_kind(code)
-
-
-__all__ = [
-    "LIGHTHOUSES",
-    "OWN",
-    "Cluster",
-    "Compass",
-    "Composed",
-    "Directional",
-    "GivenLighthouse",
-    "InvalidWorld",
-    "Knowledge",
-    "Labels",
-    "Lighthouse",
-    "LighthouseKind",
-    "Movable",
-    "Natural",
-    "Nothing",
-    "Ports",
-    "Position",
-    "Sensing",
-    "WalkInAnswer",
-    "Where",
-    "Whiteboard",
-    "kind_of",
-    "lighthouse_from_json",
-    "lighthouse_kind",
-    "lighthouse_named",
-    "numbers_told",
-    "parts_of",
-    "refuse_other_keys",
-]
