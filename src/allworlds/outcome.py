@@ -29,7 +29,6 @@ class Exit(IntEnum):
     INTERRUPTED = 130
 
     ANSWERED = HOLDS
-    DISAGREES = INTERNAL
 
 
 class NoResult(Exception):

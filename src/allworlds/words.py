@@ -55,11 +55,6 @@ def size(edges: int, vertices: int) -> str:
     return f"{plural(edges, 'edge')} and {plural(vertices, 'vertex', 'vertices')}"
 
 
-def darts(names: Sequence[str]) -> str:
-    """``dart 1``, ``darts 1 and 3``, ``darts 1, 3 and 5``."""
-    return f"dart{'s' if len(names) > 1 else ''} {listed(names)}"
-
-
 def listed(names: Sequence[str]) -> str:
     """``1``, ``1 and 3``, ``1, 3 and 5``."""
     *others, last = names

@@ -17,8 +17,8 @@ from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.case import Case
 from allworlds.judging.laws.law_table import LAWS, judge
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
-from allworlds.maps.bruteforce import rooted_maps_by_permutations as all_rooted_maps
 from allworlds.world import Directional, World
+from bruteforce import rooted_maps_by_permutations as all_rooted_maps
 from page_blocks import blocks
 from schedules import schedules
 from small import EDGE, LOOP, TORUS

@@ -111,30 +111,3 @@ def test_a_loop_of_links_is_no_model(tmp_path, option):
     loop.symlink_to(loop)
     with pytest.raises(InputError, match=r"loop\.py' is a loop of links"):
         check(edges=1, **{option: f"{loop}:Model"})
-
-
-@pytest.mark.parametrize("option", ["where", "task", "lighthouse"])
-@pytest.mark.parametrize(
-    ("text", "name"),
-    [
-        ("while True: pass", "Model"),
-        ("import time\ntry: time.sleep(1000)\nexcept Exception: time.sleep(1000)", "Model"),
-        ("def make(size):\n    while True: pass", "make?size=1"),
-    ],
-)
-def test_a_model_that_is_too_long_in_being_imported_is_refused_by_name(
-    tmp_path, option, text, name
-):
-    module = tmp_path / "loops.py"
-    module.write_text(text)
-    said = r"loops\.py:.* does not import: it was at it for 0\.2 s"
-    with pytest.raises(InputError, match=said):
-        check(edges=1, start_timeout=0.2, **{option: f"{module}:{name}"})
-
-
-def test_a_model_has_the_time_that_it_needs_to_be_imported(tmp_path):
-    module = tmp_path / "slow.py"
-    module.write_text("import time\ntime.sleep(0.4)\ndef plain(map_): return True\n")
-    with pytest.raises(InputError, match=r"it was at it for 0\.2 s"):
-        check(edges=1, start_timeout=0.2, where=f"{module}:plain")
-    assert check(edges=1, start_timeout=60, where=f"{module}:plain").exit_code == 0

@@ -7,11 +7,11 @@ import pytest
 
 from allworlds.words import (
     about,
-    darts,
     duration,
     escaped,
     harmless,
     harmless_json,
+    listed,
     number,
     plural,
     size,
@@ -35,10 +35,10 @@ def test_thousands_are_separated():
 
 @pytest.mark.parametrize(
     ("names", "words"),
-    [("1", "dart 1"), ("13", "darts 1 and 3"), ("135", "darts 1, 3 and 5")],
+    [("1", "1"), ("13", "1 and 3"), ("135", "1, 3 and 5")],
 )
-def test_the_last_of_several_darts_follows_an_and(names, words):
-    assert darts(names) == words
+def test_the_last_of_several_follows_an_and(names, words):
+    assert listed(names) == words
 
 
 @pytest.mark.parametrize(

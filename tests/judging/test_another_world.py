@@ -10,10 +10,10 @@ from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.judging.explanations import by_law as another
 from allworlds.judging.explanations.by_law import another_world
 from allworlds.judging.laws.folding import fold
-from allworlds.judging.laws.second_opinion import same_pose
 from allworlds.protocol.transcript import Transcript
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
+from second_opinion import same_pose
 from small import long
 
 WORDS = [word for length in range(4) for word in product(range(2), repeat=length)]

@@ -4,8 +4,8 @@ from itertools import permutations
 import networkx as nx
 import pytest
 
-from allworlds.judging.laws.second_opinion import same_map, same_pose, verdict
 from allworlds.maps import CombinatorialMap, InvalidMap
+from second_opinion import same_map, same_pose, verdict
 
 
 def drawn(*vertices):

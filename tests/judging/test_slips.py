@@ -8,13 +8,13 @@ from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.explanations.by_law import GUESSED
 from allworlds.judging.explanations.slips import LARGEST, SLIPS, the_slip
 from allworlds.judging.explanations.story import Belief, Story
-from allworlds.judging.laws.second_opinion import same_map, same_pose
 from allworlds.maps import contracted, deleted, family, isomorphism, rooted_isomorphism
 from allworlds.protocol.answers import Estimate
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
 from allworlds.studies.run.single import run
 from allworlds.world import Directional, World
+from second_opinion import same_map, same_pose
 from small import slow
 
 

@@ -11,12 +11,12 @@ import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.laws.case import Case
-from allworlds.judging.laws.second_opinion import verdict
 from allworlds.maps import CombinatorialMap, rooted_maps, unrooted_code
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.transcript import Transcript
 from allworlds.world import Directional, World
+from second_opinion import verdict
 from small import all_maps, long, slow, stepped
 
 PARTS = 8

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import find, given, settings
 
 from allworlds.maps import MapClass, automorphisms, rooted_maps, unrooted_code
-from allworlds.maps.bruteforce import unrooted_maps
 from allworlds.maps.counting.any_genus import rooted_maps as counted_maps, rooted_planar
 from allworlds.strategies import maps, planar_maps
+from bruteforce import unrooted_maps
 
 MANY = settings(max_examples=2000)
 CLASSES = pytest.mark.parametrize("map_class", list(MapClass))

@@ -7,14 +7,15 @@ import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import composite, data, integers, permutations, sampled_from
 
+import bruteforce
 from allworlds.judging.laws.case import Case
-from allworlds.judging.laws.second_opinion import verdict
-from allworlds.maps import MapClass, bruteforce, isomorphism, moved, rooted_code, rooted_maps
+from allworlds.maps import MapClass, isomorphism, moved, rooted_code, rooted_maps
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
 from allworlds.strategies import maps
 from enumerators import BROKEN_ENUMERATORS
+from second_opinion import verdict
 
 MANY = settings(max_examples=2000)
 SMALL = maps(max_edges=4)

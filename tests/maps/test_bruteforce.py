@@ -3,7 +3,7 @@ from itertools import combinations, permutations
 import pytest
 
 from allworlds.maps import CombinatorialMap
-from allworlds.maps.bruteforce import rooted_maps_by_permutations as rooted_maps, unrooted_maps
+from bruteforce import rooted_maps_by_permutations as rooted_maps, unrooted_maps
 
 CLASSES = ["maps", "simple", "planar", "planar-simple"]
 

@@ -4,10 +4,10 @@ import networkx as nx
 import pytest
 from hypothesis import assume, given, strategies as st
 
+import bruteforce
 from allworlds.maps import (
     CombinatorialMap,
     automorphisms,
-    bruteforce,
     from_cycles,
     from_rotation,
     isomorphism,

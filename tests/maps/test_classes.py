@@ -1,7 +1,8 @@
 import pytest
 
+import bruteforce
 from allworlds.inputs.checks import InputError
-from allworlds.maps import MapClass, bruteforce, named_map
+from allworlds.maps import MapClass, named_map
 from allworlds.maps.build import cycle, dense
 from allworlds.maps.classes import Extent
 

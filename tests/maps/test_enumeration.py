@@ -4,11 +4,11 @@ from math import factorial
 
 import pytest
 
+import bruteforce
 from allworlds.maps import (
     CombinatorialMap,
     MapClass,
     automorphisms,
-    bruteforce,
     rooted_code,
     rooted_maps,
     unrooted_code,

@@ -15,11 +15,11 @@ from allworlds.maps import (
     networks,
     to_networkx,
 )
-from allworlds.maps.bruteforce import rooted_maps_by_permutations
 from allworlds.maps.build import lattice
 from allworlds.maps.networks import from_planar_embedding
 from allworlds.maps.surgery import deleted
 from allworlds.world import Directional, InvalidWorld, World
+from bruteforce import rooted_maps_by_permutations
 
 
 @pytest.mark.parametrize("name", ["edge", "loop", "theta", "k4-torus", "bouquet-3", "wheel-4"])

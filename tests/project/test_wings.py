@@ -65,12 +65,7 @@ HOMES = {
         *("document", "outcome", "maps", "protocol", "world", "explorers", "judging", "engines"),
         *("reports", "studies"),
     ],
-    "networkx": [
-        "maps.surgery",
-        "maps.networks",
-        "maps.counting.atlas",
-        "judging.laws.second_opinion",
-    ],
+    "networkx": ["maps.surgery", "maps.networks", "maps.counting.atlas"],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
     "psutil": ["engines.dask"],
@@ -110,13 +105,7 @@ COMPARED = [
         "maps.quotient",
         {"maps.canonical", "maps.combinatorial", *INPUTS, *DOORS},
     ),
-    (
-        "maps.enumeration",
-        "maps.bruteforce",
-        {"lazy", "maps.combinatorial", "outcome", *DOCUMENT, *INPUTS},
-    ),
     ("maps.counting", "maps.enumeration", set()),
-    ("maps.counting", "maps.bruteforce", set()),
     ("engines.kernel.demand_driven", "explorers.builtin.algorithm1", DOORS),
     (
         "engines.kernel.demand_driven",
@@ -127,7 +116,6 @@ COMPARED = [
             *("engines.kernel.compiling", "engines.kernel.records"),
         },
     ),
-    ("judging.laws.second_opinion", "maps.canonical", {"maps.combinatorial", *INPUTS, *DOORS}),
 ]
 
 

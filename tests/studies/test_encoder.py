@@ -2,12 +2,12 @@ import pytest
 import z3
 
 from allworlds.maps import MapClass
-from allworlds.maps.bruteforce import rooted_maps_by_permutations as rooted_maps
 from allworlds.studies.ambiguity.smt.formula import Formula
 from allworlds.studies.ambiguity.smt.one_world import Degrees, Size, one_world
 from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
 from allworlds.studies.ambiguity.smt.question import Sizes
 from allworlds.studies.ambiguity.smt.solvers import Clock, solve_with_z3
+from bruteforce import rooted_maps_by_permutations as rooted_maps
 from searches import question
 from small import long
 

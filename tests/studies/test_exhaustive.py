@@ -13,7 +13,6 @@ from allworlds.engines.progress import Silent
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
-from allworlds.maps.bruteforce import rooted_maps_by_permutations as every_rooted_map
 from allworlds.maps.counting.sources import CountSource
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Move
@@ -21,6 +20,7 @@ from allworlds.protocol.answers import Estimate
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.run.single import run
 from allworlds.world import Directional, World, worlds
+from bruteforce import rooted_maps_by_permutations as every_rooted_map
 from small import long, slow
 
 pytestmark = pytest.mark.usefixtures("no_orphans")

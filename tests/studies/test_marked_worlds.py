@@ -2,10 +2,11 @@ from collections import defaultdict
 
 import pytest
 
+import bruteforce
 from allworlds.document.struct import replace
 from allworlds.engines.progress import Silent
 from allworlds.inputs.checks import InputError
-from allworlds.maps import bruteforce, rooted_maps
+from allworlds.maps import rooted_maps
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import census
 from allworlds.studies.ambiguity.members import is_least_rooting, least_rooting

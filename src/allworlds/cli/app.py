@@ -157,7 +157,7 @@ def _parameter(name: str, kind: Any, asked: Option, default: Any) -> Parameter:
     if isinstance(asked, Argument):
         option = typer.Argument(**told)
     else:
-        # Without its name a flag would get an opposite, such as --no-watch.
+        # Without its name a flag would get an opposite, such as --no-estimate.
         own = asked.name or (name.replace("_", "-") if kind is bool else "")
         names = [f"--{own}"] if own else []
         names += [f"-{asked.short}"] if asked.short else []

@@ -6,7 +6,6 @@ import os
 import re
 import time
 from collections.abc import Callable
-from functools import wraps
 from math import inf
 from pathlib import Path
 from typing import Annotated, Any
@@ -18,10 +17,12 @@ from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of,
 from allworlds.inputs.requests import EFFORT, Option, Request, Taken, values_of
 from allworlds.outcome import NoResult
 from allworlds.protocol.faults import ANSWER_TIMEOUT
-from allworlds.protocol.importing import START_TIMEOUT, limited_loading
 
 POLL = 0.1
 """Seconds between two checks of other threads and processes, and the shortest time-out."""
+
+START_TIMEOUT = 60.0
+"""Seconds in which an explorer must be imported, unless others are named."""
 
 DASK_TIMEOUT = 60.0
 """Seconds of silence after which a part of a cluster is given up, unless others are named."""
@@ -78,10 +79,7 @@ def _seconds(about: str) -> Option:
 
 
 class AskedPatience(Request):
-    """The part of a request that says how long explorers are waited for.
-
-    Models of the user's, which a request imports while it is made, are waited for as long.
-    """
+    """The part of a request that says how long explorers are waited for."""
 
     answer_timeout: Annotated[
         Taken[float, float],
@@ -89,20 +87,8 @@ class AskedPatience(Request):
     ] = Taken(_positive("answer-timeout"), ANSWER_TIMEOUT)
     start_timeout: Annotated[
         Taken[float, float],
-        _seconds("Seconds in which code of yours must be imported, or a library loaded."),
+        _seconds("Seconds in which an explorer must be imported, or a library loaded."),
     ] = Taken(_positive("start-timeout"), START_TIMEOUT)
-
-    def __init_subclass__(cls, **options: Any) -> None:
-        super().__init_subclass__(**options)
-        make = cls.__init__
-
-        @wraps(make)
-        def limited(request: Request, /, *values: Any, **keywords: Any) -> None:
-            seconds = _positive("start-timeout")(keywords.get("start_timeout", START_TIMEOUT))
-            with limited_loading(seconds):
-                make(request, *values, **keywords)  # type: ignore[arg-type]  # of this class
-
-        cls.__init__ = limited  # type: ignore[method-assign,assignment]
 
     @property
     def patience(self) -> Limits:

@@ -44,9 +44,6 @@ NO_RUN = -1
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 """Timers that an explorer may leave behind to go off when it is not its turn."""
 
-SHARE_OF_MODELS = 0.8
-"""The share of an explorer's time for an answer that a call of a lighthouse or judge may take."""
-
 
 def main(parent: int) -> None:
     """Serve until the owner, the process of that number, hangs up."""
@@ -96,10 +93,8 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
         InputError: if it cannot be loaded.
     """
     from allworlds.engines.linux import address_space, limit_memory
-    from allworlds.protocol.importing import SourceText, limit_calls
+    from allworlds.protocol.importing import SourceText
 
-    # A silent model is given up before it looks like a silent explorer.
-    limit_calls(SHARE_OF_MODELS * setup["answer_timeout"])
     if setup["memory"] is not None:
         limit_memory(setup["memory"])
     name = setup["name"]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import NoReturn
 
 _exit = os._exit
@@ -19,9 +21,15 @@ def keep_exit_code() -> None:
     _Kept.process, os._exit = os.getpid(), _refuse
 
 
-def release_exit_code() -> None:
-    """Allow ``os._exit`` again."""
-    _Kept.process, os._exit = 0, _exit
+@contextmanager
+def exit_code_kept() -> Iterator[None]:
+    """A context in which ``os._exit`` is refused in this process."""
+    before = _Kept.process, os._exit
+    keep_exit_code()
+    try:
+        yield
+    finally:
+        _Kept.process, os._exit = before
 
 
 def _refuse(status: int) -> NoReturn:

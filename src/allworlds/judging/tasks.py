@@ -17,7 +17,7 @@ from allworlds.inputs.checks import InputError, a_text, show
 from allworlds.judging.endings import Answered, Ending, Over, Said, Undecided
 from allworlds.judging.walk_log import WalkLog
 from allworlds.protocol.actions import Action, Percept
-from allworlds.protocol.importing import tried
+from allworlds.protocol.importing import attempted
 from allworlds.protocol.player import Told
 from allworlds.protocol.transcript import Transcript
 from allworlds.protocol.user_code import Role, UserCode
@@ -224,8 +224,8 @@ class Task(Struct, frozen=True):
 
     def _asked(self, part: str, function: Callable[..., Any]) -> Callable[..., Any]:
         """The function itself, or one of the user's whose errors name it."""
-        what = f"{part}task {show(self.name)}"
-        return function if self.code is None else lambda *a: tried(what, lambda: function(*a))
+        what = f"{part}task {show(self.name)} raises"
+        return function if self.code is None else lambda *a: attempted(what, lambda: function(*a))
 
 
 def task_named(given: object) -> Task:

@@ -40,8 +40,8 @@ Modules
     **the** table of the classes of maps;
 ``conditions``, ``beginnings``
     conditions that narrow a class, and how the maps of which they are true can begin;
-``enumeration``, ``bruteforce``, ``counting``
-    every map of a class: glued together, by all permutations, and counted without making one;
+``enumeration``, ``counting``
+    every map of a class: glued together, and counted without making one;
 ``count_source``
     the source with which the enumeration of an extent is compared;
 ``completion_counts``

@@ -14,6 +14,6 @@ it is folded into the next :class:`Move`, or into ``here`` of the answer.
     one run, played to its end, and the log that remains of it;
 ``faults``
     what went wrong with an explorer that is no generator;
-``user_code``, ``importing``, ``model_calls``
+``user_code``, ``importing``
     how code of the user's is named and found; how it is loaded; how a model is called.
 """

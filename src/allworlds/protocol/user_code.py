@@ -31,13 +31,11 @@ from allworlds.protocol.importing import (
     digest_of_file,
     files_imported,
     imported,
-    loaded,
     module_file,
     module_named,
     module_of_text,
     points_of,
     text_of,
-    tried,
 )
 
 if TYPE_CHECKING:
@@ -182,9 +180,9 @@ class UserCode(Struct, frozen=True):
         """The object that the plain name stands for; a file is run once in a process.
 
         Raises:
-            InputError: if it cannot be imported in time, or has another text here.
+            InputError: if it cannot be imported, or has another text here.
         """
-        return loaded(show(self.name), lambda: _loaded(self.bare).object)
+        return _loaded(self.bare).object
 
     def made(self) -> Any:
         """The object itself, or what it returns for the arguments of the name.
@@ -192,7 +190,7 @@ class UserCode(Struct, frozen=True):
         Raises:
             InputError: if it cannot be called so, or raises.
         """
-        return loaded(show(self.name), lambda: called(self.name, self.load(), self.arguments))
+        return called(self.name, self.load(), self.arguments)
 
     @property
     def function(self) -> Any:
@@ -207,10 +205,10 @@ class UserCode(Struct, frozen=True):
         """Call the function, a model.
 
         Raises:
-            InputError: naming it, if it raises, or gives no answer in time.
+            InputError: naming it, if it raises.
         """
         function = _function(self)
-        return tried(f"{self.role.noun} {show(self.name)}", lambda: function(*values))
+        return attempted(f"{self.role.noun} {show(self.name)} raises", lambda: function(*values))
 
 
 class LocalCode(Struct, frozen=True):
@@ -231,7 +229,9 @@ class LocalCode(Struct, frozen=True):
 
     def __call__(self, *values: Any) -> Any:
         """Call it as :class:`UserCode` does."""
-        return tried(f"{self.role.noun} {show(self.name)}", lambda: self.function(*values))
+        return attempted(
+            f"{self.role.noun} {show(self.name)} raises", lambda: self.function(*values)
+        )
 
 
 def arguments_of(name: str) -> tuple[str, dict[str, Argument]]:

@@ -21,7 +21,7 @@ from allworlds.world.lighthouses.kinds import (
     LighthouseKind,
     lighthouse_kind,
 )
-from allworlds.world.lighthouses.options import InvalidWorld, Unsteady
+from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import World
 
 TRIED_EDGES = 3
@@ -74,11 +74,7 @@ def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
         for map_ in rooted_maps(level):
             other = [*map_.darts]
             names.shuffle(other)
-            try:
-                wrong = _flaw(kind.as_class, map_, other)
-            except Unsteady as error:
-                wrong = str(error)
-            if wrong:
+            if wrong := _flaw(kind.as_class, map_, other):
                 yield f"the lighthouse {kind} in {map_}: {wrong}"
 
 

@@ -16,7 +16,7 @@ from allworlds.maps.classes import DEFAULT_EDGES, Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.conditions import AND, LEGAL, AllOf, Condition, condition_named
 from allworlds.maps.enumeration import Gluing, rooted_maps
-from allworlds.protocol.importing import tried
+from allworlds.protocol.importing import attempted
 from allworlds.protocol.user_code import LocalCode, Role, UserCode
 from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.base import Lighthouse
@@ -76,8 +76,8 @@ class OwnCondition(Struct, frozen=True):
             InputError: as :meth:`holds`.
         """
         begins = self.code.function.begins
-        what = f"begins of where {show(self.name)}"
-        return self._decided("begins of ", tried(what, lambda: begins(gluing)))
+        what = f"begins of where {show(self.name)} raises"
+        return self._decided("begins of ", attempted(what, lambda: begins(gluing)))
 
     def _decided(self, part: str, found: object) -> bool:
         if type(found) is not bool:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from msgspec import Struct
 
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.case import Case, Violation, ambiguity_law
-from allworlds.judging.laws.law_table import Check, Checks, bound_law, map_law
+from allworlds.judging.laws.law_table import Check, bound_law, map_law
 from allworlds.maps import CombinatorialMap, isomorphism, to_networkx
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate
@@ -64,7 +64,7 @@ class WeakJudge(Struct, frozen=True):
     law: str
     softer: Check | None = None
 
-    def accepts(self, case: Case, laws: Checks) -> bool:
+    def accepts(self, case: Case, laws: Mapping[str, Check]) -> bool:
         """Whether the weakened judge accepts an answer, where these laws apply."""
         checks = {"ambiguity": ambiguity_law, **laws}
         checks.pop(self.law, None)

@@ -32,13 +32,13 @@ from allworlds.judging.laws.case import Case
 from allworlds.judging.laws.law_table import LAWS, Setting, judge
 from allworlds.judging.tasks import task_named
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
-from allworlds.maps.bruteforce import rooted_maps_by_permutations
 from allworlds.maps.counting.sources import source_for
 from allworlds.protocol.choices import Choices
 from allworlds.studies.check.exhaustive import check
 from allworlds.words import plural
 from allworlds.world import Directional, World
 from allworlds.world.lighthouses.kinds import lighthouse_named
+from bruteforce import rooted_maps_by_permutations
 from enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from errands import WEAK_TASK_JUDGES, WRONG_ERRANDS, WeakTaskJudge, WrongErrand
 from judges import WEAK_JUDGES, WeakJudge

@@ -23,15 +23,7 @@ ROOM = 1 << 18
 """The least capacity of an answer, in darts."""
 
 MOVE, DROP, PICK, CHECKPOINT, ANSWER, AMBIGUOUS = range(1, 7)
-KINDS_OF_ACTION = {
-    "ALLWORLDS_MOVE": MOVE,
-    "ALLWORLDS_DROP": DROP,
-    "ALLWORLDS_PICK": PICK,
-    "ALLWORLDS_CHECKPOINT": CHECKPOINT,
-    "ALLWORLDS_ANSWER": ANSWER,
-    "ALLWORLDS_AMBIGUOUS": AMBIGUOUS,
-}
-"""The kinds of actions by their names in the header."""
+"""The kinds of actions."""
 
 NOTHING = -1
 """The entry for no bearing, and for no number told."""

@@ -10,7 +10,5 @@ precedence.
 ``law_table``
     **the** table of the laws;
 ``invariants``, ``folding``, ``bounds``, ``quotient_answers``
-    the parts of laws: S in the world, the folded log, the bounds, the quotient;
-``second_opinion``
-    another judge of answers, by graph isomorphisms, to be compared with.
+    the parts of laws: S in the world, the folded log, the bounds, the quotient.
 """

@@ -6,7 +6,7 @@ a law that ends a run before it is finished, such as ``timeout``, stands in ``AL
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from typing import Annotated, TypeAlias
 
 from msgspec import Struct
@@ -19,8 +19,6 @@ from allworlds.protocol.answers import Estimate
 
 Check: TypeAlias = Callable[[Case], Violation | None]
 """The function of a law: the violation, or None if the law holds."""
-
-Checks: TypeAlias = Mapping[str, Check]
 
 
 class Setting(Struct, frozen=True):

@@ -30,8 +30,6 @@ CONCLUDE = (
     "Click two darts to say that they are one and the same."
 )
 
-SCRIPTS = ("robot.js", "spots.js", "view.js")
-
 
 def game(play: Play) -> str:
     """The page of the game, which hides the world at first."""

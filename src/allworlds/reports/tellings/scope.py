@@ -36,10 +36,10 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
     return f"of the class {extent.map_class}{where} with {' and '.join(limits)}"
 
 
-def maps_words(report: OfWorlds, every: str = "every rooted map") -> str:
+def maps_words(report: OfWorlds) -> str:
     """The maps that a report is about, or the shard of them."""
     shard = f", shard {report.portion}" if isinstance(report.portion, Shard) else ""
-    return f"{every} {of_the_class(report.extent)}{shard}"
+    return f"every rooted map {of_the_class(report.extent)}{shard}"
 
 
 def finished(report: SweptReport, last: int) -> str:

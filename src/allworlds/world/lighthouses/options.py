@@ -19,10 +19,6 @@ class InvalidWorld(InputError):
     """A map, a start and a lighthouse that do not make a world."""
 
 
-class Unsteady(InvalidWorld):
-    """Raised for a lighthouse that senses something else when it is asked twice."""
-
-
 def refuse_other_keys(what: str, document: Mapping[str, Any], legal: Sequence[str]) -> None:
     """Raise InvalidWorld unless all keys are legal: a misspelt one would have no effect."""
     for key in document:

@@ -1,10 +1,10 @@
-"""A kind of lighthouse of the user's own: loaded, and kept from doing harm by its mistakes."""
+"""A kind of lighthouse of the user's own: loaded, and its mistakes told by its name."""
 
 from __future__ import annotations
 
 import copyreg
 import inspect
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, dataclass, fields
 from functools import cache, wraps
 from typing import Any
@@ -12,12 +12,11 @@ from typing import Any
 from allworlds.inputs.checks import integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Percept
-from allworlds.protocol.importing import tried
+from allworlds.protocol.importing import attempted
 from allworlds.protocol.player import Told
 from allworlds.protocol.user_code import UserCode
-from allworlds.words import plural
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.options import InvalidWorld, Unsteady, kind_with, options_in
+from allworlds.world.lighthouses.options import InvalidWorld, kind_with, options_in
 from allworlds.world.state import State
 
 SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
@@ -54,7 +53,7 @@ def _kind(code: UserCode) -> type[Lighthouse]:
                 f"{show(code.name)} sets {each.name} = {show(told)} without a type, and so the "
                 f"field keeps {show(each.default)}; write {each.name}: {type(told).__name__} = ..."
             )
-    return _watched(kind, code)
+    return _named(kind, code)
 
 
 def shown(value: object) -> str:
@@ -65,78 +64,53 @@ def shown(value: object) -> str:
     return f"an object of the class {type(value).__qualname__}" if plain else show(value)
 
 
-def _watched(kind: type[Lighthouse], code: UserCode) -> type[Lighthouse]:
+def _is_method(value: object) -> bool:
+    return isinstance(value, property | classmethod) or inspect.isfunction(value)
+
+
+def _named(kind: type[Lighthouse], code: UserCode) -> type[Lighthouse]:
     """The class itself, which from now on names itself in errors, files and pickles."""
     kind.kind, kind.code = code.plain, code
-    for each in kind.__mro__:
-        if _is_users(each):
-            for name in [name for name in vars(each) if name in WATCHED]:
-                _watch(each, name, code.name)
     checks = _Checks(code.name, kind)
-    for name in CHECKED:
-        if name == "percepts" or inspect.getattr_static(kind, name) is not vars(Lighthouse)[name]:
-            _let_check(kind, name, getattr(checks, name))
-    _ask_twice(kind, code.name)
+    for name in METHODS:
+        owner = next((each for each in kind.__mro__ if name in vars(each)), Lighthouse)
+        theirs = not owner.__module__.startswith("allworlds.")
+        if theirs or name == "percepts":
+            _check(kind, name, checks, theirs=theirs)
     copyreg.pickle(kind, _reduced)
     return kind
 
 
-WATCHED = {name for name in vars(Lighthouse) if not name.startswith("_")} | {"__post_init__"}
-"""The methods whose errors are the user's: all that can be written anew."""
+METHODS = [
+    *(name for name, value in vars(Lighthouse).items() if name[0] != "_" and _is_method(value)),
+    "__post_init__",
+]
+"""The methods that can be written anew: their errors are the user's."""
+
+LISTED = ("places", "percepts")
+"""Those that yield: they are called to their end."""
 
 
-def _is_users(kind: type) -> bool:
-    modules = ("abc", "builtins")
-    return not kind.__module__.startswith("allworlds.") and kind.__module__ not in modules
-
-
-def _watch(kind: type, method: str, name: str) -> None:
-    """Let errors of a method name the lighthouse."""
-    found = vars(kind)[method]
-    function = found.fget if isinstance(found, property) else getattr(found, "__func__", found)
-    if not inspect.isfunction(function) or hasattr(function, "watched"):
-        return
-    what = f"lighthouse {show(name)}: {method}"
-
-    @wraps(function)
-    def watched(*args: Any, **keywords: Any) -> Any:
-        return tried(what, lambda: function(*args, **keywords), InvalidWorld)
-
-    watched.watched = True  # type: ignore[attr-defined]
-    setattr(kind, method, watched if found is function else type(found)(watched))
-
-
-def _let_check(kind: type[Lighthouse], method: str, check: Callable[..., Any]) -> None:
-    """Let what a method returns be checked before it is used."""
+def _check(kind: type[Lighthouse], method: str, checks: _Checks, *, theirs: bool) -> None:
+    """Let errors of a method of the user's name the lighthouse, and check what it returns."""
     found = inspect.getattr_static(kind, method)
-    if isinstance(inspect.getattr_static(Lighthouse, method), property) and not isinstance(
-        found, property
-    ):  # a plain value in its place
+    if not _is_method(found):  # a plain value in the place of a property
         value = found
         found = property(lambda _self: value)
     function: Any = found.fget if isinstance(found, property) else getattr(found, "__func__", found)
+    what = f"lighthouse {show(checks.name)}: {method} raises"
+    check = getattr(checks, method, None)
 
     @wraps(function)
-    def checked(self: Any, *args: Any) -> Any:
-        return check(function(self, *args), self, *args)
+    def checked(self: Any, *args: Any, **keywords: Any) -> Any:
+        def act() -> Any:
+            returned = function(self, *args, **keywords)
+            return tuple(returned) if method in LISTED else returned
+
+        returned = attempted(what, act, InvalidWorld) if theirs else act()
+        return check(returned, self, *args) if check else returned
 
     setattr(kind, method, checked if found is function else type(found)(checked))
-
-
-def _ask_twice(kind: type[Lighthouse], name: str) -> None:
-    """Let each place be asked twice, as it may be random in a few worlds alone."""
-    sensing = kind.percepts
-
-    def percepts(self: Lighthouse, map_: CombinatorialMap) -> tuple[Percept, ...]:
-        sensed = sensing(self, map_)
-        if sensing(self, map_) != sensed:
-            raise Unsteady(
-                f"the lighthouse {show(name)} is no function of the world: asked twice, {self} "
-                f"senses something else in {map_}"
-            )
-        return sensed
-
-    kind.percepts = percepts  # type: ignore[method-assign]
 
 
 class _Checks:
@@ -151,20 +125,11 @@ class _Checks:
         self.name, self.kind = name, kind
 
     def places(
-        self, places: Any, kind: type[Lighthouse], map_: CombinatorialMap, _start: Dart
+        self, places: tuple[Any, ...], kind: type[Lighthouse], _map: CombinatorialMap, _start: Dart
     ) -> Iterator[Lighthouse]:
         """Places of the class, with the options that were asked for."""
-        what = f"lighthouse {show(self.name)}: places"
-        every = tried(what, lambda: iter(places), InvalidWorld)
-        met = 0
-        while (place := tried(what, lambda: next(every, _END), InvalidWorld)) is not _END:
-            met += 1
-            if met > MOST_PLACES:
-                raise InvalidWorld(
-                    f"places of the lighthouse {show(self.name)} has more than {MOST_PLACES:,} "
-                    f"places in a map with {plural(map_.edge_count, 'edge')}; does it end?"
-                )
-            chosen = getattr(kind, "chosen", {})
+        chosen = getattr(kind, "chosen", {})
+        for place in places:
             if type(place) is not self.kind or any(
                 getattr(place, key) != value for key, value in chosen.items()
             ):
@@ -172,14 +137,12 @@ class _Checks:
                     f"places of the lighthouse {show(self.name)} has {shown(place)}, which "
                     "cls(...) has not made; write yield cls(...)"
                 )
-            yield place
+        return iter(places)
 
     def percepts(
-        self, percepts: Any, _self: Lighthouse, map_: CombinatorialMap
+        self, sensed: tuple[Any, ...], _self: Lighthouse, map_: CombinatorialMap
     ) -> tuple[Percept, ...]:
         """A percept for each dart, with its degree, in plain integers."""
-        what = f"lighthouse {show(self.name)}: percepts"
-        sensed = tried(what, lambda: tuple(percepts), InvalidWorld)
         if len(sensed) != len(map_.darts):
             raise InvalidWorld(
                 f"the lighthouse {show(self.name)} has {len(sensed)} percepts for "
@@ -188,16 +151,13 @@ class _Checks:
         return tuple(self._percept(map_, dart, each) for dart, each in enumerate(sensed))
 
     def _percept(self, map_: CombinatorialMap, dart: Dart, percept: object) -> Percept:
+        degree = map_.degree_at[dart]
         plain = _plain(percept) if type(percept) is Percept else None
-        if (
-            plain is None
-            or plain.degree != map_.degree_at[dart]
-            or (plain.bearing or 0) >= plain.degree
-        ):
+        if plain is None or plain.degree != degree or (plain.bearing or 0) >= degree:
             raise InvalidWorld(
                 f"the lighthouse {show(self.name)} senses {show(percept)} at a dart of degree "
-                f"{map_.degree_at[dart]}; legal is Percept(degree, marks, bearing) with that "
-                "degree, marks from 0 on, and a bearing from 0 on and below the degree, or None"
+                f"{degree}; legal is Percept(degree, marks, bearing) with that degree, marks from "
+                "0 on, and a bearing from 0 on and below the degree, or None"
             )
         return plain
 
@@ -250,15 +210,6 @@ class _Checks:
         return InvalidWorld(
             f"{method} of the lighthouse {show(self.name)} gives {shown(value)}; legal is {legal}"
         )
-
-
-CHECKED = [name for name in vars(_Checks) if name in WATCHED]
-"""The methods of which what they return is checked."""
-
-_END = object()
-
-MOST_PLACES = 100_000
-"""The largest number of places in one map: more than anybody waits for, and a memory can hold."""
 
 
 def _plain(percept: Percept) -> Percept | None:

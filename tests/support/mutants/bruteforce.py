@@ -1,7 +1,4 @@
-"""All small maps by trying every permutation: slow, short, and the yardstick of the fast ones.
-
-The module is public: maps that are made in another way can be compared with these.
-"""
+"""All small maps by trying every permutation: slow, short, and the yardstick of the fast ones."""
 
 from __future__ import annotations
 
