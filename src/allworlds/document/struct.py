@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
 from functools import cache, cached_property
-from pathlib import PurePath
+from os import PathLike
 from types import NoneType, UnionType
 from typing import (
     TYPE_CHECKING,
@@ -260,7 +260,7 @@ def plain(value: Any) -> Any:
             return value.value
         case None | bool() | int() | float() | str():
             return value
-        case PurePath():
+        case PathLike():
             return str(value)
         case Mapping():
             return {str(plain(name)): plain(inner) for name, inner in value.items()}

@@ -14,8 +14,8 @@ from allworlds.explorers.names import command_of, entry_point, innermost, is_lib
 from allworlds.explorers.program import Program
 from allworlds.explorers.subject import Subject
 from allworlds.inputs.checks import InputError, read_text, show
-from allworlds.protocol.importing import SourceText, bytes_of, module_file
-from allworlds.protocol.user_code import arguments_of
+from allworlds.protocol.importing import SourceText, arguments_of
+from allworlds.protocol.user_code import bytes_of, module_file
 
 OURS = "built-in"
 """The digest of an explorer that comes with this program, and changes with its version alone."""

@@ -13,9 +13,15 @@ from typing import Any
 from allworlds.inputs.checks import InputError, show
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.importing import SourceText, attribute_of, module_named, module_of_text
+from allworlds.protocol.importing import (
+    SourceText,
+    arguments_of,
+    attribute_of,
+    called,
+    module_named,
+    module_of_text,
+)
 from allworlds.protocol.player import Player, Told
-from allworlds.protocol.user_code import arguments_of, called
 
 EXPLORER = "an explorer is def explore(first) with yield"
 

@@ -27,8 +27,7 @@ from allworlds.explorers.subject import (
 )
 from allworlds.inputs.checks import InputError, show
 from allworlds.protocol.faults import ANSWER_TIMEOUT
-from allworlds.protocol.importing import SourceText, imported, text_of
-from allworlds.protocol.user_code import arguments_of, called
+from allworlds.protocol.importing import SourceText, arguments_of, called, imported, text_of
 
 
 def source_of(name: str) -> SourceText | None:

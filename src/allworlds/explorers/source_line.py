@@ -19,7 +19,7 @@ from allworlds.explorers.names import (
     path_of,
 )
 from allworlds.inputs.checks import InputError
-from allworlds.protocol.importing import module_file
+from allworlds.protocol.user_code import module_file
 
 SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
 """The endings of the source of a shared library, looked for beside it."""

@@ -13,8 +13,10 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from difflib import get_close_matches
 from importlib.util import find_spec
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 SHOWN = 200
 """The number of characters of a value that are shown."""
@@ -122,6 +124,8 @@ def a_path(name: str, value: object) -> Path:
         nameable = False
     if not nameable:
         raise InputError(f"{name} = {show(value)} is no path: no file can be named so")
+    from pathlib import Path  # which players do not need
+
     return Path(value)
 
 
@@ -132,7 +136,8 @@ def existing_file(name: str, value: str) -> Path | None:
         InputError: if it is no path, or its folder cannot be read.
     """
     # Unlike Path.resolve, it takes a loop of links, in which there is no file.
-    file = Path(os.path.realpath(a_path(name, value)))
+    path = a_path(name, value)
+    file = type(path)(os.path.realpath(path))
     try:
         return file if file.is_file() else None
     except OSError as error:

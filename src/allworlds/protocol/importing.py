@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import ast
-import hashlib
 import importlib
 import importlib.util
+import inspect
 import linecache
+import os
+import re
 import sys
-import sysconfig
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Mapping
 from contextlib import redirect_stdout
-from importlib.machinery import ModuleSpec, PathFinder
-from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from msgspec import Struct
 
@@ -51,6 +49,8 @@ class SourceText(Struct, frozen=True):
     @property
     def digest(self) -> str:
         """SHA-256 of the text, in hexadecimal."""
+        import hashlib  # which players do not need
+
         return hashlib.sha256(self.text.encode(errors="surrogateescape")).hexdigest()
 
 
@@ -77,7 +77,7 @@ def points_of(group: str) -> dict[str, EntryPoint]:
 
 def module_named(name: str) -> Any:
     """The module of that name, imported; one in the current directory is found last."""
-    _look_last(str(Path.cwd()))
+    _look_last(os.getcwd())  # noqa: PTH109  # pathlib is not loaded in players
     return imported(name, lambda: importlib.import_module(name))
 
 
@@ -89,14 +89,14 @@ def _look_last(folder: str) -> None:
 
 def module_of_text(place: str, source: SourceText, name: str = "") -> Any:
     """A fresh module of that text, with that name; by default with that of the file."""
-    file = Path(source.path)
-    _look_last(str(file.parent))
+    folder, _, file = source.path.rpartition(os.sep)
+    _look_last(folder or os.sep)
     # A file may be called as a module that is already there, and must not take its place.
-    free = file.stem not in sys.modules
-    name = name or (file.stem if free else f"{file.stem} in {file.parent}")
+    stem = file.removesuffix(".py")
+    name = name or (stem if stem not in sys.modules else f"{stem} in {folder}")
     module = ModuleType(name)
     module.__file__ = source.path
-    module.__spec__ = importlib.util.spec_from_file_location(name, file)
+    module.__spec__ = importlib.util.spec_from_file_location(name, source.path)
     sys.modules[name] = module
     # A traceback shows the lines that were run, whatever has become of the file.
     lines = source.text.splitlines(keepends=True)
@@ -168,97 +168,76 @@ def attribute_of(module: Any, attribute: str, place: str) -> Any:
     return value
 
 
-def module_file(module: str) -> Path:
-    """The file of a module, found without importing anything.
+# ---------------------------------------------------------------- arguments in a name
+
+
+Argument: TypeAlias = int | bool | str
+"""The value of an argument in a name."""
+
+
+def arguments_of(name: str) -> tuple[str, dict[str, Argument]]:
+    """A name without its arguments, and these: integers, true, false, or else texts.
 
     Raises:
-        InputError: if there is none.
+        InputError: if one is not of the form ``key=value``, or is named twice.
     """
-    spec = _spec_of(module, [*sys.path, str(Path.cwd())])
-    if spec is None or spec.origin is None:
-        raise InputError(f"the file of the module {show(module)} is not found")
-    return Path(spec.origin)
+    plain, question, rest = name.partition("?")
+    pairs = pairs_in(name, rest) if question else []
+    return plain, {key: _value(value) for key, value in pairs}
 
 
-def _spec_of(module: str, places: list[str]) -> ModuleSpec | None:
-    """The specification of a module that is found at one of these places; None if there is none."""
-    spec: ModuleSpec | None = None
-    inside: list[str] | None = places
-    names = module.split(".")
-    for depth in range(1, len(names) + 1):
-        spec = PathFinder.find_spec(".".join(names[:depth]), inside)
-        if spec is None:
-            return None
-        inside = spec.submodule_search_locations
-    return spec
-
-
-def digest_of_file(file: Path) -> str:
-    """SHA-256 of a file, in hexadecimal."""
-    return hashlib.sha256(bytes_of(file)).hexdigest()
-
-
-def bytes_of(file: Path) -> bytes:
-    """The content of a file.
+def pairs_in(name: str, text: str) -> list[tuple[str, str]]:
+    """The pairs of ``key=value,...`` behind a name.
 
     Raises:
-        InputError: if it cannot be read.
+        InputError: if one is of another form, or a key is named twice.
     """
-    try:
-        return file.read_bytes()
-    except OSError as error:
-        raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
+    pairs: dict[str, str] = {}
+    for part in text.split(","):
+        key, equals, value = part.partition("=")
+        if not equals or not key.isidentifier():
+            raise InputError(f"{show(part)} in {show(name)} is not of the form key=value")
+        if key in pairs:
+            raise InputError(f"{show(name)} names {show(key)} twice")
+        pairs[key] = value
+    return [*pairs.items()]
 
 
-# ---------------------------------------------------------------- what it brings in
+def _value(text: str) -> Argument:
+    if re.fullmatch(r"-?[0-9]{1,18}", text):
+        return int(text)
+    return {"true": True, "false": False}.get(text, text)
 
 
-def files_imported(text: str, folder: Path) -> set[Path]:
-    """The files of all modules that a text imports anywhere in it, and that these import.
+def called(name: str, factory: Any, arguments: Mapping[str, Argument]) -> Any:
+    """The result of a factory for the arguments of a name; the object itself if there are none.
 
-    The standard library and this package are left out, and so is what installed packages import.
-    The modules are found, and not run.
+    Raises:
+        InputError: if it cannot be called so, or raises.
     """
-    found: set[Path] = set()
-    texts = [(text, folder)]
-    for each, beside in texts:
-        for file in _files_named(each, beside):
-            installed = any(file.is_relative_to(place) for place in _INSTALLED)
-            if file in found or _is_known(file, installed):
-                continue
-            found.add(file)
-            if file.suffix == ".py" and not installed:
-                texts.append((bytes_of(file).decode(errors="replace"), file.parent))
-    return found
+    if not arguments:
+        return factory
+    if not callable(factory):
+        raise InputError(f"{show(name)}: what takes arguments is a function that returns the rest")
+    _ensure_takes(name, factory, arguments)
+    return attempted(f"{show(name)} raises", lambda: factory(**arguments))
 
 
-_STANDARD = Path(sysconfig.get_path("stdlib")).resolve()
-_INSTALLED = tuple({Path(sysconfig.get_path(kind)).resolve() for kind in ("purelib", "platlib")})
-_OURS = Path(__file__).resolve().parents[1]
-
-
-def _is_known(file: Path, installed: bool) -> bool:
-    return file.is_relative_to(_OURS) or (file.is_relative_to(_STANDARD) and not installed)
-
-
-def _files_named(text: str, folder: Path) -> Iterator[Path]:
-    """The files of the modules that a text names in its imports."""
+def _ensure_takes(name: str, factory: Any, arguments: Mapping[str, Argument]) -> None:
+    """Raise InputError unless a factory takes these arguments, and needs no others."""
     try:
-        statements = [*ast.walk(ast.parse(text))]
-    except (SyntaxError, ValueError, RecursionError):
+        parameters = inspect.signature(factory).parameters
+    except (TypeError, ValueError):  # there is no signature to ask
         return
-    everywhere = [*sys.path, str(Path.cwd()), str(folder)]
-    for statement in statements:
-        modules, places = list[str](), everywhere
-        match statement:
-            case ast.Import(names=names):
-                modules = [name.name for name in names]
-            case ast.ImportFrom(module=root, names=names, level=level):
-                inside = [f"{root}.{name.name}" if root else name.name for name in names]
-                modules = [root, *inside] if root else inside
-                if level:
-                    places = [str([folder, *folder.parents][level - 1])]
-        for module in modules:
-            spec = _spec_of(module, places)
-            if spec is not None and spec.origin is not None:
-                yield Path(spec.origin).resolve()
+    kinds = [each.kind for each in parameters.values()]
+    takes = [key for key, each in parameters.items() if each.kind in _NAMED]
+    legal = f"legal are {', '.join(takes) or 'none'}"
+    for key in arguments:
+        if key not in takes and inspect.Parameter.VAR_KEYWORD not in kinds:
+            raise InputError(f"{show(name)} takes no argument {show(key)}; {legal}")
+    for key in takes:
+        if parameters[key].default is inspect.Parameter.empty and key not in arguments:
+            raise InputError(f"{show(name)} lacks the argument {show(key)}; {legal}")
+
+
+_NAMED = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY

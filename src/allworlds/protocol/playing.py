@@ -6,10 +6,10 @@ This is the explorer's side: what answers it may be a world, or the percepts of 
 from __future__ import annotations
 
 import json
+import sys
 import traceback
 from collections.abc import Callable, Generator, Iterable, MutableSequence
 from itertools import islice
-from pathlib import Path
 from typing import Any, Protocol
 
 from allworlds import log as entries
@@ -53,7 +53,7 @@ NO_MAP, BUILT = "no map: ", "built "
 
 AN_ACTION = "an action, or an estimate at the end"
 
-_OF_MAPS = str(Path(__file__).parents[1] / "maps")
+_OF_MAPS = sys.modules[CombinatorialMap.__module__].__file__.rpartition("combinatorial")[0]  # type: ignore[union-attr]
 """The folder of the code that raises InvalidMap; the explorer's own line is outside."""
 
 

@@ -8,30 +8,32 @@ predicate is a *model*: it is called where verdicts are made, and its errors are
 
 from __future__ import annotations
 
-import inspect
+import ast
+import hashlib
 import re
 import sys
+import sysconfig
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
+from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from allworlds.inputs.checks import InputError, did_you_mean, show
 from allworlds.protocol.importing import (
+    Argument,
     SourceText,
+    arguments_of,
     attempted,
     attribute_of,
-    bytes_of,
-    digest_of_file,
-    files_imported,
+    called,
     imported,
-    module_file,
     module_named,
     module_of_text,
     points_of,
@@ -40,9 +42,6 @@ from allworlds.protocol.importing import (
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
-
-Argument: TypeAlias = int | bool | str
-"""The value of an argument in a name."""
 
 
 class OtherText(InputError):
@@ -234,74 +233,6 @@ class LocalCode(Struct, frozen=True):
         )
 
 
-def arguments_of(name: str) -> tuple[str, dict[str, Argument]]:
-    """A name without its arguments, and these: integers, true, false, or else texts.
-
-    Raises:
-        InputError: if one is not of the form ``key=value``, or is named twice.
-    """
-    plain, question, rest = name.partition("?")
-    pairs = pairs_in(name, rest) if question else []
-    return plain, {key: _value(value) for key, value in pairs}
-
-
-def pairs_in(name: str, text: str) -> list[tuple[str, str]]:
-    """The pairs of ``key=value,...`` behind a name.
-
-    Raises:
-        InputError: if one is of another form, or a key is named twice.
-    """
-    pairs: dict[str, str] = {}
-    for part in text.split(","):
-        key, equals, value = part.partition("=")
-        if not equals or not key.isidentifier():
-            raise InputError(f"{show(part)} in {show(name)} is not of the form key=value")
-        if key in pairs:
-            raise InputError(f"{show(name)} names {show(key)} twice")
-        pairs[key] = value
-    return [*pairs.items()]
-
-
-def _value(text: str) -> Argument:
-    if re.fullmatch(r"-?[0-9]{1,18}", text):
-        return int(text)
-    return {"true": True, "false": False}.get(text, text)
-
-
-def called(name: str, factory: Any, arguments: Mapping[str, Argument]) -> Any:
-    """The result of a factory for the arguments of a name; the object itself if there are none.
-
-    Raises:
-        InputError: if it cannot be called so, or raises.
-    """
-    if not arguments:
-        return factory
-    if not callable(factory):
-        raise InputError(f"{show(name)}: what takes arguments is a function that returns the rest")
-    _ensure_takes(name, factory, arguments)
-    return attempted(f"{show(name)} raises", lambda: factory(**arguments))
-
-
-def _ensure_takes(name: str, factory: Any, arguments: Mapping[str, Argument]) -> None:
-    """Raise InputError unless a factory takes these arguments, and needs no others."""
-    try:
-        parameters = inspect.signature(factory).parameters
-    except (TypeError, ValueError):  # there is no signature to ask
-        return
-    kinds = [each.kind for each in parameters.values()]
-    takes = [key for key, each in parameters.items() if each.kind in _NAMED]
-    legal = f"legal are {', '.join(takes) or 'none'}"
-    for key in arguments:
-        if key not in takes and inspect.Parameter.VAR_KEYWORD not in kinds:
-            raise InputError(f"{show(name)} takes no argument {show(key)}; {legal}")
-    for key in takes:
-        if parameters[key].default is inspect.Parameter.empty and key not in arguments:
-            raise InputError(f"{show(name)} lacks the argument {show(key)}; {legal}")
-
-
-_NAMED = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY
-
-
 # ---------------------------------------------------------------- what is loaded
 
 
@@ -371,3 +302,102 @@ def _as_recorded(plain: str, record: str) -> tuple[SourceText | None, str]:
         return None, record
     source = SourceText(str(Path(place).absolute()), record)
     return source, source.digest
+
+
+# ---------------------------------------------------------------- files
+
+
+def module_file(module: str) -> Path:
+    """The file of a module, found without importing anything.
+
+    Raises:
+        InputError: if there is none.
+    """
+    spec = _spec_of(module, [*sys.path, str(Path.cwd())])
+    if spec is None or spec.origin is None:
+        raise InputError(f"the file of the module {show(module)} is not found")
+    return Path(spec.origin)
+
+
+def _spec_of(module: str, places: list[str]) -> ModuleSpec | None:
+    """The specification of a module that is found at one of these places; None if there is none."""
+    spec: ModuleSpec | None = None
+    inside: list[str] | None = places
+    names = module.split(".")
+    for depth in range(1, len(names) + 1):
+        spec = PathFinder.find_spec(".".join(names[:depth]), inside)
+        if spec is None:
+            return None
+        inside = spec.submodule_search_locations
+    return spec
+
+
+def digest_of_file(file: Path) -> str:
+    """SHA-256 of a file, in hexadecimal."""
+    return hashlib.sha256(bytes_of(file)).hexdigest()
+
+
+def bytes_of(file: Path) -> bytes:
+    """The content of a file.
+
+    Raises:
+        InputError: if it cannot be read.
+    """
+    try:
+        return file.read_bytes()
+    except OSError as error:
+        raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
+
+
+# ---------------------------------------------------------------- what it brings in
+
+
+def files_imported(text: str, folder: Path) -> set[Path]:
+    """The files of all modules that a text imports anywhere in it, and that these import.
+
+    The standard library and this package are left out, and so is what installed packages import.
+    The modules are found, and not run.
+    """
+    found: set[Path] = set()
+    texts = [(text, folder)]
+    for each, beside in texts:
+        for file in _files_named(each, beside):
+            installed = any(file.is_relative_to(place) for place in _INSTALLED)
+            if file in found or _is_known(file, installed):
+                continue
+            found.add(file)
+            if file.suffix == ".py" and not installed:
+                texts.append((bytes_of(file).decode(errors="replace"), file.parent))
+    return found
+
+
+_STANDARD = Path(sysconfig.get_path("stdlib")).resolve()
+_INSTALLED = tuple({Path(sysconfig.get_path(kind)).resolve() for kind in ("purelib", "platlib")})
+_OURS = Path(__file__).resolve().parents[1]
+
+
+def _is_known(file: Path, installed: bool) -> bool:
+    return file.is_relative_to(_OURS) or (file.is_relative_to(_STANDARD) and not installed)
+
+
+def _files_named(text: str, folder: Path) -> Iterator[Path]:
+    """The files of the modules that a text names in its imports."""
+    try:
+        statements = [*ast.walk(ast.parse(text))]
+    except (SyntaxError, ValueError, RecursionError):
+        return
+    everywhere = [*sys.path, str(Path.cwd()), str(folder)]
+    for statement in statements:
+        modules, places = list[str](), everywhere
+        match statement:
+            case ast.Import(names=names):
+                modules = [name.name for name in names]
+            case ast.ImportFrom(module=root, names=names, level=level):
+                inside = [f"{root}.{name.name}" if root else name.name for name in names]
+                modules = [root, *inside] if root else inside
+                if level:
+                    places = [str([folder, *folder.parents][level - 1])]
+        for module in modules:
+            spec = _spec_of(module, places)
+            if spec is not None and spec.origin is not None:
+                yield Path(spec.origin).resolve()

@@ -12,7 +12,7 @@ from msgspec import Meta
 from allworlds.document.struct import ASIDE, IF_ANY, plain
 from allworlds.inputs.checks import InputError, integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.user_code import pairs_in
+from allworlds.protocol.importing import pairs_in
 
 
 class InvalidWorld(InputError):
