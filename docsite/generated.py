@@ -9,7 +9,6 @@ from __future__ import annotations
 import importlib
 import inspect
 import json
-import pkgutil
 import re
 from importlib.resources import files
 from pathlib import Path
@@ -41,7 +40,6 @@ def pages() -> dict[str, str]:
         "reference/command-line.md": command_line(),
         "reference/python.md": names(),
         "reference/header.md": header(),
-        **{f"internals/{name}.md": part(name) for name in parts()},
     }
 
 
@@ -127,7 +125,7 @@ def names() -> str:
         "# Python\n\nThe public API: the names of `import allworlds` and of three modules. An "
         "explorer needs the classes, and the functions are the verbs: they take the options of the "
         "[command line](command-line.md) as keywords. Everything else in the package may change "
-        "without notice; *Inside the package* describes it.\n\n"
+        "without notice.\n\n"
     )
     text += "".join(_reference(f"allworlds.{name}") for name in allworlds.__all__ if _is_told(name))
     text += "# allworlds.ambiguity\n\n"
@@ -137,27 +135,6 @@ def names() -> str:
         paths = [f"allworlds.{name}.{public}" for public in _public(f"allworlds.{name}")]
         text += "".join(map(_reference, paths))
     return text
-
-
-def parts() -> list[str]:
-    """The modules and packages inside the package: those with names for other parts."""
-    found = []
-    for module in pkgutil.iter_modules(allworlds.__path__):
-        if module.name not in ("__main__", *MODULES) and _public(f"allworlds.{module.name}"):
-            found.append(module.name)
-    return found
-
-
-def part(name: str) -> str:
-    """The names at the door of a part, with what their docstrings say."""
-    module = importlib.import_module(f"allworlds.{name}")
-    text = (
-        f"# allworlds.{name}\n\nPart of the inside of the package, and not of the public API.\n\n"
-        f"```text\n{inspect.cleandoc(module.__doc__ or '')}\n```\n\n"
-    )
-    return text + "".join(
-        _reference(f"allworlds.{name}.{public}") for public in _public(module.__name__)
-    )
 
 
 def _public(name: str) -> list[str]:

@@ -1,6 +1,5 @@
 """The parts of the site of the documents; ``nox -s docs`` and CI build the site itself."""
 
-import importlib.util
 import re
 import subprocess
 import sys
@@ -16,19 +15,11 @@ from packaging.utils import canonicalize_name
 import allworlds
 from allworlds import strategies, testing
 from allworlds.verbs import VERBS
+from docsite_modules import load
 
 ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 NAV = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:\n")[2]
-
-
-def load(name):
-    """A module of the folder that makes the site."""
-    spec = importlib.util.spec_from_file_location(f"docsite_{name}", ROOT / f"docsite/{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # dataclasses look there
-    spec.loader.exec_module(module)
-    return module
 
 
 check = load("check")
@@ -37,13 +28,14 @@ check = load("check")
 def test_every_page_has_its_place_in_the_navigation():
     """A new page of ``docs`` stands in ``mkdocs.yml``, below ``nav``."""
     pages = {p.relative_to(ROOT / "docs").as_posix() for p in (ROOT / "docs").rglob("*.md")}
+    pages = {page for page in pages if not page.startswith("decisions/")}
     named = set(re.findall(r"([\w/-]+\.md|[\w/-]+/)$", NAV, re.MULTILINE))
     folders = {name for name in named if name.endswith("/")}
     assert {page for page in pages if f"{Path(page).parent}/" not in folders} <= named
     made = {
         name
         for name in named
-        if name.startswith(("reference/", "internals/", "gallery/", "repository/"))
+        if name.startswith(("reference/", "gallery/", "repository/")) or name == "documents.md"
     }
     assert named - made - folders <= pages
 
@@ -93,7 +85,6 @@ def test_words_are_counted_without_bars_and_without_parts_that_a_program_writes(
     names = [path.relative_to(ROOT).as_posix() for path in words.by_hand(ROOT)]
     assert names[0] == "README.md"
     assert "docs/trust.md" in names
-    assert "docs/documents.md" not in names
 
 
 LOADING = """
@@ -173,15 +164,6 @@ def test_the_reference_of_the_package_has_every_name():
     assert {f"testing.{name}" for name in testing.__all__} < {*whole}
     assert {f"strategies.{name}" for name in strategies.__all__} < {*whole}
     assert {"class_of", "census"} < {name.rpartition(".")[2] for name in whole}
-
-
-def test_the_inside_of_the_package_stands_apart_from_the_public_api():
-    generated = load("generated")
-    inside = {name: text for name, text in generated.pages().items() if "internals/" in name}
-    assert {"internals/engines.md", "internals/judging.md"} < {*inside}
-    assert not {"internals/testing.md", "internals/strategies.md"} & {*inside}
-    assert all("not of the public API" in text for text in inside.values())
-    assert NAV.index("reference/python.md") < NAV.index("Project:") < NAV.index("internals/")
 
 
 def test_every_figure_that_a_page_asks_for_is_drawn_and_every_one_is_asked_for():

@@ -1,9 +1,7 @@
-"""Write the reference of keys, and what else of the documentation is made from tables.
+"""Write what is made from tables.
 
-``python tests/schemas/generate.py`` writes ``docs/documents.md`` anew, the table of explorers in
-``docs/protocol.md``, the names of the verbs in the package's ``__init__.py``, and the keywords of
-``compare``;
-``test_generated.py`` compares.
+``python tests/schemas/generate.py`` writes the names of the verbs in the package's
+``__init__.py`` anew, and the keywords of ``compare``; ``test_generated.py`` compares.
 """
 
 from __future__ import annotations
@@ -34,11 +32,8 @@ def package_text(source: str) -> str:
 def main() -> None:
     """Write everything anew."""
     import compare_keywords
-    from reference import PROTOCOL, REFERENCE, page_text, with_tables
 
     PACKAGE.write_text(package_text(PACKAGE.read_text("utf-8")), "utf-8")
-    PROTOCOL.write_text(with_tables(PROTOCOL.read_text("utf-8")), "utf-8")
-    REFERENCE.write_text(page_text(), "utf-8")
     compare_keywords.MODULE.write_text(compare_keywords.module_text(), "utf-8")
 
 
