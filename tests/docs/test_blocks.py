@@ -28,7 +28,6 @@ SLOW = {
     "docs/how-to/rows.md",
     "docs/python.md",
     "docs/theory.md",
-    "docs/trust.md",
     "docs/tutorial.md",
 }
 """Pages whose commands take more than some seconds, or a compiler."""
