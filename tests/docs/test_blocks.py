@@ -26,6 +26,7 @@ SLOW = {
     "docs/how-to/lighthouse.md",
     "docs/how-to/pytest.md",
     "docs/how-to/rows.md",
+    "docs/how-to/shield.md",
     "docs/python.md",
     "docs/theory.md",
     "docs/tutorial.md",

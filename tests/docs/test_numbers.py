@@ -1,28 +1,19 @@
 """Numbers in the prose of the pages, against the program that they are about."""
 
 import re
-from itertools import accumulate
 from pathlib import Path
 
 import pytest
 
 from allworlds.cli import output
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WRONG_LEARNERS
-from allworlds.document.struct import replace
 from allworlds.engines import lane, players
 from allworlds.engines.compiled_engine import AGREEMENT_EDGES
-from allworlds.engines.engine_table import engine_for
 from allworlds.engines.kernel import capabilities
-from allworlds.engines.scope import Scope
 from allworlds.explorers import program
-from allworlds.explorers.loading import load
 from allworlds.explorers.program import SAYINGS
 from allworlds.explorers.shared_library.library import INTERFACE_VERSION
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import PRECEDENCE
-from allworlds.maps import MapClass
-from allworlds.maps.classes import Extent
-from allworlds.maps.counting.any_genus import rooted_maps
 from allworlds.protocol import playing
 from allworlds.reports.web import frame
 from allworlds.studies.check import time_estimate
@@ -76,7 +67,11 @@ def test_the_page_of_proofs_says_how_many_mutants_there_are():
         ("how-to/languages.md", r"more memory than (\d) GB", players.NATIVE_MEMORY >> 10),
         ("how-to/languages.md", r"`ALLWORLDS_VERSION` (\d) \|", INTERFACE_VERSION),
         ("how-to/bound.md", r"more than ([\d,]+) worlds", time_estimate.MANY["python"]),
-        ("how-to/bound.md", r"compiled engine: (\d+) million", time_estimate.MANY["compiled"] // 10**6),
+        (
+            "how-to/bound.md",
+            r"compiled engine: (\d+) million",
+            time_estimate.MANY["compiled"] // 10**6,
+        ),
     ],
 )
 def test_a_limit_in_the_prose_is_that_of_the_program(page, pattern, number):
