@@ -152,9 +152,8 @@ def _is_plain(module: Any, name: str) -> bool:
     value = getattr(module, name)
     if inspect.isclass(value) or inspect.isroutine(value):
         return value.__module__.startswith("allworlds")
-    files_ = list(Path(module.__file__).parent.rglob("*.py")) if hasattr(module, "__path__") else []
-    sources = (file.read_text(encoding="utf-8") for file in files_ or [Path(module.__file__)])
-    return any(re.search(rf"^{name}(:.*)? = ", source, re.MULTILINE) for source in sources)
+    source = Path(module.__file__).read_text(encoding="utf-8")
+    return bool(re.search(rf"^{name}(:.*)? = ", source, re.MULTILINE))
 
 
 def _is_told(name: str) -> bool:

@@ -33,6 +33,8 @@ def outside() -> list[str]:
 
 def place(target: str) -> str | None:
     """Where a page of the repository stands in the site; None for what is no page of it."""
+    if target.startswith("docs/decisions/"):
+        return None
     if target.startswith("docs/"):
         if not (ROOT / target).exists():
             return None

@@ -27,8 +27,8 @@ from mkdocs.structure.pages import Page
 
 import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.maps import CombinatorialMap, isomorphism
-from allworlds.maps.canonical import Mismatch
+from allworlds.maps.canonical import Mismatch, isomorphism
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.drawing.svg import picture
 from allworlds.world import Directional, World, world_named

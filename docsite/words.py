@@ -2,9 +2,8 @@
 
 ``python docsite/words.py [FOLDER]`` prints a line for each page of the project in FOLDER: all its
 words, and those beside blocks of code.  A word is a text between blanks that has a letter or a
-digit; so the bars of tables are none.  Not counted are decisions, research notes, and everything
-that a program writes: whole pages, and parts of pages between ``<!-- NAME: written by PROGRAM -->``
-and ``<!-- end of NAME -->``.
+digit; so the bars of tables are none.  Not counted are decisions, and parts of pages that a program
+writes, between ``<!-- NAME: written by PROGRAM -->`` and ``<!-- end of NAME -->``.
 """
 
 from __future__ import annotations
@@ -13,8 +12,7 @@ import re
 import sys
 from pathlib import Path
 
-APART = ("decisions", "research")
-WRITTEN = "documents.md"
+APART = ("decisions",)
 PART = re.compile(r"<!-- ([\w ]+): written by .*?<!-- end of \1 -->", re.DOTALL)
 BLOCK = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
 
@@ -24,7 +22,7 @@ def by_hand(root: Path) -> list[Path]:
     pages = sorted((root / "docs").rglob("*.md"))
     return [
         root / "README.md",
-        *(p for p in pages if p.parent.name not in APART and p.name != WRITTEN),
+        *(p for p in pages if p.parent.name not in APART),
     ]
 
 

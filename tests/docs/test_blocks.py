@@ -26,9 +26,9 @@ SLOW = {
     "docs/how-to/lighthouse.md",
     "docs/how-to/pytest.md",
     "docs/how-to/rows.md",
+    "docs/how-to/shield.md",
     "docs/python.md",
     "docs/theory.md",
-    "docs/trust.md",
     "docs/tutorial.md",
 }
 """Pages whose commands take more than some seconds, or a compiler."""

@@ -1,28 +1,19 @@
 """Numbers in the prose of the pages, against the program that they are about."""
 
 import re
-from itertools import accumulate
 from pathlib import Path
 
 import pytest
 
 from allworlds.cli import output
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WRONG_LEARNERS
-from allworlds.document.struct import replace
 from allworlds.engines import lane, players
 from allworlds.engines.compiled_engine import AGREEMENT_EDGES
-from allworlds.engines.engine_table import engine_for
 from allworlds.engines.kernel import capabilities
-from allworlds.engines.scope import Scope
 from allworlds.explorers import program
-from allworlds.explorers.loading import load
 from allworlds.explorers.program import SAYINGS
 from allworlds.explorers.shared_library.library import INTERFACE_VERSION
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import PRECEDENCE
-from allworlds.maps import MapClass
-from allworlds.maps.classes import Extent
-from allworlds.maps.counting.any_genus import rooted_maps
 from allworlds.protocol import playing
 from allworlds.reports.web import frame
 from allworlds.studies.check import time_estimate
@@ -51,8 +42,8 @@ def told(page, pattern):
     return NUMBERS.get(found) or int(found.replace(",", ""))
 
 
-def test_the_page_of_trust_says_how_many_mutants_there_are():
-    assert told("trust.md", r"tries (\d+) wrong explorers") == sum(map(len, TABLES))
+def test_the_page_of_proofs_says_how_many_mutants_there_are():
+    assert told("how-to/certificate.md", r"tries (\d+) wrong explorers") == sum(map(len, TABLES))
 
 
 @pytest.mark.parametrize(
@@ -75,8 +66,12 @@ def test_the_page_of_trust_says_how_many_mutants_there_are():
         ("how-to/languages.md", r"a line of more than (\d+) MiB", program.LONGEST_LINE >> 20),
         ("how-to/languages.md", r"more memory than (\d) GB", players.NATIVE_MEMORY >> 10),
         ("how-to/languages.md", r"`ALLWORLDS_VERSION` (\d) \|", INTERFACE_VERSION),
-        ("scaling.md", r"more than ([\d,]+) worlds", time_estimate.MANY["python"]),
-        ("scaling.md", r"compiled engine: (\d+) million", time_estimate.MANY["compiled"] // 10**6),
+        ("how-to/bound.md", r"more than ([\d,]+) worlds", time_estimate.MANY["python"]),
+        (
+            "how-to/bound.md",
+            r"compiled engine: (\d+) million",
+            time_estimate.MANY["compiled"] // 10**6,
+        ),
     ],
 )
 def test_a_limit_in_the_prose_is_that_of_the_program(page, pattern, number):
@@ -95,28 +90,3 @@ def test_the_page_of_languages_has_each_line_that_a_program_may_say():
     table = page.partition("### The lines")[2].partition("\n\n- ")[0]
     rows = [row.split("|")[1] for row in table.splitlines() if "| from the program |" in row]
     assert {name for row in rows for name in re.findall(r'`\{"(\w+)"', row)} == {*SAYINGS}
-
-
-def worlds_up_to(edges):
-    """The number of rooted maps with at most that many edges."""
-    return [*accumulate(sum(rooted_maps(m).values()) for m in range(1, edges + 1))][-1]
-
-
-def test_the_tables_of_long_checks_number_the_worlds_as_the_program_does():
-    page = (ROOT / "docs/scaling.md").read_text(encoding="utf-8")
-    found = re.findall(r"\| (\d) \| ([\d,]+) \|", page)
-    found += re.findall(r"^ +(\d) +([\d,]+) ", page, re.MULTILINE)
-    assert len(found) == 8
-    for edges, worlds in found:
-        assert int(worlds.replace(",", "")) == worlds_up_to(int(edges))
-    assert f"{worlds_up_to(9):,} worlds" in page
-
-
-def test_the_table_of_engines_names_the_engine_that_would_check():
-    subject = replace(load("algorithm1"), name="mine.py:explore", own=None, explore=None)
-    page = (ROOT / "docs/scaling.md").read_text(encoding="utf-8")
-    found = re.findall(r"^ +(\d) +[\d,]+  (\w+) ", page, re.MULTILINE)
-    assert len(found) == 3
-    for edges, engine in found:
-        scope = Scope(Extent(MapClass.MAPS, int(edges)), Rules())
-        assert engine_for("auto", scope, subject).name == engine

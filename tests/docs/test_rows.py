@@ -52,10 +52,3 @@ def test_the_columns_are_those_of_the_page(command):
     rows = MADE[command]().records()
     assert rows
     assert all([*row] == told()[command] for row in rows)
-
-
-@pytest.mark.slow
-def test_the_worlds_in_which_algorithm_1_walks_more_are_as_many_as_the_page_says():
-    rows = allworlds.compare("algorithm1", "folding-oldest", edges=4, by="world").records()
-    more = [row for row in rows if row["explorer"] == "folding-oldest" and row["ratio"] < 1]
-    assert f"The {len(more)} worlds with up to 4 edges" in PAGE

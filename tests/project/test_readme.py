@@ -37,11 +37,10 @@ def test_the_environment_of_the_first_command_has_a_pip_of_its_own():
 
 def test_the_readme_is_read_in_a_few_minutes():
     assert README.count("\n") <= 240
-    prose = re.sub(r"^```.*?^```$", "", README, flags=re.MULTILINE | re.DOTALL)
-    assert len(prose.split()) <= 1400
+    assert len(README.split()) <= 1100
     further = README.partition("## Where to read on")[2]
     assert 1 <= further.count("](") <= 8
-    assert "![" in prose
+    assert "![" in README
 
 
 def test_ci_is_a_script_that_bash_understands():
@@ -55,7 +54,8 @@ def is_made(page):
     """Whether it is a page of the navigation that is made when the site is built."""
     name = page.relative_to(ROOT / "docs").as_posix()
     nav = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:\n")[2]
-    return name.startswith(("reference/", "internals/", "gallery/")) and f": {name}\n" in nav
+    made = name.startswith(("reference/", "gallery/")) or name == "documents.md"
+    return made and f": {name}\n" in nav
 
 
 def test_the_links_of_the_pages_lead_to_files():

@@ -50,7 +50,7 @@ from allworlds.verbs import BY_NAME, GROUPS, VERBS
 from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses
 from allworlds.world.lighthouses.kinds import lighthouse_from_json
 from allworlds.world.lighthouses.options import place_keys
-from bruteforce import rooted_maps_by_permutations as all_rooted_maps
+from docsite_modules import load as docsite
 from judges import WEAK_JUDGES
 from recorded.record import COMMANDS, LEAST
 
@@ -136,7 +136,7 @@ def test_a_verb_has_its_module_of_the_command_line_its_telling_and_its_document(
 
 
 def test_the_documents_page_has_a_row_for_every_verb_in_their_order():
-    told = rows(page("docs/documents.md"))
+    told = rows(docsite("documents").page_text())
     assert told[: len(VERBS)] == [*BY_NAME]
 
 
@@ -350,7 +350,7 @@ def test_every_class_is_counted_enumerated_drawn_and_told(map_class):
     name = f"{map_class.value.replace('-', '_')}_maps" if map_class is not MapClass.MAPS else "maps"
     assert name in strategies.__all__
     assert f"| `{name}(" in page("docs/how-to/pytest.md")
-    assert f"| `{map_class}` | {map_class.summary} |" in page("docs/documents.md")
+    assert f"| `{map_class}` | {map_class.summary} |" in docsite("documents").page_text()
 
 
 @pytest.mark.parametrize("map_class", MapClass)
@@ -488,8 +488,9 @@ def test_no_explorer_is_left_out_of_its_table():
 
 
 def test_every_built_in_explorer_is_told_and_runs_as_it_is_written_for():
-    told = PROTOCOL.partition("<!-- explorers: ")[2].partition("<!-- end of explorers -->")[0]
-    assert rows(told) == [*BUILT_IN]
+    documents = docsite("documents")
+    assert documents.EXPLORERS in PROTOCOL
+    assert rows(documents.explorers_table()) == [*BUILT_IN]
     for name, own in BUILT_IN.items():
         assert own.about
         assert allworlds.check(name, edges=2, workers=1).scope.lighthouse == own.lighthouse

@@ -1,8 +1,7 @@
-"""Write the reference of keys, and what else of the documentation is made from tables.
+"""Write what is made from tables.
 
-``python tests/schemas/generate.py`` writes ``docs/documents.md`` anew, the table of explorers in
-``docs/protocol.md``, and the names of the verbs in the package's ``__init__.py``;
-``test_generated.py`` compares.
+``python tests/schemas/generate.py`` writes the names of the verbs in the package's
+``__init__.py`` anew; ``test_generated.py`` compares.
 """
 
 from __future__ import annotations
@@ -32,11 +31,7 @@ def package_text(source: str) -> str:
 
 def main() -> None:
     """Write everything anew."""
-    from reference import PROTOCOL, REFERENCE, page_text, with_tables
-
     PACKAGE.write_text(package_text(PACKAGE.read_text("utf-8")), "utf-8")
-    PROTOCOL.write_text(with_tables(PROTOCOL.read_text("utf-8")), "utf-8")
-    REFERENCE.write_text(page_text(), "utf-8")
 
 
 if __name__ == "__main__":

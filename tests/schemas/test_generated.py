@@ -1,4 +1,4 @@
-"""The schemas, the reference of keys and the package's door are what the classes and tables say."""
+"""The schemas and the package's door are what the classes and tables say."""
 
 import json
 from importlib.resources import files
@@ -16,7 +16,6 @@ from allworlds.reports.schemas import main, schema_of, schemas
 from allworlds.verbs import VERBS
 from allworlds.world import World
 from schemas.generate import package_text
-from schemas.reference import PROTOCOL, REFERENCE, page_text, with_tables
 
 WRITE_ANEW = "python tests/schemas/generate.py writes it anew"
 
@@ -34,16 +33,6 @@ def test_the_schemas_of_an_earlier_build_do_not_stay(tmp_path):
     (tmp_path / "luck.schema.json").write_text("{}")
     main(tmp_path)
     assert {file.name.removesuffix(".schema.json") for file in tmp_path.iterdir()} == {*schemas()}
-
-
-def test_the_reference_is_what_the_classes_say():
-    assert REFERENCE.read_text(encoding="utf-8") == page_text(), WRITE_ANEW
-
-
-def test_the_table_of_explorers_is_what_the_code_says():
-    page = PROTOCOL.read_text(encoding="utf-8")
-    assert page == with_tables(page), WRITE_ANEW
-    assert "| `algorithm1-natural` | `natural` | `two-vertices` |" in page
 
 
 def test_the_package_names_every_verb_for_those_who_do_not_run_it():

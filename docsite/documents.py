@@ -1,19 +1,36 @@
-"""The reference of keys, ``docs/documents.md``, made from the schemas and the table of verbs."""
+"""The reference of keys, from the schemas and the table of verbs; the table of explorers."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.reports.schemas import NAMES, pages, schemas
 from allworlds.verbs import VERBS
 from allworlds.world.lighthouses.kinds import lighthouse_named
 
-DOCS = Path(__file__).parents[2] / "docs"
-REFERENCE = DOCS / "documents.md"
-PROTOCOL = DOCS / "protocol.md"
+if TYPE_CHECKING:
+    from mkdocs.config.defaults import MkDocsConfig
+    from mkdocs.structure.files import Files
+    from mkdocs.structure.pages import Page
+
+EXPLORERS = "<!-- table explorers -->"
+"""Where a page asks for the table of explorers."""
+
+
+def on_files(files: Files, config: MkDocsConfig) -> Files:
+    """The files of the site, with the reference of keys."""
+    from mkdocs.structure.files import File
+
+    files.append(File.generated(config, "documents.md", content=page_text()))
+    return files
+
+
+def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Files) -> str:
+    """The page with its table of explorers."""
+    return markdown.replace(EXPLORERS, explorers_table())
+
 
 INTRODUCTION = """\
 # Documents
@@ -224,11 +241,3 @@ def explorers_table() -> str:
         for name, own in BUILT_IN.items()
     ]
     return "\n".join(["| name | lighthouse | bound | what it is |", "|---|---|---|---|", *rows])
-
-
-def with_tables(page: str) -> str:
-    """The page with the table of explorers made anew."""
-    begin = "<!-- explorers: written by tests/schemas/generate.py -->\n"
-    end = "\n<!-- end of explorers -->"
-    head, _, rest = page.partition(begin)
-    return head + begin + explorers_table() + end + rest.partition(end)[2]
