@@ -50,6 +50,7 @@ from allworlds.verbs import BY_NAME, GROUPS, VERBS
 from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses
 from allworlds.world.lighthouses.kinds import lighthouse_from_json
 from allworlds.world.lighthouses.options import place_keys
+from bruteforce import rooted_maps_by_permutations as all_rooted_maps
 from docsite_modules import load as docsite
 from judges import WEAK_JUDGES
 from recorded.record import COMMANDS, LEAST
