@@ -20,7 +20,7 @@ import warnings
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from itertools import chain, islice
+from itertools import islice
 from multiprocessing.connection import Connection, Pipe, wait
 from random import Random
 from typing import Any, NoReturn, Self
@@ -66,7 +66,6 @@ class OneLane(Struct):
     limits: Limits
     deadline: float | None = None
     _lanes: list[tuple[RunCounter, Lane]] = field(default_factory=list)
-    _last: UnitOfRuns | None = None
 
     def __enter__(self) -> Self:
         return self
@@ -89,31 +88,20 @@ class OneLane(Struct):
             InputError: if the explorer cannot be loaded, or of a model of the user's.
             Unsettled: if processes are lost again and again.
         """
-        yield from self.units(engine, in_any_order(units) if self.subject.from_user else units)
-        yield from self.end()
-
-    def units(
-        self, engine: RunCounter, units: Iterable[UnitOfRuns]
-    ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
-        """Yield the parts of these units, which are taken as they can be begun."""
-        lane, waiting, more = self._lane(engine), iter(units), True
-        while more or lane.busy:
-            while more and lane.hungry:
-                unit = next(waiting, None)
-                more = unit is not None
-                if unit is not None:
-                    lane.offer(unit)
-                    self._last = unit
+        lane = self.lane(engine)
+        waiting = in_any_order(units) if self.subject.from_user else iter(units)
+        unit = next(waiting, None)
+        last = unit
+        while unit is not None or lane.busy:
+            while unit is not None and lane.hungry:
+                lane.offer(unit)
+                last, unit = unit, next(waiting, None)
             yield from lane.turn()
             check_deadline(self.deadline)
+        if last is not None and lane.keeps:
+            yield PartialResult(last, lane.end(), last=False)
 
-    def end(self) -> Iterator[PartialResult[UnitOfRuns, Any]]:
-        """Yield what is left to be done behind all units."""
-        for _, lane in self._lanes:
-            if self._last is not None and lane.keeps:
-                yield PartialResult(self._last, lane.end(), last=False)
-
-    def _lane(self, engine: RunCounter) -> Lane:
+    def lane(self, engine: RunCounter) -> Lane:
         """One lane as long as the same is asked for: its players have loaded the explorer."""
         if self._lanes and self._lanes[0][0] != engine:
             self.close()
@@ -176,7 +164,8 @@ class Lanes(Struct):
     deadline: float | None = None
     models: bool = False
     alone: OneLane | None = None
-    _until: float | None = None
+    _until: float = 0.0
+    _last: UnitOfRuns | None = None
     _processes: list[_Process] = field(default_factory=list)
     _lost: Counter[str] = field(default_factory=Counter)
 
@@ -195,27 +184,26 @@ class Lanes(Struct):
     ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
         """Yield the parts of all units, as they come; raises as :class:`OneLane` does."""
         waiting = in_any_order(units) if self.subject.from_user else iter(units)
-        if self.alone is not None:
-            yield from self.alone.units(engine, self._early(waiting))
-            unit = next(waiting, None)
-            if unit is None:
-                yield from self.alone.end()
-                return
-            waiting = chain([unit], waiting)
-            self.alone.close()
-            self.alone = None
-        again: list[UnitOfRuns] = []
+        unit, again, first = next(waiting, None), list[UnitOfRuns](), self._first(engine)
         while True:
-            while (process := self._idle()) and (
-                unit := again.pop() if again else next(waiting, None)
-            ):
-                process.units.append(unit)
+            early = first is not None and time.monotonic() < self._until
+            while unit and first and early and first.hungry:
+                first.offer(unit)
+                self._last, unit = unit, next(waiting, None)
+            while not early and (unit or again) and (process := self._idle()):
+                if unit and not again:
+                    again, unit = [unit], next(waiting, None)
+                process.units.append(again.pop())
                 with suppress(OSError):  # it is lost, and that is seen below
-                    process.link.send((engine, unit))
+                    process.link.send((engine, process.units[-1]))
             at_work = [process for process in self._processes if process.units]
-            if not at_work:
-                return
-            for link in wait([process.link for process in at_work], POLL):
+            links = [process.link for process in at_work]
+            busy = first is not None and first.busy
+            if first and busy:
+                yield from first.turn([link.fileno() for link in links])
+            elif not (unit or again or at_work):
+                break
+            for link in wait(links, 0 if busy else POLL):
                 (process,) = (one for one in at_work if one.link is link)
                 try:
                     part = process.link.recv()
@@ -228,12 +216,18 @@ class Lanes(Struct):
                     process.units.remove(next(u for u in process.units if u.key == part.unit.key))
                 yield part
             check_deadline(self.deadline)
+        if first and first.keeps and self._last:
+            yield PartialResult(self._last, first.end(), last=False)
 
-    def _early(self, waiting: Iterator[UnitOfRuns]) -> Iterator[UnitOfRuns]:
-        """The units that are begun while the lane here is the only one."""
+    def _first(self, engine: RunCounter) -> Lane | None:
+        """The lane here; None if there is none, or others have begun."""
+        if self.alone is None:
+            return None
+        if self._processes:
+            self.alone.close()
+            return None
         self._until = self._until or time.monotonic() + ALONE
-        while time.monotonic() < self._until and (unit := next(waiting, None)):
-            yield unit
+        return self.alone.lane(engine)
 
     def _idle(self) -> _Process | None:
         """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
