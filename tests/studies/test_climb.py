@@ -30,8 +30,8 @@ from allworlds.reports.rendering import text as text_of
 from allworlds.studies.compare.climb import GrowingWorlds
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.contestants import Contestant
-from allworlds.studies.compare.growing_families import GROWING, GrownWorld, distinct, members_of
-from allworlds.studies.compare.growth import GrowRow, Growth
+from allworlds.studies.compare.growing_families import GROWING, distinct, members_of
+from allworlds.studies.compare.growth import GrownWorld, GrowRow, Growth
 from allworlds.world import Directional, World
 from allworlds.world.named import map_of_code, map_of_family
 from kept_jobs import EXPLORERS
@@ -354,7 +354,7 @@ def test_by_size_the_csv_has_a_line_for_each_row_with_its_ratio(report):
 
 def test_the_plot_names_its_families_and_explorers(report):
     pytest.importorskip("matplotlib")
-    plot = file_of("compare", "plot", report)
+    plot = file_of("compare", "svg", report)
     assert "<svg" in plot
     assert all(text in plot for text in ("lattice", "cubic", "folding-oldest", "algorithm1"))
     assert "exact" not in plot
@@ -364,16 +364,16 @@ def test_the_plot_names_its_families_and_explorers(report):
 @pytest.mark.long
 def test_the_plot_is_the_same_for_the_same_report(report):
     pytest.importorskip("matplotlib")
-    assert file_of("compare", "plot", report) == file_of("compare", "plot", report)
+    assert file_of("compare", "svg", report) == file_of("compare", "svg", report)
     assert ">folding-oldest, exact<" in file_of(
-        "compare", "plot", compare("folding-oldest", family="torus", to=18)
+        "compare", "svg", compare("folding-oldest", family="torus", to=18)
     )
 
 
 def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
     file = tmp_path / "rows.csv"
     code, out, _ = cli(
-        *("compare", "folding-oldest", "--family", "strip", "--to", 20, "--json", "--csv", file)
+        *("compare", "folding-oldest", "--family", "strip", "--to", 20, "--json", "-o", file)
     )
     assert code == 0
     assert json.loads(out)["verdict"] == "not-refuted"
@@ -382,7 +382,7 @@ def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
 
 def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused, monkeypatch):
     monkeypatch.setattr("allworlds.inputs.checks.find_spec", lambda _: None)
-    said = refused("compare", "folding-oldest", "--family", "strip", "--to", 20, "--plot", "x.svg")
+    said = refused("compare", "folding-oldest", "--family", "strip", "--to", 20, "-o", "x.svg")
     assert ".[figures]" in said
 
 
@@ -419,7 +419,7 @@ def test_what_grows_is_asked_for_by_to(refused):
     assert "worlds = 2 is for worlds that grow" in refused(
         "compare", "folding-oldest", "--worlds", 2
     )
-    assert "--to" in refused("compare", "folding-oldest", "--family", "strip", "--plot", "x.svg")
+    assert "--to" in refused("compare", "folding-oldest", "--family", "strip", "-o", "x.svg")
 
 
 def test_a_seed_left_out_is_the_first(cli):

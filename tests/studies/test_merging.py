@@ -54,7 +54,7 @@ def test_rows_are_chosen_for_jobs_that_have_them(refused, tmp_path):
     with pytest.raises(InputError, match="by world has no effect on a job of check"):
         allworlds.merge(tmp_path, by="world")
     said = refused("merge", tmp_path, "--by", "world")
-    assert said == "allworlds: by world has no effect without --csv\n"
+    assert said == "allworlds: by world has no effect without -o FILE.csv\n"
 
 
 @pytest.mark.usefixtures("without_workers")

@@ -21,7 +21,6 @@ from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
 
-from allworlds.cli.files import Files, files_of
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import (
     OutputGroup,
@@ -29,6 +28,7 @@ from allworlds.cli.output import (
     answered,
     complain,
     emit,
+    output_of,
     prepare_streams,
     printable,
     say,
@@ -82,16 +82,14 @@ def _show_as_written(argument: Any) -> None:
 
 
 def plain_command(verb: Verb) -> Callable[..., int]:
-    """The function that runs a verb on the command line: it answers, writes files, and prints."""
+    """The function that runs a verb on the command line: it answers, and writes."""
     function = loaded(verb.function)
 
-    def command(request: Any, *, files: Files, output: OutputGroup) -> int:
-        files.expect(request)
+    def command(request: Any, *, output: OutputGroup) -> int:
         report = answered(function, request, output)
-        files.write(verb.name, report)
-        return emit(report, verb.name, output, getattr(request, "workers", None))
+        return emit(report, output, getattr(request, "workers", None))
 
-    hints = {"request": function.request, "files": Files, "output": OutputGroup, "return": int}
+    hints = {"request": function.request, "output": OutputGroup, "return": int}
     command.__annotations__ = hints
     command.__doc__ = f"Example: allworlds {verb.name} {verb.example}".rstrip() + f"\n\n{verb.help}"
     return command
@@ -105,10 +103,10 @@ def grouped(verb: Callable[..., int], name: str) -> Callable[..., int]:
     """The verb with the signature that typer reads: an option for each field of its requests.
 
     A parameter of the verb is a request, that is a dataclass, or one option by itself; in place
-    of :class:`Files` stand those that the verb of that name can write.
+    of :class:`OutputGroup` stands that of the verb of that name.
     """
     hints = get_type_hints(verb, include_extras=True)
-    hints = {key: files_of(name) if hint is Files else hint for key, hint in hints.items()}
+    hints = {key: output_of(name) if hint is OutputGroup else hint for key, hint in hints.items()}
     taken = signature(verb).parameters.values()
     seen = [shown for each in taken for shown in _shown(each.name, hints[each.name], each.default)]
     seen.sort(key=_panel)

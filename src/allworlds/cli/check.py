@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, TemporaryFile
 from time import sleep
 from typing import Annotated, Any
 
 import allworlds
-from allworlds.cli.files import Files, ensure_directory
 from allworlds.cli.output import OutputGroup, answered, complain, emit
 from allworlds.document.struct import replace
 from allworlds.explorers.source_line import files_of_explorer
-from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import EFFORT, Option, fields_of
 from allworlds.outcome import Exit
 from allworlds.studies.check.requests import CheckRequest
@@ -88,6 +87,20 @@ def _state(files: list[Path]) -> object:
     return [(state.st_mtime_ns, state.st_size, state.st_ino) for state in found]
 
 
+def ensure_directory(name: str | Path | None) -> None:
+    """Make the directory if it is missing. It is bad input if no file can be written there."""
+    if name is None:
+        return
+    path = a_path("corpus", name)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        with TemporaryFile(dir=path):
+            pass
+    except OSError as error:
+        reason = f"{show(name)} cannot be written: {error.strerror}"
+        raise InputError(f"corpus {reason}") from None
+
+
 def check(
     request: CheckRequest,
     *,
@@ -109,7 +122,6 @@ def check(
             "estimate",
         ),
     ] = False,
-    files: Files,
     output: OutputGroup,
 ) -> int:
     """Example: allworlds check my_explorer.py:explore --edges 4
@@ -119,15 +131,15 @@ def check(
     4: vacuous.
     """
     if estimate:
+        written = next(iter(output.files or ()), None)
         kept = {"corpus": request.corpus, "run": request.run, "watch": watch}
-        _refuse_beside_estimate({**files.named(), **kept})
+        _refuse_beside_estimate({"-o": written, **kept})
         return _estimate(request, output)
     ensure_directory(request.corpus)
 
     def once(request: CheckRequest) -> int:
         report = answered(allworlds.check, request, output)
-        files.write("check", report)
-        return emit(report, "check", output, request.workers)
+        return emit(report, output, request.workers)
 
     if not watch:
         return once(request)
@@ -158,7 +170,7 @@ def _estimate(request: CheckRequest, output: OutputGroup) -> int:
     from allworlds.studies.check.exhaustive import estimate
 
     guess = answered(estimate, request, output)
-    return emit(guess, "check", output, request.workers)
+    return emit(guess, output, request.workers)
 
 
 def _refuse_beside_estimate(given: Mapping[str, object]) -> None:

@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-from allworlds.cli.files import Files
 from allworlds.cli.output import OutputGroup, answered, emit
-from allworlds.inputs.checks import InputError
+from allworlds.inputs.checks import InputError, show
 from allworlds.studies.compare.compare_request import CompareRequest
 
 
-def compare(
-    request: CompareRequest,
-    *,
-    files: Files,
-    output: OutputGroup,
-) -> int:
+def compare(request: CompareRequest, *, output: OutputGroup) -> int:
     """Example: allworlds compare algorithm1 dudek91 --edges 4
 
     Explorers side by side on the same worlds, each under its own lighthouse; the first is
@@ -24,10 +18,7 @@ def compare(
     """
     from allworlds.studies.compare.contest import compared
 
-    plot = files.named().get("plot")
-    if plot and request.to is None:
-        raise InputError(f"plot {plot} has no effect without --to")
-    files.expect(request)
-    report = answered(compared, request, output)
-    files.write("compare", report)
-    return emit(report, "compare", output, request.workers)
+    curves = dict(output.named).get("svg")
+    if curves and request.to is None:
+        raise InputError(f"-o {show(curves)} draws curves, and has no effect without --to")
+    return emit(answered(compared, request, output), output, request.workers)

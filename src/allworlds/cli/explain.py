@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 import allworlds
-from allworlds.cli.files import Files
 from allworlds.cli.output import OutputGroup, emit
 from allworlds.inputs.requests import answer, values_of
 from allworlds.judging.findings.asked_finding import FindingWords
 from allworlds.studies.explain import AskedExplanation, ExplainRequest
 
 
-def explain(
-    words: FindingWords, *, asked: AskedExplanation, files: Files, output: OutputGroup
-) -> int:
+def explain(words: FindingWords, *, asked: AskedExplanation, output: OutputGroup) -> int:
     """Example: allworlds explain finding.json
 
     Tell in words what the robot believed, what was true, and where belief and truth diverge.
     The recorded explorer is played once more where only another world can tell two slips apart.
     """
     request = ExplainRequest(*words.chosen(), **values_of(AskedExplanation, asked))
-    explained = answer(allworlds.explain, request)
-    files.write("explain", explained)
-    return emit(explained, "explain", output)
+    return emit(answer(allworlds.explain, request), output)

@@ -1,8 +1,8 @@
-"""A file format of reports: what it shows, and the function that makes its text."""
+"""A file format of reports: what it shows, and the function that makes its content."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
@@ -27,35 +27,22 @@ class NeededLibrary(NamedTuple):
     needed_by: str
 
 
-class Binary(NamedTuple):
-    """A file that is no text: its content, made of the telling of a result, and what it needs."""
-
-    of_telling: Callable[[ToldResult], bytes]
-    library: NeededLibrary
-
-
 class Format(Struct, frozen=True):
     """A file format of reports.
 
     Attributes:
-        of_telling: the text of the file, made of the telling of a result.
-        help: the help of the option.
-        shows: what a verb must have to get the option.
-        library: without which the text cannot be made, if there is one.
-        binary: what is made in place of the text, by the end of the file's name.
+        of_telling: the content of the file, made of the telling of a result.
+        suffix: the end of a file's name that means it; empty where only its own name does.
+        shows: what a verb must have one of to be written so; empty where every verb is.
+        library: without which the content cannot be made, if there is one.
         summary: the variable in which a CI service names a file to which the report is added
             without being asked for; empty where there is none.
         told_to: the variable that says that a CI service reads stderr for it, likewise.
     """
 
-    of_telling: Callable[[ToldResult], str]
-    help: str
-    shows: str = ROWS
+    of_telling: Callable[[ToldResult], str | bytes]
+    suffix: str
+    shows: tuple[str, ...] = (ROWS,)
     library: NeededLibrary | None = None
-    binary: Mapping[str, Binary] = {}
     summary: str = ""
     told_to: str = ""
-
-    def binary_for(self, name: str) -> Binary | None:
-        """Return how a file of that name is made in place of a text; None if it is a text."""
-        return next((made for end, made in self.binary.items() if name.endswith(end)), None)

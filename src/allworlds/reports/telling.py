@@ -317,6 +317,7 @@ class ToldResult(Struct, frozen=True):
             played again, and so are made when they are asked for.
         rows: makes the rows for programs, where these are not the steps of the first walk.
         suite: makes the cases, where there are any.
+        page: makes the page, where it is not of these sections.
         apart: the keys of the result's document that sections hold as records.
     """
 
@@ -328,6 +329,7 @@ class ToldResult(Struct, frozen=True):
     more: Callable[[], Iterable[Section]] = field(default=tuple)
     rows: Callable[[], CsvRows] | None = None
     suite: Callable[[], Suite] | None = None
+    page: Callable[[], str] | None = None
     apart: frozenset[str] = frozenset()
 
 

@@ -227,8 +227,8 @@ class AskedWorld(Request):
         Option(
             SCOPE,
             "P",
-            "The place of the lighthouse, by its number in the rows of --csv [default: its usual "
-            "one].",
+            "The place of the lighthouse, by its number in the rows of -o FILE.csv [default: its "
+            "usual one].",
             parse=integer_of,
         ),
     ] = None

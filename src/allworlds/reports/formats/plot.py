@@ -65,8 +65,5 @@ def _draw(report: Growth, family: str, panel: Any) -> None:
 
 
 FORMAT = Format(
-    growth_plot,
-    "With --to: also draw the costs, as SVG; needs the extra 'figures'.",
-    GROWTH,
-    NeededLibrary("matplotlib", "figures", "plot"),
+    growth_plot, ".svg", (GROWTH,), NeededLibrary("matplotlib", "figures", "a file .svg")
 )
