@@ -35,10 +35,13 @@ from allworlds.cli.output import (
 )
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.exit_code import keep_exit_code
-from allworlds.inputs.requests import AS_IN_PYTHON, PANELS, Argument, Named, Option, fields_of
+from allworlds.inputs.requests import AS_IN_PYTHON, PANELS, Argument, Named, Option, Rare, fields_of
 from allworlds.lazy import loaded
 from allworlds.outcome import Exit, NoResult
 from allworlds.verbs import GROUPS, VERBS, Verb
+
+MOST = 16
+"""Options that the help of a verb shows at most; the others stand behind --help-all."""
 
 NARROW = 80
 """Columns below which the help is plain text: in the columns of its tables names would be cut."""
@@ -68,8 +71,10 @@ def made_helpful(command: Any) -> Any:
     return command
 
 
-def _help(context: Any, _option: object, wanted: bool) -> None:
+def _help(context: Any, option: Any, wanted: bool) -> None:
     if wanted and not context.resilient_parsing:
+        for param in context.command.params if option.name == HELP_ALL else ():
+            param.hidden = False
         say(context.get_help)
         context.exit()
 
@@ -110,6 +115,12 @@ def grouped(verb: Callable[..., int], name: str) -> Callable[..., int]:
     taken = signature(verb).parameters.values()
     seen = [shown for each in taken for shown in _shown(each.name, hints[each.name], each.default)]
     seen.sort(key=_panel)
+    rare = [told for each in seen for told in each.annotation.__metadata__ if told.hidden]
+    if len(seen) + 1 > MOST:  # with --help
+        seen.append(_help_all())
+    else:
+        for told in rare:
+            told.hidden = False
 
     @wraps(verb)
     def command(**words: Any) -> int:
@@ -159,7 +170,8 @@ def _parameter(name: str, kind: Any, asked: Option, default: Any) -> Parameter:
         own = asked.name or (name.replace("_", "-") if kind is bool else "")
         names = [f"--{own}"] if own else []
         names += [f"-{asked.short}"] if asked.short else []
-        option = typer.Option(*names, rich_help_panel=asked.panel, **told)
+        rare = isinstance(asked.panel, Rare)
+        option = typer.Option(*names, rich_help_panel=str(asked.panel), hidden=rare, **told)
     seen: Any = bool if kind is bool else list[str] if asked.repeated else str
     if default is None:
         seen |= None
@@ -169,6 +181,20 @@ def _parameter(name: str, kind: Any, asked: Option, default: Any) -> Parameter:
         default=Parameter.empty if default in (MISSING, Parameter.empty) else default,
         annotation=Annotated[seen, option],
     )
+
+
+HELP_ALL = "help_all"
+
+
+def _help_all() -> Parameter:
+    """The option that shows those of rare use, too."""
+
+    def shown(context: typer.Context, param: typer.CallbackParam, wanted: bool) -> None:
+        _help(context, param, wanted)
+
+    option = typer.Option("--help-all", help="Show every option.", is_eager=True, callback=shown)
+    kind = Annotated[bool, option]
+    return Parameter(HELP_ALL, Parameter.KEYWORD_ONLY, default=False, annotation=kind)
 
 
 def _panel(parameter: Parameter) -> int:

@@ -13,7 +13,7 @@ from allworlds.engines.swept_report import AskedRows
 from allworlds.engines.units import AskedShard, Portion
 from allworlds.explorers.asked import ExplorersWords
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
-from allworlds.inputs.requests import SCOPE, Named, Option, Taken
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Named, Option, Taken
 from allworlds.judging.laws.bounds import Bound
 from allworlds.judging.tasks import Judge, Task
 from allworlds.maps.classes import AskedExtent
@@ -86,7 +86,7 @@ class AskedContestWorlds(AskedWhere, AskedExtent):
     worlds: Annotated[
         int | None,
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "K",
             "With --to: seeds of each size; isomorphic worlds count once [default: 10].",
             parse=integer_of,
@@ -98,7 +98,7 @@ class AskedContestWorlds(AskedWhere, AskedExtent):
     places: Annotated[
         int | None,
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "P",
             "With --to: places of the lighthouse in each world; of more, such as the directions "
             "of a marker, P are drawn by the seed [default: 8].",
