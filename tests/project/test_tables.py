@@ -162,7 +162,7 @@ def test_what_every_verb_says_is_recorded():
 
 # What the command line has alone: how a result is printed, and what names worlds and explorers in
 # other words.  What a function takes alone: who listens, and values in place of their names.
-PRINTED = {"as_json", "quiet", "events", "help", "help_all", "files"}
+PRINTED = {"as_json", "quiet", "verbose", "events", "help", "help_all", "files"}
 ONLY_CLI = {
     "check": {"estimate", "explorer", "command", "native", "watch"},
     "fuzz": {"explorer", "command", "native"},

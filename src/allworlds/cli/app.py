@@ -71,9 +71,10 @@ def made_helpful(command: Any) -> Any:
     return command
 
 
-def _help(context: Any, option: Any, wanted: bool) -> None:
+def _help(context: typer.Context, option: typer.CallbackParam, wanted: bool) -> None:
     if wanted and not context.resilient_parsing:
-        for param in context.command.params if option.name == HELP_ALL else ():
+        params: Any = context.command.params if option.name == HELP_ALL else ()
+        for param in params:
             param.hidden = False
         say(context.get_help)
         context.exit()
@@ -188,11 +189,7 @@ HELP_ALL = "help_all"
 
 def _help_all() -> Parameter:
     """The option that shows those of rare use, too."""
-
-    def shown(context: typer.Context, param: typer.CallbackParam, wanted: bool) -> None:
-        _help(context, param, wanted)
-
-    option = typer.Option("--help-all", help="Show every option.", is_eager=True, callback=shown)
+    option = typer.Option("--help-all", help="Show every option.", is_eager=True, callback=_help)
     kind = Annotated[bool, option]
     return Parameter(HELP_ALL, Parameter.KEYWORD_ONLY, default=False, annotation=kind)
 

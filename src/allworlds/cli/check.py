@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory, TemporaryFile
@@ -97,8 +97,7 @@ def ensure_directory(name: str | Path | None) -> None:
         with TemporaryFile(dir=path):
             pass
     except OSError as error:
-        reason = f"{show(name)} cannot be written: {error.strerror}"
-        raise InputError(f"corpus {reason}") from None
+        raise InputError(f"corpus {show(name)} cannot be written: {error.strerror}") from None
 
 
 def check(
@@ -132,14 +131,18 @@ def check(
     """
     if estimate:
         written = next(iter(output.files or ()), None)
-        kept = {"corpus": request.corpus, "run": request.run, "watch": watch}
-        _refuse_beside_estimate({"-o": written, **kept})
-        return _estimate(request, output)
+        kept = {"-o": written, "corpus": request.corpus, "run": request.run, "watch": watch}
+        for name, value in kept.items():
+            if value not in (None, False):
+                given = name if value is True else f"{name} {show(value)}"
+                raise InputError(f"{given} has no effect beside --estimate; leave one of them out")
+        from allworlds.studies.check.exhaustive import estimate as estimated
+
+        return emit(answered(estimated, request, output), output, request.workers)
     ensure_directory(request.corpus)
 
     def once(request: CheckRequest) -> int:
-        report = answered(allworlds.check, request, output)
-        return emit(report, output, request.workers)
+        return emit(answered(allworlds.check, request, output), output, request.workers)
 
     if not watch:
         return once(request)
@@ -164,24 +167,3 @@ def _models(request: CheckRequest) -> Iterator[tuple[str, Sequence[Any]]]:
     """The fields of a request, with the user's code that their values stand for."""
     for each in fields_of(type(request)):
         yield each.name, getattr(getattr(request, each.name), "codes", ())
-
-
-def _estimate(request: CheckRequest, output: OutputGroup) -> int:
-    from allworlds.studies.check.exhaustive import estimate
-
-    guess = answered(estimate, request, output)
-    return emit(guess, output, request.workers)
-
-
-def _refuse_beside_estimate(given: Mapping[str, object]) -> None:
-    """Raise InputError if an option is given that has no effect on an estimate.
-
-    Raises:
-        InputError: naming the first.
-    """
-    for name, value in given.items():
-        if value is not None and value is not False:
-            raise InputError(
-                f"{name} {'' if value is True else show(value) + ' '}has no effect beside "
-                "--estimate, which checks nothing; leave one of them out"
-            )

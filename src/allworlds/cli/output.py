@@ -24,7 +24,8 @@ from allworlds.inputs.requests import OUTPUT, Option, answer
 from allworlds.outcome import Exit, Result
 from allworlds.reports.format_table import file_of, form_and_path, formats_of, legal_files
 from allworlds.reports.formats.json import document_text
-from allworlds.reports.rendering import brief, text
+from allworlds.reports.plain_text import brief, on_terminal
+from allworlds.reports.rendering import told
 from allworlds.verbs import BY_NAME, FINDINGS
 from allworlds.words import harmless
 
@@ -51,8 +52,9 @@ class OutputGroup:
     files: Annotated[list[str] | None, "one option, with a help for each verb"] = None
     as_json: Annotated[bool, Option(OUTPUT, "", "One JSON document on stdout.", "json")] = False
     quiet: Annotated[
-        bool, Option(OUTPUT, "", "Show no progress; tell a verdict in one line.", "quiet", "q")
+        bool, Option(OUTPUT, "", "Show no progress; answer in one line.", "quiet", "q")
     ] = False
+    verbose: Annotated[bool, "an option where a text is shortened"] = True
 
     def __post_init__(self) -> None:
         for _, path in self.named:
@@ -73,11 +75,14 @@ class OutputGroup:
 @cache
 def output_of(verb: str) -> type[OutputGroup]:
     """The options of a verb's output, which tell of the files that it can write."""
-    told = f"Also write this file, by its end: {legal_files(verb)}. Repeat it for more."
-    asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", told, short="o", repeated=True)]
-    files = ("files", asked, field(default=None))
+    help_ = f"Also write this file, by its end: {legal_files(verb)}. Repeat it for more."
+    asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", help_, short="o", repeated=True)]
+    options: list[tuple[str, Any, Any]] = [("files", asked, field(default=None))]
+    if FINDINGS in BY_NAME[verb].has:
+        whole = Option(OUTPUT, "", "Tell all: tables, walks, every count.", "verbose", "v")
+        options.append(("verbose", Annotated[bool, whole], field(default=False)))
     return make_dataclass(
-        "Output", [files], bases=(OutputGroup,), frozen=True, namespace={"verb": verb}
+        "Output", options, bases=(OutputGroup,), frozen=True, namespace={"verb": verb}
     )
 
 
@@ -213,8 +218,13 @@ def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int
         if output.as_json:
             print(document(), end="")
         else:
-            told = brief if output.quiet else text
-            print(coloured(printable(told(output.verb, result, width()))))
+            telling, columns = told(output.verb, result), width()
+            said = (
+                brief(telling, columns)
+                if output.quiet
+                else on_terminal(telling, columns, whole=output.verbose)
+            )
+            print(coloured(printable(said)))
         sys.stdout.flush()
     except BrokenPipeError:
         # The reader has gone (a pipe to head); the exit code is still to be told.

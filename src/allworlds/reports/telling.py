@@ -42,7 +42,6 @@ class Headline(Struct, frozen=True):
         word: the answer in a word.
         text: the answer in a sentence.
         verdict: the name of the verdict, which has its colour; empty where the answer is none.
-            With ``--quiet`` a verdict is one line, and any other telling is printed whole.
     """
 
     word: str
@@ -319,6 +318,7 @@ class ToldResult(Struct, frozen=True):
         suite: makes the cases, where there are any.
         page: makes the page, where it is not of these sections.
         apart: the keys of the result's document that sections hold as records.
+        short: facts of a line each, which on a terminal stand in place of the last section.
     """
 
     done: str
@@ -331,6 +331,7 @@ class ToldResult(Struct, frozen=True):
     suite: Callable[[], Suite] | None = None
     page: Callable[[], str] | None = None
     apart: frozenset[str] = frozenset()
+    short: Sequence[tuple[str, str]] = ()
 
 
 def fact(name: str, text: str) -> ToldFacts:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 
-from allworlds.reports.file_format import Format, NeededLibrary
+from allworlds.reports.file_format import Format
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.telling import ToldResult, ToldWalk
 
@@ -43,6 +43,4 @@ def rows_of(telling: ToldResult) -> CsvRows:
 
 
 FORMAT = Format(csv_rows, ".csv")
-PARQUET = Format(
-    parquet_rows, ".parquet", library=NeededLibrary("pyarrow", "notebook", "a file .parquet")
-)
+PARQUET = Format(parquet_rows, ".parquet", library=("pyarrow", "notebook", "a file .parquet"))

@@ -10,7 +10,7 @@ import io
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
-from allworlds.reports.file_format import Format, NeededLibrary
+from allworlds.reports.file_format import Format
 from allworlds.reports.telling import ToldResult
 from allworlds.verbs import GROWTH
 
@@ -64,6 +64,4 @@ def _draw(report: Growth, family: str, panel: Any) -> None:
     panel.legend(fontsize="x-small")
 
 
-FORMAT = Format(
-    growth_plot, ".svg", (GROWTH,), NeededLibrary("matplotlib", "figures", "a file .svg")
-)
+FORMAT = Format(growth_plot, ".svg", (GROWTH,), ("matplotlib", "figures", "a file .svg"))
