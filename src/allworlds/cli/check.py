@@ -113,13 +113,7 @@ def check(
         ),
     ] = False,
     estimate: Annotated[
-        bool,
-        Option(
-            EFFORT,
-            "",
-            "Only estimate the duration, from a sample of some seconds.",
-            "estimate",
-        ),
+        bool, Option(EFFORT, "", "Only estimate the duration, from a sample of some seconds.")
     ] = False,
     output: OutputGroup,
 ) -> int:

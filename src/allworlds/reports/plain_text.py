@@ -127,7 +127,7 @@ def on_terminal(telling: ToldResult, width: int, *, whole: bool) -> str:
     others = [_cut(wrap(each.title, width - 4)) for each in findings[1:]]
     if len(others) > FEW:
         others = [*others[: FEW - 1], f"... and {len(others) - FEW + 1} more findings: -v"]
-    room = MOST - len(facts) - 3 - len(others)
+    room = MOST - len(facts) - 4 - len(others)
     lines = [*_found(findings[0], width, room), *others] if findings else []
     return _joined([lines, facts, [last]])
 
@@ -151,7 +151,7 @@ def _found(section: Section, width: int, room: int) -> list[str]:
             command = [*_block(block, width)]
     if len(lines) + len(picture) + len(command) <= room:
         lines += picture
-    return [*lines[: room - len(command)], *command]
+    return [*lines[: room - len(command)], *command, "(-v: the walk, the answer, and the output)"]
 
 
 def brief(telling: ToldResult, width: int) -> str:

@@ -261,7 +261,8 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
         told["gate"] = f"{sizes}; their number equals an independent count"
     words = [(name, told.get(name, said)) for name, said in scope_words(report)]
     if report.tally.rows:
-        (edges, vertices), most = max(report.tally.rows.items(), key=lambda told: told[1].max_cost)
+        rows = sorted(report.tally.rows.items())
+        (edges, vertices), most = max(rows, key=lambda told: told[1].max_cost)
         bound = "" if most.bound is None else f" of at most {number(most.bound)}"
         cost = f"{plural(most.max_cost, 'traversal')}{bound}, with {size(edges, vertices)}"
         words.append(("worst cost", cost))

@@ -12,16 +12,7 @@ from allworlds.document.struct import Text, about
 from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
 from allworlds.engines.units import AskedShard
 from allworlds.inputs.checks import InputError, integer_of, one_of, seconds_of, show
-from allworlds.inputs.requests import (
-    EFFORT,
-    OUTPUT,
-    RARE_SCOPE,
-    SCOPE,
-    Argument,
-    Option,
-    Request,
-    Taken,
-)
+from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Argument, Option, Request, Taken
 from allworlds.maps.classes import AskedClass, AskedExtent
 from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
@@ -113,7 +104,7 @@ class SearchRequest(AskedListener, AskedClass):
     percepts: Annotated[
         Sequence[str],
         Option(
-            RARE_SCOPE,
+            SCOPE,
             "P,P,...",
             "Percepts after each motion: 3A (degree 3, marker absent) or 4P (present).",
             parse=lambda text: tuple(text.split(",")),
