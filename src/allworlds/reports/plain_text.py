@@ -138,7 +138,7 @@ def _cut(lines: Sequence[str]) -> str:
 
 
 def _found(section: Section, width: int, room: int) -> list[str]:
-    """What breaks a law, without its walk; with the picture of its world if there is room."""
+    """A finding without its walk, with the picture of its world if there is room."""
     lines = wrap(section.title, width, break_long_words=False)
     picture, command = list[str](), list[str]()
     for block in section.blocks:

@@ -260,7 +260,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
             sizes = f"all {plural(len(cells), 'size')} complete"
         told["gate"] = f"{sizes}; their number equals an independent count"
     words = [(name, told.get(name, said)) for name, said in scope_words(report)]
-    if report.tally.rows:
+    if report.tally.rows and not report.findings:
         rows = sorted(report.tally.rows.items())
         (edges, vertices), most = max(rows, key=lambda told: told[1].max_cost)
         bound = "" if most.bound is None else f" of at most {number(most.bound)}"
