@@ -170,7 +170,7 @@ def figure(name: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Live:
-    """A page that a command writes: its name, and the command up to ``--html``."""
+    """A page that a command writes: its name, and the command up to ``-o``."""
 
     name: str
     command: str
@@ -273,7 +273,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 
 def _made(live: Live, folder: Path) -> tuple[Live, dict[str, Any]]:
     """The page is written; what the command says of it."""
-    words = [*shlex.split(live.command), "--html", str(folder / f"{live.name}.html"), "--json"]
+    words = [*shlex.split(live.command), "-o", str(folder / f"{live.name}.html"), "--json"]
     done = subprocess.run(
         [sys.executable, "-m", "allworlds", *words], capture_output=True, text=True, check=False
     )
@@ -284,7 +284,7 @@ def _made(live: Live, folder: Path) -> tuple[Live, dict[str, Any]]:
 
 def _findings(told: list[tuple[Live, dict[str, Any]]]) -> str:
     return (
-        "# Findings\n\nEach of these pages was written by the command above it, with `--html`, "
+        "# Findings\n\nEach of these pages was written by the command above it, with `-o`, "
         "when this site was built. Step along the walk with the arrow keys.\n\n"
         + "".join("\n".join(_card(live, report)) + "\n\n" for live, report in told)
     )
@@ -296,7 +296,7 @@ def _walks(told: list[Live]) -> str:
         "built.\n"
     )
     for live in told:
-        command = f"allworlds {live.command} --html {live.name}.html"
+        command = f"allworlds {live.command} -o {live.name}.html"
         text += (
             f"\n## {live.name.replace('-', ' ').capitalize()}\n\n{live.told}\n\n"
             f"```sh\n{command}\n```\n\n[Open the page](live/{live.name}.html)\n"
@@ -306,7 +306,7 @@ def _walks(told: list[Live]) -> str:
 
 def _card(live: Live, report: dict[str, Any]) -> Iterator[str]:
     words = live.name.replace("-", " ").capitalize()
-    command = f"allworlds {live.command} --html {live.name}.html"
+    command = f"allworlds {live.command} -o {live.name}.html"
     yield f"## {words}\n\n{live.told}\n\n```sh\n{command}\n```\n"
     said = f"Verdict: **{report['verdict']}**."
     for finding in report["findings"][:1]:

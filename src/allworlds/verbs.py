@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 ROWS, CASES, FINDINGS = "rows or a walk", "cases", "findings"
+PAGE = "a page of its own"
 """Parts that the telling of a result can have."""
 
 
@@ -130,7 +131,7 @@ VERBS = (
         "Be the robot, in a web page or in the terminal.",
         telling="reports.tellings.played:play_telling",
         panel=EVERYDAY,
-        has=(),
+        has=(PAGE,),
     ),
     Verb(
         "merge",

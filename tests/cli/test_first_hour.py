@@ -140,7 +140,7 @@ def test_two_explorers_of_one_name_are_told_apart(tmp_path, cli):
 def test_a_world_has_one_name_in_run_play_and_compare(name, cli, tmp_path):
     _, ran, _ = cli("run", "dfs", name, "--lighthouse", "labels", "--json")
     _, played, _ = cli(
-        "play", name, "--lighthouse", "labels", "--json", "--html", tmp_path / "page.html"
+        "play", name, "--lighthouse", "labels", "--json", "-o", tmp_path / "page.html"
     )
     assert json.loads(ran)["world"] == json.loads(played)["world"]
     assert json.loads(ran)["world"]["lighthouse"]["kind"] == "labels"
@@ -152,7 +152,7 @@ def test_a_world_has_one_name_in_run_play_and_compare(name, cli, tmp_path):
 
 
 def test_run_lists_the_names_of_worlds(cli, refused, tmp_path):
-    code, out, _ = cli("run", "--list", "--json", "--csv", (file := tmp_path / "names.csv"))
+    code, out, _ = cli("run", "--list", "--json", "-o", (file := tmp_path / "names.csv"))
     assert "families,lattice:RxC" in file.read_text().splitlines()
     names = json.loads(out)
     assert code == 0
@@ -162,6 +162,6 @@ def test_run_lists_the_names_of_worlds(cli, refused, tmp_path):
     for name in (*names["maps"], *names["corpus"]):
         assert world_named(name.replace(":N", ":3")).map.edge_count
     page = tmp_path / "page.html"
-    assert cli("play", "wheel:3", "--lighthouse", "none", "--html", page)[0] == 0
+    assert cli("play", "wheel:3", "--lighthouse", "none", "-o", page)[0] == 0
     assert "lattice:RxC" in cli("run", "--list")[1]
     assert "'allworlds run --list'" in refused("run", "dfs", "whel")

@@ -14,7 +14,7 @@ NAMES = [verb.name for verb in VERBS]
 
 
 def help_of(words, columns, monkeypatch, capsys):
-    """The command, and the help that it prints."""
+    """The command, and the whole help that it prints."""
     monkeypatch.setenv("COLUMNS", str(columns))
     monkeypatch.setenv("TERMINAL_WIDTH", str(columns))
     command = command_line.__wrapped__()
@@ -22,6 +22,8 @@ def help_of(words, columns, monkeypatch, capsys):
     for word in words:
         command = command.commands[word]
         context = command.make_context(word, [], parent=context, resilient_parsing=True)
+    for param in command.params:
+        param.hidden = False
     typer.echo(command.get_help(context))
     return command, capsys.readouterr().out
 
@@ -53,6 +55,25 @@ def test_a_usage_line_shows_the_arguments_as_they_are_told_of(name, usage, monke
     _, told = help_of(name.split(), 100, monkeypatch, capsys)
     line = next(line for line in told.splitlines() if "Usage" in line)
     assert line.split("allworlds ")[1].strip() == usage
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_help_shows_at_most_sixteen_options_and_another_one_all(name, monkeypatch, cli):
+    monkeypatch.setenv("COLUMNS", "100")
+    command = command_line.__wrapped__()
+    for word in name.split():
+        command = command.commands[word]
+    command_line.cache_clear()  # another test may have had a narrow terminal
+    rare = {param.opts[0] for param in command.params if param.hidden}
+    every = {param.opts[0] for param in command.params if param.param_type_name == "option"}
+    for option, shown in (("--help", every - rare), ("--help-all", every)):
+        code, told, _ = cli(*name.split(), option)
+        if option in every | {"--help"}:
+            listed = re.findall(r"(?m)^│ [*]? {,16}(-[a-z-]+)", told.partition("─ Options")[2])
+            assert (code, {*listed}) == (0, shown | {"--help"})
+        else:
+            assert (code, rare) == (2, set())
+        assert option == "--help-all" or len(listed) <= 16
 
 
 def test_a_narrow_help_is_plain_text(monkeypatch, capsys):

@@ -30,7 +30,7 @@ LONG = "y" * 5000
         ["check", "--bound", f"n+{LONG}"],
         ["check", "--edges", LONG],
         ["check", "--corpus", LONG],
-        ["check", "--html", LONG],
+        ["check", "-o", LONG],
         ["check", "--exec", LONG],
         ["check", f"--{LONG}"],
         ["check", f"--{LONG}=3"],

@@ -1,5 +1,7 @@
 """How much is printed, and in which colours."""
 
+from pathlib import Path
+
 import pytest
 
 from allworlds.cli.output import COLOURS, coloured, printable
@@ -8,9 +10,40 @@ from allworlds.outcome import Verdict
 VERDICT = "12 worlds, 30 runs, 67 traversals: no law is broken"
 
 
-def test_the_verdict_stands_first(cli):
-    _, out, _ = cli("check", "--edges", 2, "--workers", 1)
-    assert out.splitlines()[0] == f"HOLDS      {VERDICT}"
+WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}"
+
+
+@pytest.mark.parametrize("more", [(), ("-v",)])
+def test_the_verdict_stands_last(cli, more):
+    _, out, _ = cli("check", "--edges", 2, "--workers", 1, *more)
+    assert out.splitlines()[-1] == f"HOLDS      {VERDICT}"
+    assert ("all 5 sizes complete; their number equals an independent count" in out) == (not more)
+    assert ("Finished levels" in out) == bool(more)
+
+
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("columns", [60, 100])
+@pytest.mark.parametrize(
+    "words",
+    [
+        "check",
+        "check WRONG:first_edge --max-findings 40",
+        "check WRONG:crashes",
+        "check WRONG:walks_for_ever",
+        "check --time-limit 1e-9",
+        "fuzz WRONG:first_edge --runs 9",
+    ],
+)
+def test_a_report_is_short_and_says_what_is_wrong(words, columns, cli, monkeypatch):
+    monkeypatch.setenv("COLUMNS", str(columns))
+    code, out, _ = cli(*words.replace("WRONG", WRONG).split(), "--edges", 3, "--workers", 1)
+    lines = out.splitlines()
+    assert len(lines) <= 30
+    assert lines[-1].split()[0].rstrip(":") in COLOURS
+    if code == 1:
+        assert lines[0].startswith("Finding 1:")
+        assert any(line.startswith("  allworlds run ") for line in lines)
+    assert code in (0, 1, 3)
 
 
 def test_quiet_leaves_the_verdict_alone_in_one_line(cli):
@@ -20,8 +53,10 @@ def test_quiet_leaves_the_verdict_alone_in_one_line(cli):
     assert out.startswith("REFUTED: law bound is broken; ")
 
 
-def test_a_verb_without_a_verdict_says_all_of_it(cli):
-    assert cli("count", "--edges", 2, "-q")[1] == cli("count", "--edges", 2)[1]
+@pytest.mark.parametrize("words", ["count --edges 2", "run --list", "ambiguity class theta"])
+def test_quiet_is_one_line_whatever_is_answered(cli, words):
+    _, out, _ = cli(*words.split(), "-q")
+    assert (out.count("\n"), len(out) > 9) == (1, True)
 
 
 def test_every_verdict_has_a_colour():

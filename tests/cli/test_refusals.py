@@ -7,7 +7,6 @@ import pytest
 
 from allworlds import check
 from allworlds.cli.app import command_line
-from allworlds.reports.format_table import formats_of
 from recorded.record import LEAST, least
 
 pytestmark = pytest.mark.usefixtures("without_workers")
@@ -154,8 +153,12 @@ def test_an_empty_argument_is_refused(refused, verb):
             "holes 10% has no effect on world 'theta', which is no family",
         ),
         *(
-            (["check", "--edges", "1", "--estimate", f"--{form}", "out"], f"{form} 'out' has")
-            for form in (*formats_of("check"), "corpus", "run")
+            (["check", "--edges", "1", "--estimate", option, *value], f"{said}has")
+            for option, value, said in (
+                ("-o", ["out.html"], "-o 'out.html' "),
+                ("--corpus", ["out"], "corpus 'out' "),
+                ("--run", ["out"], "run 'out' "),
+            )
         ),
     ],
 )

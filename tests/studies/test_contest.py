@@ -220,7 +220,7 @@ def test_an_unknown_option_is_a_type_error():
 
 def test_the_command_writes_every_file(cli, tmp_path):
     names = {kind: tmp_path / f"report.{kind}" for kind in ("csv", "html")}
-    options = [part for kind, path in names.items() for part in (f"--{kind}", path)]
+    options = [part for kind, path in names.items() for part in ("-o", path)]
     code, out, _ = cli("compare", "algorithm1", "folding", "--edges", 2, "--json", *options)
     assert code == 0
     assert json.loads(out)["explorers"][1]["name"] == "folding"

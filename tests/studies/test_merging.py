@@ -54,7 +54,7 @@ def test_rows_are_chosen_for_jobs_that_have_them(refused, tmp_path):
     with pytest.raises(InputError, match="by world has no effect on a job of check"):
         allworlds.merge(tmp_path, by="world")
     said = refused("merge", tmp_path, "--by", "world")
-    assert said == "allworlds: by world has no effect without --csv\n"
+    assert said == "allworlds: by world has no effect without -o FILE.csv\n"
 
 
 @pytest.mark.usefixtures("without_workers")
@@ -111,7 +111,7 @@ def test_a_finding_that_nobody_has_confirmed_is_a_gap(tmp_path, monkeypatch):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr("allworlds.studies.check.confirmation.confirmed", interrupted)
+        patch.setattr("allworlds.studies.check.confirmation.played_again", interrupted)
         report = allworlds.check(f"{WRONG}:everywhere", edges=1, run=tmp_path)
     assert report.exit_code == 130
     with pytest.raises(Gap, match="a finding has not been confirmed yet: give the commands of"):

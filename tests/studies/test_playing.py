@@ -95,7 +95,7 @@ def test_a_number_is_written_where_the_lighthouse_has_room_for_it(capsys, monkey
 
 def test_a_page_is_written_and_nothing_is_played(tmp_path, capsys):
     page = tmp_path / "play.html"
-    assert call(["play", "theta", "--html", str(page)]) == 0
+    assert call(["play", "theta", "-o", str(page)]) == 0
     assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
     said = capsys.readouterr()
     assert "".join(said.out.split()) == f"PAGE{page},tobeopenedinawebbrowser"
@@ -103,5 +103,5 @@ def test_a_page_is_written_and_nothing_is_played(tmp_path, capsys):
 
 
 def test_a_page_that_cannot_be_written_is_refused_before_anything_is_done(tmp_path, capsys):
-    assert call(["play", "theta", "--html", str(tmp_path)]) == 2
+    assert call(["play", "theta", "-o", f"html:{tmp_path}"]) == 2
     assert "cannot be written" in capsys.readouterr().err

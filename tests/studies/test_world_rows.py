@@ -74,7 +74,7 @@ def test_without_by_there_is_a_row_for_each_size_and_explorer():
 
 def test_rows_without_a_file_are_refused(refused):
     words = ("folding", "algorithm1", "--edges", 2, "--by", "world")
-    assert refused("compare", *words) == "allworlds: by world has no effect without --csv\n"
+    assert refused("compare", *words) == "allworlds: by world has no effect without -o FILE.csv\n"
 
 
 def test_one_world_of_a_family_has_its_family_and_seed():
@@ -167,7 +167,7 @@ def test_a_place_has_the_number_that_the_rows_have():
 def test_parquet_has_the_rows_of_the_csv(cli, refused, monkeypatch, tmp_path):
     parquet = pytest.importorskip("pyarrow.parquet")
     file, text = tmp_path / "a.parquet", tmp_path / "a.csv"
-    words = ("compare", "algorithm1", "folding", "--edges", 2, "--by", "world", "--csv")
+    words = ("compare", "algorithm1", "folding", "--edges", 2, "--by", "world", "-o")
     assert cli(*words, file)[0] == 0
     assert cli(*words, text)[0] == 0
     told = parquet.read_table(file).to_pylist()

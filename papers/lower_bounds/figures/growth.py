@@ -1,6 +1,6 @@
 """The data of the tables and the figure of large worlds in the README.
 
-    allworlds compare EXPLORER ... --family lattice,torus --to 200 --by world --csv a.csv
+    allworlds compare EXPLORER ... --family lattice,torus --to 200 --by world -o a.csv
     python papers/lower_bounds/figures/growth.py a.csv ... > papers/lower_bounds/figures/growth.csv
 
 keeps the columns of numbers: family and seed name each world, so that its code is left out.

@@ -21,7 +21,6 @@ from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
 
-from allworlds.cli.files import Files, files_of
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import (
     OutputGroup,
@@ -29,16 +28,20 @@ from allworlds.cli.output import (
     answered,
     complain,
     emit,
+    output_of,
     prepare_streams,
     printable,
     say,
 )
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.exit_code import keep_exit_code
-from allworlds.inputs.requests import AS_IN_PYTHON, PANELS, Argument, Named, Option, fields_of
+from allworlds.inputs.requests import AS_IN_PYTHON, PANELS, Argument, Named, Option, Rare, fields_of
 from allworlds.lazy import loaded
 from allworlds.outcome import Exit, NoResult
 from allworlds.verbs import GROUPS, VERBS, Verb
+
+MOST = 16
+"""Options that the help of a verb shows at most; the others stand behind --help-all."""
 
 NARROW = 80
 """Columns below which the help is plain text: in the columns of its tables names would be cut."""
@@ -68,8 +71,11 @@ def made_helpful(command: Any) -> Any:
     return command
 
 
-def _help(context: Any, _option: object, wanted: bool) -> None:
+def _help(context: typer.Context, option: typer.CallbackParam, wanted: bool) -> None:
     if wanted and not context.resilient_parsing:
+        params: Any = context.command.params if option.name == HELP_ALL else ()
+        for param in params:
+            param.hidden = False
         say(context.get_help)
         context.exit()
 
@@ -82,16 +88,14 @@ def _show_as_written(argument: Any) -> None:
 
 
 def plain_command(verb: Verb) -> Callable[..., int]:
-    """The function that runs a verb on the command line: it answers, writes files, and prints."""
+    """The function that runs a verb on the command line: it answers, and writes."""
     function = loaded(verb.function)
 
-    def command(request: Any, *, files: Files, output: OutputGroup) -> int:
-        files.expect(request)
+    def command(request: Any, *, output: OutputGroup) -> int:
         report = answered(function, request, output)
-        files.write(verb.name, report)
-        return emit(report, verb.name, output, getattr(request, "workers", None))
+        return emit(report, output, getattr(request, "workers", None))
 
-    hints = {"request": function.request, "files": Files, "output": OutputGroup, "return": int}
+    hints = {"request": function.request, "output": OutputGroup, "return": int}
     command.__annotations__ = hints
     command.__doc__ = f"Example: allworlds {verb.name} {verb.example}".rstrip() + f"\n\n{verb.help}"
     return command
@@ -105,13 +109,19 @@ def grouped(verb: Callable[..., int], name: str) -> Callable[..., int]:
     """The verb with the signature that typer reads: an option for each field of its requests.
 
     A parameter of the verb is a request, that is a dataclass, or one option by itself; in place
-    of :class:`Files` stand those that the verb of that name can write.
+    of :class:`OutputGroup` stands that of the verb of that name.
     """
     hints = get_type_hints(verb, include_extras=True)
-    hints = {key: files_of(name) if hint is Files else hint for key, hint in hints.items()}
+    hints = {key: output_of(name) if hint is OutputGroup else hint for key, hint in hints.items()}
     taken = signature(verb).parameters.values()
     seen = [shown for each in taken for shown in _shown(each.name, hints[each.name], each.default)]
     seen.sort(key=_panel)
+    rare = [told for each in seen for told in each.annotation.__metadata__ if told.hidden]
+    if len(seen) + 1 > MOST:  # with --help
+        seen.append(_help_all())
+    else:
+        for told in rare:
+            told.hidden = False
 
     @wraps(verb)
     def command(**words: Any) -> int:
@@ -161,7 +171,8 @@ def _parameter(name: str, kind: Any, asked: Option, default: Any) -> Parameter:
         own = asked.name or (name.replace("_", "-") if kind is bool else "")
         names = [f"--{own}"] if own else []
         names += [f"-{asked.short}"] if asked.short else []
-        option = typer.Option(*names, rich_help_panel=asked.panel, **told)
+        rare = isinstance(asked.panel, Rare)
+        option = typer.Option(*names, rich_help_panel=str(asked.panel), hidden=rare, **told)
     seen: Any = bool if kind is bool else list[str] if asked.repeated else str
     if default is None:
         seen |= None
@@ -171,6 +182,16 @@ def _parameter(name: str, kind: Any, asked: Option, default: Any) -> Parameter:
         default=Parameter.empty if default in (MISSING, Parameter.empty) else default,
         annotation=Annotated[seen, option],
     )
+
+
+HELP_ALL = "help_all"
+
+
+def _help_all() -> Parameter:
+    """The option that shows those of rare use, too."""
+    option = typer.Option("--help-all", help="Show every option.", is_eager=True, callback=_help)
+    kind = Annotated[bool, option]
+    return Parameter(HELP_ALL, Parameter.KEYWORD_ONLY, default=False, annotation=kind)
 
 
 def _panel(parameter: Parameter) -> int:

@@ -2,30 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from pathlib import Path
+from tempfile import TemporaryFile
 from typing import Annotated
 
 import allworlds
-from allworlds.cli.files import Files, ensure_directory
 from allworlds.cli.output import OutputGroup, answered, emit
-from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import EFFORT, Option
 from allworlds.studies.check.requests import CheckRequest
+
+
+def ensure_directory(name: str | Path | None) -> None:
+    """Make the directory if it is missing. It is bad input if no file can be written there."""
+    if name is None:
+        return
+    path = a_path("corpus", name)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        with TemporaryFile(dir=path):
+            pass
+    except OSError as error:
+        raise InputError(f"corpus {show(name)} cannot be written: {error.strerror}") from None
 
 
 def check(
     request: CheckRequest,
     *,
     estimate: Annotated[
-        bool,
-        Option(
-            EFFORT,
-            "",
-            "Only estimate the duration, from a sample of some seconds.",
-            "estimate",
-        ),
+        bool, Option(EFFORT, "", "Only estimate the duration, from a sample of some seconds.")
     ] = False,
-    files: Files,
     output: OutputGroup,
 ) -> int:
     """Example: allworlds check my_explorer.py:explore --edges 4
@@ -35,31 +41,15 @@ def check(
     4: vacuous.
     """
     if estimate:
-        kept = {"corpus": request.corpus, "run": request.run}
-        _refuse_beside_estimate({**files.named(), **kept})
-        return _estimate(request, output)
+        written = next(iter(output.files or ()), None)
+        kept = {"-o": written, "corpus": request.corpus, "run": request.run}
+        for name, value in kept.items():
+            if value is not None:
+                raise InputError(
+                    f"{name} {show(value)} has no effect beside --estimate; leave one of them out"
+                )
+        from allworlds.studies.check.exhaustive import estimate as estimated
+
+        return emit(answered(estimated, request, output), output, request.workers)
     ensure_directory(request.corpus)
-    report = answered(allworlds.check, request, output)
-    files.write("check", report)
-    return emit(report, "check", output, request.workers)
-
-
-def _estimate(request: CheckRequest, output: OutputGroup) -> int:
-    from allworlds.studies.check.exhaustive import estimate
-
-    guess = answered(estimate, request, output)
-    return emit(guess, "check", output, request.workers)
-
-
-def _refuse_beside_estimate(given: Mapping[str, object]) -> None:
-    """Raise InputError if an option is given that has no effect on an estimate.
-
-    Raises:
-        InputError: naming the first.
-    """
-    for name, value in given.items():
-        if value is not None:
-            raise InputError(
-                f"{name} {show(value)} has no effect beside --estimate, which checks nothing; "
-                "leave one of them out"
-            )
+    return emit(answered(allworlds.check, request, output), output, request.workers)

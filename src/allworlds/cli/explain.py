@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import allworlds
-from allworlds.cli.files import Files
 from allworlds.cli.output import OutputGroup, emit
 from allworlds.inputs.requests import answer
 from allworlds.judging.findings.asked_finding import FindingWords
 from allworlds.studies.explain import ExplainRequest
 
 
-def explain(words: FindingWords, *, files: Files, output: OutputGroup) -> int:
+def explain(words: FindingWords, *, output: OutputGroup) -> int:
     """Example: allworlds explain finding.json
 
     Tell in words what the robot believed, what was true, and where belief and truth diverge.
     """
     request = ExplainRequest(*words.chosen())
-    explained = answer(allworlds.explain, request)
-    files.write("explain", explained)
-    return emit(explained, "explain", output)
+    return emit(answer(allworlds.explain, request), output)

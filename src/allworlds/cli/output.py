@@ -1,27 +1,33 @@
-"""Output: results go to stdout, everything else goes to stderr."""
+"""Output: results go to stdout and into files, everything else goes to stderr."""
 
 from __future__ import annotations
 
 import io
-import json
 import os
 import re
 import shutil
 import sys
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar
+from dataclasses import dataclass, field, make_dataclass
+from functools import cache, cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeVar
 
-from allworlds.cli.made_by import made_by
+from allworlds.cli.made_by import made_by, words_of_command
 from allworlds.document.struct import replace
 from allworlds.engines.effort import AskedListener
 from allworlds.engines.prints import patient_stderr
 from allworlds.engines.progress import Listener
+from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Option, answer
 from allworlds.outcome import Exit, Result
-from allworlds.reports.rendering import brief, text
-from allworlds.words import harmless, harmless_json
+from allworlds.reports.format_table import file_of, form_and_path, formats_of, legal_files
+from allworlds.reports.formats.json import document_text
+from allworlds.reports.plain_text import brief, on_terminal
+from allworlds.reports.rendering import told
+from allworlds.verbs import BY_NAME, FINDINGS
+from allworlds.words import harmless
 
 if TYPE_CHECKING:
     from allworlds.document.report import Report
@@ -34,14 +40,123 @@ LONGEST, KEPT_END, CUT = 300, 120, " [...] "
 """The longest line on stderr, how much of its end is kept, and what stands for the rest."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class OutputGroup:
-    """Options for the form of the output."""
+    """Options for the form of the output of a verb: a subclass of :func:`output_of`.
 
+    Raises:
+        InputError: naming a file that cannot be written, and the reason.
+    """
+
+    verb: ClassVar[str]
+    files: Annotated[list[str] | None, "one option, with a help for each verb"] = None
     as_json: Annotated[bool, Option(OUTPUT, "", "One JSON document on stdout.", "json")] = False
     quiet: Annotated[
-        bool, Option(OUTPUT, "", "Show no progress; tell a verdict in one line.", "quiet", "q")
+        bool, Option(OUTPUT, "", "Show no progress; answer in one line.", "quiet", "q")
     ] = False
+    verbose: Annotated[bool, "an option where a text is shortened"] = True
+
+    def __post_init__(self) -> None:
+        for _, path in self.named:
+            ensure_writable(path)
+        paths = [os.path.realpath(path) for _, path in self.named]
+        for name, (_, path) in zip(self.files or (), self.named, strict=True):
+            if paths.count(os.path.realpath(path)) > 1:
+                raise InputError(f"-o {show(name)} is a file that two reports are to be written to")
+            if Path(path).exists() and _times_named(path) > 1:
+                raise InputError(f"-o {show(name)} is a file that is read; name another one")
+
+    @cached_property
+    def named(self) -> list[tuple[str, str]]:
+        """The files that were named, each with its format before it."""
+        return [form_and_path(self.verb, name) for name in self.files or ()]
+
+
+@cache
+def output_of(verb: str) -> type[OutputGroup]:
+    """The options of a verb's output, which tell of the files that it can write."""
+    help_ = f"Also write this file, by its end: {legal_files(verb)}. Repeat it for more."
+    asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", help_, short="o", repeated=True)]
+    options: list[tuple[str, Any, Any]] = [("files", asked, field(default=None))]
+    if FINDINGS in BY_NAME[verb].has:
+        whole = Option(OUTPUT, "", "Tell all: tables, walks, every count.", "verbose", "v")
+        options.append(("verbose", Annotated[bool, whole], field(default=False)))
+    return make_dataclass(
+        "Output", options, bases=(OutputGroup,), frozen=True, namespace={"verb": verb}
+    )
+
+
+def _times_named(path: str) -> int:
+    """How many words of the command name that file."""
+    real = os.path.realpath(path)
+    return sum(real in _files_in(word) for word in words_of_command())
+
+
+def _files_in(word: str) -> set[str]:
+    """The files that a word may name: as a whole, behind a sign, or before an attribute."""
+    value = word.partition("=")[2] if word.startswith("--") else word.removeprefix("-o")
+    found = set()
+    for name in (value, value.removeprefix("@"), *value.partition(":")[::2]):
+        with suppress(ValueError):  # there is no file of such a name
+            found.add(os.path.realpath(name))
+    return found
+
+
+def _write_files(result: Report, output: OutputGroup, document: Callable[[], str]) -> None:
+    """Write the result into each file that was named, and where a CI service looks for it.
+
+    A file that cannot be written is lost with a word on stderr; the verdict is not.
+    """
+    for form, path in output.named:
+        made = document() if form == "json" else file_of(output.verb, form, result)
+        write_file(path, made if isinstance(made, bytes) else made.encode())
+    if FINDINGS not in BY_NAME[output.verb].has or not hasattr(result, "findings"):
+        return
+    for form, format_ in formats_of(output.verb).items():
+        if os.environ.get(format_.told_to) == "true":
+            print(file_of(output.verb, form, result), end="", file=sys.stderr)
+        if summary := os.environ.get(format_.summary):
+            try:
+                with Path(summary).open("a", encoding="utf-8") as file:
+                    file.write(file_of(output.verb, form, result))
+            except OSError as error:
+                complain(f"the file of {format_.summary} cannot be written: {error.strerror}")
+
+
+def write_file(path: str, content: bytes) -> None:
+    """Write a file that was checked to be writable before the work began.
+
+    If the file cannot be written any more, on a full disk for example, a line on stderr says so;
+    the report and its verdict are not lost.
+    """
+    try:
+        Path(path).write_bytes(content)
+    except OSError as error:
+        complain(f"{_refusal(path, error)}; the report is on stdout only")
+        with suppress(OSError):  # half a report is none
+            if Path(path).is_file():
+                Path(path).unlink()
+
+
+def ensure_writable(path: str) -> None:
+    """Refuse a file that cannot be written. Its content stays, and no new file is made.
+
+    Raises:
+        InputError: naming the file and the reason.
+    """
+    try:
+        file = a_path("file", path)
+        existed = file.exists()
+        file.open("a", encoding="utf-8").close()
+        if not existed:
+            file.unlink()
+    except (OSError, ValueError) as error:
+        raise _refusal(path, error) from None
+
+
+def _refusal(path: str, error: Exception) -> InputError:
+    reason = error.strerror if isinstance(error, OSError) else error
+    return InputError(f"file {show(path)} cannot be written: {reason}")
 
 
 def width() -> int:
@@ -85,8 +200,8 @@ def coloured(text: str) -> str:
     )
 
 
-def emit(result: Report, verb: str, output: OutputGroup, workers: int | None = None) -> int:
-    """Print a verb's result in the form that was asked for, and return its exit code.
+def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int:
+    """Write a verb's result in the forms that were asked for, and return its exit code.
 
     In a document all that can differ from run to run stands under the key ``made_by``, also the
     number of workers.
@@ -94,13 +209,22 @@ def emit(result: Report, verb: str, output: OutputGroup, workers: int | None = N
     Raises:
         OSError: saying that it is stdout that cannot be written.
     """
+
+    def document() -> str:
+        return document_text(result.to_json() | {"made_by": made_by(result, workers).to_json()})
+
+    _write_files(result, output, document)
     try:
         if output.as_json:
-            origin = {"made_by": made_by(result, workers).to_json()}
-            print(harmless_json(json.dumps(result.to_json() | origin, indent=2)))
+            print(document(), end="")
         else:
-            told = brief if output.quiet else text
-            print(coloured(printable(told(verb, result, width()))))
+            telling, columns = told(output.verb, result), width()
+            said = (
+                brief(telling, columns)
+                if output.quiet
+                else on_terminal(telling, columns, whole=output.verbose)
+            )
+            print(coloured(printable(said)))
         sys.stdout.flush()
     except BrokenPipeError:
         # The reader has gone (a pipe to head); the exit code is still to be told.
@@ -122,7 +246,14 @@ def say(text: Callable[[], str]) -> None:
 
 
 def answered(function: Callable[..., Answer], request: Any, output: OutputGroup) -> Answer:
-    """Answer a request by a function of the package; there is progress if it names a listener."""
+    """Answer a request by a function of the package; there is progress if it names a listener.
+
+    Raises:
+        InputError: naming an option that tells of a file which is not written.
+    """
+    by = getattr(request, "by", None)
+    if by is not None and not {"csv", "parquet"} & {form for form, _ in output.named}:
+        raise InputError(f"by {by} has no effect without -o FILE.csv")
     if not isinstance(request, AskedListener):
         return answer(function, request)
     with Progress(quiet=output.quiet) as listener:

@@ -4,45 +4,26 @@ from __future__ import annotations
 
 import re
 import sys
-from typing import Annotated
 
 import allworlds
 from allworlds import Drop, Move, Percept, Pick, Write
-from allworlds.cli.files import ensure_writable, write_text
 from allworlds.cli.output import OutputGroup, emit, printable
 from allworlds.document.struct import replace
-from allworlds.inputs.requests import OUTPUT, Option, answer
-from allworlds.reports.play.page import game
+from allworlds.inputs.requests import answer
 from allworlds.studies.play import PlayRequest
 
 
-def play(
-    request: PlayRequest,
-    *,
-    html: Annotated[
-        str | None,
-        Option(
-            OUTPUT,
-            "FILE",
-            "Write a web page for playing, and do not play here.",
-        ),
-    ] = None,
-    output: OutputGroup,
-) -> int:
-    """Example: allworlds play theta-torus --html play.html
+def play(request: PlayRequest, *, output: OutputGroup) -> int:
+    """Example: allworlds play theta-torus -o play.html
 
     Be the robot, in a web page or here. Here each line is an action: a number leaves by that dart,
     counted clockwise from the one you came by; drop or pick moves a marker, write 3 writes the
     number 3; an empty line ends the walk and uncovers the world. In the end your cost stands beside
     that of Algorithm 1.
     """
-    if html is None:
-        made = answer(allworlds.play, replace(request, player=_asked))
-        return emit(made, "play", output)
-    ensure_writable(html)
-    made = replace(answer(allworlds.play, request), path=html)
-    write_text(html, game(made))
-    return emit(made, "play", output)
+    page = dict(output.named).get("html")
+    asked = request if page else replace(request, player=_asked)
+    return emit(replace(answer(allworlds.play, asked), path=page), output)
 
 
 LEGAL = "a number, drop, pick, write K with a number K, or an empty line to end"

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import allworlds
-from allworlds.cli.files import Files
 from allworlds.cli.output import OutputGroup, complain, emit
 from allworlds.inputs.requests import answer
 from allworlds.studies.replay import ReplayRequest
 
 
-def replay(request: ReplayRequest, *, files: Files, output: OutputGroup) -> int:
+def replay(request: ReplayRequest, *, output: OutputGroup) -> int:
     """Example: allworlds replay finding.json --explorer mended.py:explore
 
     Run a recorded finding again.  Exit code 0: reproduced, 5: fixed, 3: a nondeterministic
@@ -19,5 +18,4 @@ def replay(request: ReplayRequest, *, files: Files, output: OutputGroup) -> int:
     replayed = answer(allworlds.replay, request)
     if replayed.notice:
         complain(replayed.notice)
-    files.write("replay", replayed)
-    return emit(replayed, "replay", output)
+    return emit(replayed, output)

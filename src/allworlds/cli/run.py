@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Annotated
 
 import allworlds
-from allworlds.cli.files import Files
 from allworlds.cli.output import OutputGroup, emit
 from allworlds.document.struct import replace
 from allworlds.explorers.asked import ProgramWords
@@ -25,7 +24,7 @@ class RunWords(ProgramWords):
             "",
             "[EXPLORER] WORLD",
             "EXPLORER as in check, also shield:EXPLORER (default: algorithm1). WORLD: inline JSON, "
-            "@file, a code of --csv, or a name such as k4, wheel:4, cycle:5; left out with "
+            "@file, a code of -o FILE.csv, or a name such as k4, wheel:4, cycle:5; left out with "
             "--family.",
             repeated=True,
         ),
@@ -58,7 +57,7 @@ class RunWords(ProgramWords):
         return RunRequest(self.named_or_default(explorer), world, **values_of(AskedRun, asked))
 
 
-def run(words: RunWords, *, asked: AskedRun, files: Files, output: OutputGroup) -> int:
+def run(words: RunWords, *, asked: AskedRun, output: OutputGroup) -> int:
     """Example: allworlds run algorithm1 theta
 
     Run an explorer once in one world, tell it step by step, and judge it.
@@ -66,8 +65,7 @@ def run(words: RunWords, *, asked: AskedRun, files: Files, output: OutputGroup) 
     told = _listed() if words.listed else answer(allworlds.run, words.request(asked))
     if words.without_walk and not isinstance(told, WorldNames):
         told = replace(told, shows_walk=False)
-    files.write("run", told)
-    return emit(told, "run", output)
+    return emit(told, output)
 
 
 def _listed() -> WorldNames:

@@ -119,6 +119,6 @@ class Report(Paged, Document):
         return {}
 
     def records(self) -> list[dict[str, Any]]:
-        """The rows of ``--csv``, by the names of their columns: ``pandas.DataFrame`` takes them."""
+        """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``."""
         rows: list[dict[str, Any]] = loaded("reports.notebook:records")(self)
         return rows

@@ -14,7 +14,7 @@ from msgspec import Struct
 
 from allworlds.engines.progress import Listener, usual_listener
 from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
-from allworlds.inputs.requests import EFFORT, Option, Request, Taken, values_of
+from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Option, Request, Taken, values_of
 from allworlds.outcome import NoResult
 from allworlds.protocol.faults import ANSWER_TIMEOUT
 
@@ -73,9 +73,9 @@ def _positive(name: str) -> Callable[[Any], Any]:
     return limit
 
 
-def _seconds(about: str) -> Option:
+def _seconds(about: str, panel: str = RARE_EFFORT) -> Option:
     """An option of a time that does not change what a job means."""
-    return Option(EFFORT, "S", about, parse=seconds_of, apart=True)
+    return Option(panel, "S", about, parse=seconds_of, apart=True)
 
 
 class AskedPatience(Request):
@@ -83,7 +83,9 @@ class AskedPatience(Request):
 
     answer_timeout: Annotated[
         Taken[float, float],
-        Option(EFFORT, "S", "Seconds of silence that break the law 'timeout'.", parse=seconds_of),
+        Option(
+            RARE_EFFORT, "S", "Seconds of silence that break the law 'timeout'.", parse=seconds_of
+        ),
     ] = Taken(_positive("answer-timeout"), ANSWER_TIMEOUT)
     start_timeout: Annotated[
         Taken[float, float],
@@ -102,7 +104,7 @@ class AskedWorkers(Request):
     workers: Annotated[
         Taken[int, int],
         Option(
-            EFFORT,
+            RARE_EFFORT,
             "N|auto",
             "Processes, or threads.",
             parse=worker_count,
@@ -117,7 +119,7 @@ class AskedTime(Request):
 
     time_limit: Annotated[
         Taken[float | None, float | None],
-        _seconds("Stop after S seconds, and report what is finished."),
+        _seconds("Stop after S seconds, and report what is finished.", EFFORT),
     ] = Taken(_positive("time-limit"), None)
 
 
@@ -131,7 +133,7 @@ class Limits(AskedTime, AskedWorkers, AskedPatience):
     memory: Annotated[
         Taken[int | None, int | None],
         Option(
-            EFFORT,
+            RARE_EFFORT,
             "MB",
             "Address space of each worker process; the kernel engine has none.",
             parse=integer_of,
@@ -163,7 +165,7 @@ class AskedDirectory(Request):
     run: Annotated[
         str | Path | None,
         Option(
-            EFFORT,
+            RARE_EFFORT,
             "DIR",
             "A directory that keeps what is finished: the same command goes on from there, and "
             "'merge' joins shards.",
@@ -204,7 +206,7 @@ class AskedCluster(Request):
     dask: Annotated[
         Taken[str | None, str | None],
         Option(
-            EFFORT,
+            RARE_EFFORT,
             "ADDRESS|local",
             "Do the work on the workers of this Dask scheduler (extra: distributed).",
             apart=True,

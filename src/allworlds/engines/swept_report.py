@@ -122,8 +122,8 @@ class AskedRows(Request):
         Option(
             OUTPUT,
             "size|world|run",
-            "Rows of --csv: one for each size, world, or run, and explorer [default: size; of "
-            "worlds that grow: run].",
+            "Rows of -o FILE.csv: one for each size, world, or run, and explorer [default: size; "
+            "of worlds that grow: run].",
             apart=True,
         ),
     ] = Taken(by_named, None)

@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from allworlds.engines.progress import Listener
 from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.inputs.requests import SCOPE, Option, Request, Taken
+from allworlds.inputs.requests import RARE_SCOPE, Option, Request, Taken
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.count_source import completions, source_of
@@ -145,7 +145,7 @@ class AskedShard(Request):
     shard: Annotated[
         Taken[tuple[int, int] | Portion | None, Portion],
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "K/N",
             "Only the K-th of N parts of about equal weight, from 0.",
             parse=shard_numbers,

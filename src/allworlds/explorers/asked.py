@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from allworlds.explorers.names import EXEC, NATIVE
 from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import SCOPE, Argument, Named, Option, Request
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Named, Option, Request
 
 DEFAULT_EXPLORER = "algorithm1"
 
@@ -22,7 +22,7 @@ class ProgramWords(Request):
     native: Annotated[
         str | None,
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "PATH",
             "In place of EXPLORER: a shared library with the functions of allworlds.h.",
         ),
@@ -85,7 +85,7 @@ class ExplorersWords(Request):
     command: Annotated[
         list[str] | None,
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "COMMAND",
             "An explorer too: a program that speaks JSON lines; repeatable.",
             "exec",
@@ -95,7 +95,7 @@ class ExplorersWords(Request):
     native: Annotated[
         list[str] | None,
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "PATH",
             "An explorer too: a shared library with the functions of allworlds.h; repeatable.",
             repeated=True,

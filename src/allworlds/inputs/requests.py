@@ -42,6 +42,15 @@ SCOPE, RULES, EFFORT, OUTPUT = "What is checked", "How it is judged", "Effort", 
 PANELS = (SCOPE, RULES, EFFORT, OUTPUT)
 """The panels of the help, in their order."""
 
+
+class Rare(str):
+    """A panel, for those of its options that a long help leaves to ``--help-all``."""
+
+    __slots__ = ()
+
+
+RARE_SCOPE, RARE_RULES, RARE_EFFORT = Rare(SCOPE), Rare(RULES), Rare(EFFORT)
+
 AS_IN_PYTHON: Final = object()
 
 

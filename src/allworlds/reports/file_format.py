@@ -1,9 +1,9 @@
-"""A file format of reports: what it shows, and the function that makes its text."""
+"""A file format of reports: what it shows, and the function that makes its content."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -13,47 +13,23 @@ if TYPE_CHECKING:
     from allworlds.reports.telling import ToldResult
 
 
-class NeededLibrary(NamedTuple):
-    """A library without which a file cannot be made.
-
-    Attributes:
-        name: as it is imported.
-        extra: the extra of this package that brings it.
-        needed_by: what needs it, for a refusal.
-    """
-
-    name: str
-    extra: str
-    needed_by: str
-
-
-class Binary(NamedTuple):
-    """A file that is no text: its content, made of the telling of a result, and what it needs."""
-
-    of_telling: Callable[[ToldResult], bytes]
-    library: NeededLibrary
-
-
 class Format(Struct, frozen=True):
     """A file format of reports.
 
     Attributes:
-        of_telling: the text of the file, made of the telling of a result.
-        help: the help of the option.
-        shows: what a verb must have to get the option.
-        binary: what is made in place of the text, by the end of the file's name.
+        of_telling: the content of the file, made of the telling of a result.
+        suffix: the end of a file's name that means it; empty where only its own name does.
+        shows: what a verb must have one of to be written so; empty where every verb is.
+        library: without which the content cannot be made, as it is imported; the extra of this
+            package that brings it; and what needs it, for a refusal.
         summary: the variable in which a CI service names a file to which the report is added
             without being asked for; empty where there is none.
         told_to: the variable that says that a CI service reads stderr for it, likewise.
     """
 
-    of_telling: Callable[[ToldResult], str]
-    help: str
-    shows: str = ROWS
-    binary: Mapping[str, Binary] = {}
+    of_telling: Callable[[ToldResult], str | bytes]
+    suffix: str
+    shows: tuple[str, ...] = (ROWS,)
+    library: tuple[str, str, str] | None = None
     summary: str = ""
     told_to: str = ""
-
-    def binary_for(self, name: str) -> Binary | None:
-        """Return how a file of that name is made in place of a text; None if it is a text."""
-        return next((made for end, made in self.binary.items() if name.endswith(end)), None)

@@ -37,7 +37,7 @@ def text_of(value: Report | Finding | Transcript) -> str:
 
 
 def records(report: Report) -> list[dict[str, Any]]:
-    """The rows of ``--csv``, by the names of their columns."""
+    """The rows of ``-o FILE.csv``, by the names of their columns."""
     return rows_of(told(verb_of(type(report)), report)).records
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 from xml.etree import ElementTree as ET
@@ -101,6 +102,9 @@ def cost_picture(spent: Spending, name: str) -> ET.Element:
     return tag("figure", caption, tag("div", svg, class_="frame"))
 
 
+MOST, FEW = 30, 3
+"""Lines on a terminal of a telling that has short facts, and of its findings after the first."""
+
 LONGEST_WALK = 60
 """The steps of a longer walk are told from both ends."""
 
@@ -111,11 +115,49 @@ def text(telling: ToldResult, width: int) -> str:
     return _joined([head, *(_section(section, width) for section in telling.sections)])
 
 
-def brief(telling: ToldResult, width: int) -> str:
-    """One line if the answer is a verdict, however wide it is; else the whole text."""
-    if telling.headline is None or not telling.headline.verdict:
+def on_terminal(telling: ToldResult, width: int, *, whole: bool) -> str:
+    """The text; of a telling with short facts at most :data:`MOST` lines, or the verdict last."""
+    if not telling.short or telling.headline is None:
         return text(telling, width)
-    return telling.headline.line
+    last = " ".join([*_headline(telling.headline, sys.maxsize)])
+    if whole:
+        return _joined([*(_section(section, width) for section in telling.sections), [last]])
+    facts = [_cut(entry(name, said, width - 4)) for name, said in telling.short[: MOST // 2]]
+    *findings, _ = telling.sections
+    others = [_cut(wrap(each.title, width - 4)) for each in findings[1:]]
+    if len(others) > FEW:
+        others = [*others[: FEW - 1], f"... and {len(others) - FEW + 1} more findings: -v"]
+    room = MOST - len(facts) - 4 - len(others)
+    lines = [*_found(findings[0], width, room), *others] if findings else []
+    return _joined([lines, facts, [last]])
+
+
+def _cut(lines: Sequence[str]) -> str:
+    """The first line, and a sign that there are more."""
+    return f"{lines[0]} ..." if len(lines) > 1 else lines[0]
+
+
+def _found(section: Section, width: int, room: int) -> list[str]:
+    """A finding without its walk, with the picture of its world if there is room."""
+    lines = wrap(section.title, width, break_long_words=False)
+    picture, command = list[str](), list[str]()
+    for block in section.blocks:
+        if isinstance(block, ToldFacts) and not picture:
+            lines += _block(block, width)
+        elif isinstance(block, ToldWalk):
+            lines += [line for said in block.sentences for line in wrap(said, width)]
+            picture = ["", *draw(block.views[0].scene, width).splitlines(), ""]
+        elif isinstance(block, Quote) and block.command:
+            command = [*_block(block, width)]
+    if len(lines) + len(picture) + len(command) <= room:
+        lines += picture
+    return [*lines[: room - len(command)], *command, "(-v: the walk, the answer, and the output)"]
+
+
+def brief(telling: ToldResult, width: int) -> str:
+    """The answer in one line, however wide it is; without one the first line of the text."""
+    head = telling.headline
+    return head.line if head else text(telling, width).partition("\n")[0]
 
 
 def text_of(sections: Iterable[Section], width: int) -> str:

@@ -98,14 +98,14 @@ def verb_of(kind: type[Report]) -> str:
 
 
 def text(verb: str, result: Any, width: int) -> str:
-    """The text of a verb's result for a terminal with so many columns."""
+    """The whole text of a verb's result, with so many columns."""
     from allworlds.reports.plain_text import text
 
     return harmless(text(told(verb, result), width))
 
 
 def brief(verb: str, result: Any, width: int) -> str:
-    """Return the text that ``--quiet`` leaves: one line where there is a verdict, else all."""
+    """The line that ``--quiet`` leaves."""
     from allworlds.reports.plain_text import brief
 
     return harmless(brief(told(verb, result), width))

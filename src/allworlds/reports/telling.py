@@ -42,7 +42,6 @@ class Headline(Struct, frozen=True):
         word: the answer in a word.
         text: the answer in a sentence.
         verdict: the name of the verdict, which has its colour; empty where the answer is none.
-            With ``--quiet`` a verdict is one line, and any other telling is printed whole.
     """
 
     word: str
@@ -317,7 +316,9 @@ class ToldResult(Struct, frozen=True):
             played again, and so are made when they are asked for.
         rows: makes the rows for programs, where these are not the steps of the first walk.
         suite: makes the cases, where there are any.
+        page: makes the page, where it is not of these sections.
         apart: the keys of the result's document that sections hold as records.
+        short: facts of a line each, which on a terminal stand in place of the last section.
     """
 
     done: str
@@ -328,7 +329,9 @@ class ToldResult(Struct, frozen=True):
     more: Callable[[], Iterable[Section]] = field(default=tuple)
     rows: Callable[[], CsvRows] | None = None
     suite: Callable[[], Suite] | None = None
+    page: Callable[[], str] | None = None
     apart: frozenset[str] = frozenset()
+    short: Sequence[tuple[str, str]] = ()
 
 
 def fact(name: str, text: str) -> ToldFacts:

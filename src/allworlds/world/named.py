@@ -18,7 +18,7 @@ from allworlds.inputs.checks import (
     read_text,
     show,
 )
-from allworlds.inputs.requests import SCOPE, Argument, Option, Request, Taken
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Option, Request, Taken
 from allworlds.maps.build import NoSuchMap, named_map, named_maps
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
@@ -48,7 +48,7 @@ LIGHTHOUSE = Option(
 """An option of most of them."""
 
 HOLES = Option(
-    SCOPE,
+    RARE_SCOPE,
     "P%",
     "Share of a family's edges to remove [default: none].",
     told=Annotated[Text | None, about("the share of a family's edges that was removed")],
@@ -227,8 +227,8 @@ class AskedWorld(Request):
         Option(
             SCOPE,
             "P",
-            "The place of the lighthouse, by its number in the rows of --csv [default: its usual "
-            "one].",
+            "The place of the lighthouse, by its number in the rows of -o FILE.csv [default: its "
+            "usual one].",
             parse=integer_of,
         ),
     ] = None

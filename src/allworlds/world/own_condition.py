@@ -11,7 +11,7 @@ from msgspec import Struct
 
 from allworlds.document.struct import IfAny, Text, about
 from allworlds.inputs.checks import InputError, a_text, show
-from allworlds.inputs.requests import SCOPE, Option, Request, Taken
+from allworlds.inputs.requests import RARE_SCOPE, Option, Request, Taken
 from allworlds.maps.classes import DEFAULT_EDGES, Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.conditions import AND, LEGAL, AllOf, Condition, condition_named
@@ -165,7 +165,7 @@ class AskedWhere(Request):
             Condition | None,
         ],
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "WHERE",
             f"Only maps of which that is true: {LEGAL}, or path/to/file.py:predicate, a function "
             "of a map. Of several, each is true: repeat the option.",

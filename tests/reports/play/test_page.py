@@ -37,7 +37,7 @@ def test_marks_of_the_users_own_kind_are_left_in_the_terminal_alone(tmp_path, mo
         "        yield cls()\n"
     )
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(InputError, match=r"lighthouse chalk.py:Chalk .* leave --html out"):
+    with pytest.raises(InputError, match=r"lighthouse chalk.py:Chalk .* leave -o out"):
         game_page(play("theta", lighthouse="chalk.py:Chalk"))
 
 

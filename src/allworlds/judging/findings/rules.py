@@ -13,6 +13,7 @@ from allworlds.explorers.names import is_library
 from allworlds.explorers.subject import Subject
 from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
 from allworlds.inputs.requests import (
+    RARE_RULES,
     RULES,
     Option,
     Request,
@@ -113,7 +114,7 @@ class AskedRules(AskedTask):
     policy: Annotated[
         Taken[str, str],
         Option(
-            RULES,
+            RARE_RULES,
             "POLICY",
             f"How choices are made where the explorer is free: {one_of([*POLICIES, SEEDED])}.",
             told=Annotated[Text, about("who answered the explorer's choices")],
@@ -137,7 +138,7 @@ class AskedRules(AskedTask):
     laws: Annotated[
         Taken[Iterable[str] | None, tuple[str, ...] | None],
         Option(
-            RULES,
+            RARE_RULES,
             "LAWS",
             f"Check these alone, with commas: {', '.join(LAWS)} [default: all that apply].",
             parse=law_names,
@@ -150,7 +151,7 @@ class AskedRules(AskedTask):
     step_budget: Annotated[
         Taken[int | None, int | None],
         Option(
-            RULES,
+            RARE_RULES,
             "B",
             "The most traversals of a run: more break the law 'budget' [default: 8 "
             "times the bound 'paper', plus 100].",

@@ -1,5 +1,5 @@
-"""The file formats of reports: a module for each, named as its option.
+"""The file formats of reports, a module for each, with a ``FORMAT``.
 
-A new format is a module of this package with a ``FORMAT``; ``FORMATS`` of ``format_table`` finds
-it.  What takes long to load is imported where it is used, since the options need every module.
+A new one is a module and a line of the table in ``format_table``.  What takes long to load is
+imported where it is used, since the command line needs every module.
 """

@@ -55,9 +55,4 @@ def _escaped(text: str, more: str = "") -> str:
     return "".join(f"%{ord(sign):02X}" if sign in "%\r\n" + more else sign for sign in text)
 
 
-FORMAT = Format(
-    runner_commands,
-    "Also write the findings as commands of GitHub's runners; there, stderr gets them anyway.",
-    FINDINGS,
-    told_to="GITHUB_ACTIONS",
-)
+FORMAT = Format(runner_commands, "", (FINDINGS,), told_to="GITHUB_ACTIONS")

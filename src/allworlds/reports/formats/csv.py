@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 
-from allworlds.reports.file_format import Binary, Format, NeededLibrary
+from allworlds.reports.file_format import Format
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.telling import ToldResult, ToldWalk
 
@@ -42,13 +42,5 @@ def rows_of(telling: ToldResult) -> CsvRows:
     return rows_of_walk(walk) if walk else CsvRows({}, [])
 
 
-FORMAT = Format(
-    csv_rows,
-    "Also write the rows as CSV; as Parquet, if FILE ends in .parquet (extra: notebook).",
-    binary={
-        ".parquet": Binary(
-            parquet_rows,
-            NeededLibrary("pyarrow", "notebook", "a file of rows that ends in .parquet"),
-        )
-    },
-)
+FORMAT = Format(csv_rows, ".csv")
+PARQUET = Format(parquet_rows, ".parquet", library=("pyarrow", "notebook", "a file .parquet"))

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from allworlds.reports.file_format import Format
 from allworlds.reports.telling import ToldResult
+from allworlds.verbs import PAGE, ROWS
 
 
 def html(telling: ToldResult) -> str:
     """An HTML document that refers to no other file."""
+    if telling.page:
+        return telling.page()
     from allworlds.reports.web.frame import Page, framed
     from allworlds.reports.web.sections import element
 
@@ -24,4 +27,4 @@ def html(telling: ToldResult) -> str:
     )
 
 
-FORMAT = Format(html, "Also write a web page: one file, which needs no network.")
+FORMAT = Format(html, ".html", (ROWS, PAGE))

@@ -59,4 +59,4 @@ def _legal(text: str) -> str:
     return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", escaped(text))
 
 
-FORMAT = Format(junit, "Also write the report as JUnit XML.", CASES)
+FORMAT = Format(junit, ".xml", (CASES,))

@@ -65,4 +65,4 @@ def _plain(text: str) -> str:
     return re.sub(r"([\\`*_|\[\]#~])", r"\\\1", one)
 
 
-FORMAT = Format(markdown, "Also write the report as Markdown.", summary="GITHUB_STEP_SUMMARY")
+FORMAT = Format(markdown, ".md", summary="GITHUB_STEP_SUMMARY")

@@ -168,6 +168,4 @@ def _artifact(place: SourceLine) -> dict[str, Any]:
     return {"uri": quote(os.fsencode(name)), "uriBaseId": "SRCROOT"}
 
 
-FORMAT = Format(
-    sarif, "Also write the report as SARIF 2.1.0, for code scanning and editors.", FINDINGS
-)
+FORMAT = Format(sarif, ".sarif", (FINDINGS,))

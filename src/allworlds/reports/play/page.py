@@ -63,7 +63,7 @@ def world_data(world: World) -> dict[str, Any]:
     if marking is not None and marking.code is not None:
         raise InputError(
             f"under the lighthouse {world.lighthouse.written} the robot leaves marks in a way of "
-            "your own, which a page cannot do; leave --html out to play in the terminal"
+            "your own, which a page cannot do; leave -o out to play in the terminal"
         )
     written = marking if isinstance(marking, NumberRoom) else None
     spots: list[int] | None = None

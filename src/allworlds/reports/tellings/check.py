@@ -242,7 +242,31 @@ def check_telling(report: CheckReport | TimeEstimate) -> ToldResult:
         rows=lambda: _rows(report),
         suite=lambda: check_suite(report, verb),
         apart=frozenset({"findings"}),
+        short=_in_short(report),
     )
+
+
+def _in_short(report: CheckReport) -> list[tuple[str, str]]:
+    """The scope of the verdict, in facts of a line each."""
+    scope, cells = report.asked, report.cells
+    extent = of_the_class(scope.extent).removeprefix("of the ")
+    told = {
+        "scope": f"{extent}, {scope.rules.lighthouse} lighthouse, {_which(report)}",
+        "witnesses": f"{plural(len(report.tally.witnesses), 'kind')} of events seen",
+    }
+    if cells and all(cell.agrees for cell in cells):
+        sizes = f"{plural(len(cells), 'size')} finished"
+        if report.complete:
+            sizes = f"all {plural(len(cells), 'size')} complete"
+        told["gate"] = f"{sizes}; their number equals an independent count"
+    words = [(name, told.get(name, said)) for name, said in scope_words(report)]
+    if report.tally.rows and not report.findings:
+        rows = sorted(report.tally.rows.items())
+        (edges, vertices), most = max(rows, key=lambda told: told[1].max_cost)
+        bound = "" if most.bound is None else f" of at most {number(most.bound)}"
+        cost = f"{plural(most.max_cost, 'traversal')}{bound}, with {size(edges, vertices)}"
+        words.append(("worst cost", cost))
+    return words
 
 
 def _rows(report: CheckReport) -> CsvRows:

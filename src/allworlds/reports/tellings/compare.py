@@ -153,7 +153,9 @@ def _growth_facts(report: Growth) -> list[tuple[str, str]]:
         words.append(("again", f"allworlds run {report.names[0]} --family {member}"))
     if report.begun:
         begun = len({one.name for row in report.begun for one in row.members})
-        words.append(("begun", f"{plural(begun, 'world')} of an unfinished size, in --csv alone"))
+        words.append(
+            ("begun", f"{plural(begun, 'world')} of an unfinished size, in the rows alone")
+        )
     if report.left_out:
         left = plural(report.left_out, "world")
         words.append(("left out", f"{left} without a place for the lighthouse"))

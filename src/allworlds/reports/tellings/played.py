@@ -33,8 +33,10 @@ LEAST = (
 def play_telling(play: Play) -> ToldResult:
     """The path of the page, without a word about the world; or the world and the walk in it."""
     if play.path is not None:
+        from allworlds.reports.play.page import game
+
         headline = Headline("PAGE", f"{play.path}, to be opened in a web browser")
-        return ToldResult("allworlds play", "you", play, headline, [])
+        return ToldResult("allworlds play", "you", play, headline, [], page=lambda: game(play))
     walked = Walked(play.world, play.transcript)
     scene = walk_in_world(play.world, play.transcript)
     blocks: list[Block] = [

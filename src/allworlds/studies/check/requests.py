@@ -13,7 +13,7 @@ from allworlds.explorers.asked import AskedExplorer
 from allworlds.explorers.source_line import files_of_explorer
 from allworlds.explorers.subject import Subject
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
-from allworlds.inputs.requests import EFFORT, RULES, SCOPE, Option, Taken
+from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Option, Taken
 from allworlds.judging.findings.rules import Among, AskedRules, Rules
 from allworlds.maps.classes import DEFAULT_EDGES, AskedClass, AskedExtent, Extent
 from allworlds.maps.conditions import Condition
@@ -84,7 +84,7 @@ class EstimateRequest(AskedCluster, ManyRuns, AskedShard, AskedWhere, AskedExten
     schedules: Annotated[
         Taken[str, Schedule],
         Option(
-            RULES,
+            RARE_RULES,
             "one|all",
             "all: every sequence of choices, for an explorer that takes choices.",
             told=Annotated[Schedule, about("the policy's, or every sequence of choices")],
@@ -93,7 +93,7 @@ class EstimateRequest(AskedCluster, ManyRuns, AskedShard, AskedWhere, AskedExten
     engine: Annotated[
         str,
         Option(
-            EFFORT,
+            RARE_EFFORT,
             "auto|python|kernel",
             "python judges in Python, kernel in compiled code; auto takes the faster one that can.",
         ),
@@ -123,7 +123,7 @@ class CheckRequest(AskedDirectory, EstimateRequest):
     max_findings: Annotated[
         Taken[int, int],
         Option(
-            EFFORT,
+            RARE_EFFORT,
             "K",
             "Stop after the level with the K-th finding (the smallest of each law and map counts).",
             parse=integer_of,
@@ -132,7 +132,7 @@ class CheckRequest(AskedDirectory, EstimateRequest):
     corpus: Annotated[
         str | Path | None,
         Option(
-            EFFORT,
+            RARE_EFFORT,
             "DIR",
             "A directory of findings, which are tried first; new ones are added to it.",
             apart=True,

@@ -11,7 +11,7 @@ from allworlds.engines.swept_report import AskedRows
 from allworlds.engines.units import AskedShard
 from allworlds.explorers.asked import ExplorersWords
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
-from allworlds.inputs.requests import SCOPE, Named, Option, Taken
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Named, Option, Taken
 from allworlds.maps.classes import AskedExtent
 from allworlds.maps.families import FORMS
 from allworlds.studies.check.requests import ManyWorlds
@@ -80,7 +80,7 @@ class AskedContestWorlds(AskedWhere, AskedExtent):
     worlds: Annotated[
         int | None,
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "K",
             "With --to: seeds of each size; isomorphic worlds count once [default: 10].",
             parse=integer_of,
@@ -92,7 +92,7 @@ class AskedContestWorlds(AskedWhere, AskedExtent):
     places: Annotated[
         int | None,
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "P",
             "With --to: places of the lighthouse in each world; of more, such as the directions "
             "of a marker, P are drawn by the seed [default: 8].",

@@ -93,7 +93,7 @@ class ContestReport(SweptReport):
 
     @override
     def records(self, by: str | None = None) -> list[dict[str, Any]]:
-        """The rows of ``--csv``, by the names of their columns: ``pandas.DataFrame`` takes them.
+        """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``.
 
         Args:
             by: ``size``, ``world`` or ``run``, as in the request; by default as was asked for.
