@@ -13,7 +13,7 @@ import allworlds
 from allworlds.cli.files import Files, ensure_directory
 from allworlds.cli.output import OutputGroup, answered, complain, emit
 from allworlds.document.struct import replace
-from allworlds.explorers.source_line import files_of_explorer
+from allworlds.explorers.sources import files_of_explorer
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import EFFORT, Option, fields_of
 from allworlds.outcome import Exit

@@ -4,13 +4,13 @@ The modules:
 
 ``algorithm1``, ``undirected``
     Algorithm 1 of the paper, and its variant without a direction;
-``partial_map``, ``paths``
+``partial_map``
     its S and U, and its ways through S;
 ``folded_log``, ``folding``
     all percepts of a run as one map, and explorers that only fold it;
 ``shield``
     the shield that makes any explorer right;
-``quotient``, ``experiments``
+``quotient``
     position alone: the quotient, learnt by experiments that are never made twice;
 ``dudek91``, ``depth_first``
     one movable marker; a number at every vertex.

@@ -1,15 +1,19 @@
-"""The place of an explorer's code, for reports: a file and a line, found by reading."""
+"""The files of an explorer's code: their digest, and the line of the explorer."""
 
 from __future__ import annotations
 
 import ast
+import hashlib
 import os
 import shlex
+import shutil
 from pathlib import Path
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.explorers.loading import Subject
 from allworlds.explorers.names import (
     command_of,
     entry_point,
@@ -18,8 +22,10 @@ from allworlds.explorers.names import (
     is_program,
     path_of,
 )
-from allworlds.inputs.checks import InputError
-from allworlds.protocol.importing import module_file
+from allworlds.explorers.program import Program
+from allworlds.inputs.checks import InputError, read_text, show
+from allworlds.protocol.importing import SourceText, bytes_of, module_file
+from allworlds.protocol.user_code import arguments_of
 
 SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
 """The endings of the source of a shared library, looked for beside it."""
@@ -142,3 +148,86 @@ def _defined(node: ast.stmt) -> set[str]:
             return {alias.asname or alias.name for alias in names}
         case _:
             return set()
+
+
+OURS = "built-in"
+"""The digest of an explorer that comes with this program, and changes with its version alone."""
+
+
+def content_digest(subject: Subject) -> str:
+    """SHA-256 of the explorer's text, in hexadecimal; of a program, with the files that it names.
+
+    A shield comes with this package, and changes with its version alone: the digest is that of the
+    explorer inside.
+    For a module it is the module's own file: imported modules are not included.
+
+    Raises:
+        InputError: if it exists in this process alone, or its file cannot be found.
+    """
+    name = innermost(subject.name)
+    if name in BUILT_IN:
+        return OURS
+    if subject.source:
+        return subject.source.digest
+    if subject.from_user and not subject.importable:
+        raise InputError(
+            f"explorer {show(subject.name)} lives in this process alone, so that no other can go "
+            "on with it; put it into a file of its own"
+        )
+    if subject.is_program:
+        files = _files_of(command_of(subject.name))
+    elif is_library(name):
+        files = [Path(path_of(name))]
+    else:
+        files = [module_file(_module_of(name))]
+    digest = hashlib.sha256()
+    for file in files:
+        text = bytes_of(file)
+        digest.update(b"%d\n" % len(text) + text)
+    return digest.hexdigest()
+
+
+def with_content(subject: Subject) -> Subject:
+    """The subject with the text that other machines need, if its code is one file.
+
+    For a module inside a package the text is not enough: the package must be there.
+    """
+    place, _, _ = innermost(subject.name).partition("?")[0].rpartition(":")
+    if (
+        subject.own
+        or subject.source
+        or not place
+        or "." in place
+        or subject.is_program
+        or is_library(subject.name)
+    ):
+        return subject
+    file = module_file(place)
+    if file.suffix != ".py" or file.name == "__init__.py":
+        return subject
+    return replace(subject, source=SourceText(str(file), read_text(str(file))))
+
+
+def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
+    """The reason why the explorer is not the one of that digest here; empty if it is."""
+    try:
+        if subject.is_program:
+            Program(command_of(subject.name), answer_timeout)
+        same = content_digest(subject) == digest
+    except InputError as error:
+        return str(error)
+    return "" if same else f"the explorer {show(subject.name)} has another text here"
+
+
+def _module_of(name: str) -> str:
+    plain, _ = arguments_of(name)
+    point = entry_point(plain)
+    return point.module if point else plain.rpartition(":")[0]
+
+
+def _files_of(command: str) -> list[Path]:
+    """The program, and those of its arguments that are files."""
+    program, *arguments = shlex.split(command)
+    found = shutil.which(program)
+    named = [Path(found)] if found else []
+    return named + [Path(word) for word in arguments if Path(word).is_file()]
