@@ -78,18 +78,12 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def is_program(self) -> bool:
-        """Whether it is a program behind a pipe, by its name, here and in other processes.
-
-        A program with a shield is still a program.
-        """
+        """Whether it is a program behind a pipe, here and in other processes; also in a shield."""
         return is_program(self.name)
 
     @property
     def compiled(self) -> bool:
-        """Whether it is a shared library, by its name, here and in other processes.
-
-        False with a shield: then Python calls it, as any other explorer.
-        """
+        """Whether it is a shared library; in a shield Python calls it, as any other explorer."""
         return self.name.startswith(NATIVE)
 
     @property
@@ -146,11 +140,8 @@ def with_shield(inside: Subject) -> Subject:
     name, keywords = SHIELD + inside.name, inside.keywords - {"notice"}
     if inside.explore is None:
         return Subject(name, keywords, source=inside.source)
-    return Subject(name, keywords, _shield(inside.explore), source=inside.source, inside=inside)
-
-
-def _shield(explore: Callable[..., Any]) -> Shield:
-    return explore if isinstance(explore, Shield) else Shield(explore)
+    explore = inside.explore if isinstance(inside.explore, Shield) else Shield(inside.explore)
+    return Subject(name, keywords, explore, source=inside.source, inside=inside)
 
 
 def built_in(name: str) -> Subject:
@@ -187,12 +178,7 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
 
 
 def subject_of(name: str, found: Any, source: SourceText | None = None) -> Subject:
-    """The subject of a generator function.
-
-    Args:
-        name: of the explorer.
-        found: the function.
-        source: the text of its file.
+    """The subject of a generator function, with the text of its file.
 
     Raises:
         InputError: if it is none, or must be called in another way.

@@ -71,12 +71,9 @@ def path_of(name: str) -> str:
 
 def named_on_command_line(name: str) -> list[str]:
     """The arguments of the command line that name an explorer."""
-    if has_shield(name):
-        return [name]
-    if is_program(name):
-        return ["--exec", command_of(name)]
-    if is_library(name):
-        return ["--native", path_of(name)]
+    for option, kind in (("--exec", EXEC), ("--native", NATIVE)):
+        if name.startswith(kind):
+            return [option, name.removeprefix(kind)]
     return [name]
 
 
@@ -164,17 +161,14 @@ def whole_name(name: str) -> str:
 def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
     """The reason why a name without a function is none of an explorer, and what would be legal.
 
-    Args:
-        name: as it was given.
-        plain: without its arguments.
-        known: the names of explorers that stand alone.
+    Without its arguments it is ``plain``; ``known`` are the explorers that stand alone.
     """
     if os.path.isdir(plain):  # noqa: PTH112  # takes any text, as below
         return f"{show(plain)} is a directory; an explorer in it is {Path(plain)}/FILE.py:FUNCTION"
-    if os.path.isfile(plain) and plain.endswith(".py"):  # noqa: PTH113
-        arguments = name.removeprefix(plain)
-        return f"{show(name)} names no function; legal is {plain}:FUNCTION{arguments}"
     if os.path.isfile(plain):  # noqa: PTH113
+        if plain.endswith(".py"):
+            arguments = name.removeprefix(plain)
+            return f"{show(name)} names no function; legal is {plain}:FUNCTION{arguments}"
         return (
             f"{show(plain)} is a file, but no file.py with a function; a program runs with --exec, "
             f"a shared library with --native{_like_file(plain)}"

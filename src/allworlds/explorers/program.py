@@ -90,10 +90,8 @@ def missing_script(words: Sequence[str]) -> str:
     endings = ("", *call.interpreter.endings)
     if any(Path(script + ending).exists() for script in scripts for ending in endings):
         return ""
-    name = Path(call.program).name
-    if is_loop_of_links(call.files[0]):
-        return f"{name} cannot open {show(call.files[0])}: it is a loop of links"
-    return f"{name} cannot open {show(call.files[0])}: there is no such file"
+    reason = "it is a loop of links" if is_loop_of_links(call.files[0]) else "there is no such file"
+    return f"{Path(call.program).name} cannot open {show(call.files[0])}: {reason}"
 
 
 def syntax_error(words: Sequence[str]) -> str:
@@ -208,8 +206,13 @@ def obstacle(name: str) -> str:
     return f"there is no program {show(name)}"
 
 
+RunLaw: TypeAlias = Literal["crash", "timeout", "illegal-action", "no-estimate"]
+"""The laws that a program breaks by what it writes."""
+
 SAYINGS = ("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer")
 """A line of the program has exactly one of these keys."""
+
+MAP_KEYS, QUOTIENT_KEYS = ("sigma", "alpha", "here"), ("sigma", "alpha", "degree", "marks", "here")
 
 SHORT = 64
 """Lines of fewer bytes, as most are, are parsed once."""
@@ -273,11 +276,13 @@ def _message_of(line: bytes) -> Message:
     if action is not None:
         return action
     if "checkpoint" in message:
-        return _checkpoint(message["checkpoint"])
+        found = _values(message["checkpoint"], "a checkpoint", "illegal-action", *MAP_KEYS)
+        return Checkpoint(*found)
     if "estimate" in message:
         return EpisodeEnd(_estimate(message["estimate"]))
     if "ambiguous" in message:
-        return EpisodeEnd(_ambiguous(message["ambiguous"]))
+        found = _values(message["ambiguous"], "a quotient", "no-estimate", *QUOTIENT_KEYS)
+        return EpisodeEnd(Ambiguous(*found))
     if "answer" in message:
         return EpisodeEnd(message["answer"])
     legal = "move takes an integer, write one from 0 on, drop and pick take true"
@@ -303,36 +308,21 @@ def _illegal(seen: str) -> ExplorerFault:
     return ExplorerFault("illegal-action", seen)
 
 
-def _checkpoint(value: object) -> Checkpoint:
-    if not isinstance(value, dict):
-        raise ExplorerFault("illegal-action", f"a checkpoint that is no object: {_short(value)}")
-    if missing := _missing(value):
-        raise ExplorerFault("illegal-action", f"a checkpoint without {missing}: {_short(value)}")
-    return Checkpoint(value["sigma"], value["alpha"], value["here"])
-
-
 def _estimate(value: object) -> Estimate:
-    if not isinstance(value, dict):
-        raise ExplorerFault("no-estimate", f"an estimate that is no object: {_short(value)}")
-    if missing := _missing(value):
-        raise ExplorerFault("no-estimate", f"an estimate without {missing}: {_short(value)}")
+    _, _, here = _values(value, "an estimate", "no-estimate", *MAP_KEYS)
     try:
-        return Estimate(CombinatorialMap.from_json(value), value["here"])
+        return Estimate(CombinatorialMap.from_json(value), here)  # type: ignore[arg-type]
     except InvalidMap as error:
         raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
 
-def _ambiguous(value: object) -> Ambiguous:
+def _values(value: object, what: str, law: RunLaw, *keys: str) -> list[Any]:
+    """The values of a checkpoint or an answer under these keys."""
     if not isinstance(value, dict):
-        raise ExplorerFault("no-estimate", f"a quotient that is no object: {_short(value)}")
-    if missing := _missing(value, ("sigma", "alpha", "degree", "marks", "here")):
-        raise ExplorerFault("no-estimate", f"a quotient without {missing}: {_short(value)}")
-    return Ambiguous(*(value[key] for key in ("sigma", "alpha", "degree", "marks", "here")))
-
-
-def _missing(value: dict[str, Any], keys: Sequence[str] = ("sigma", "alpha", "here")) -> str:
-    """The missing keys of a checkpoint or an answer, in words."""
-    return " and ".join(key for key in keys if key not in value)
+        raise ExplorerFault(law, f"{what} that is no object: {_short(value)}")
+    if missing := [key for key in keys if key not in value]:
+        raise ExplorerFault(law, f"{what} without {' and '.join(missing)}: {_short(value)}")
+    return [value[key] for key in keys]
 
 
 def _short(value: object) -> str:
@@ -588,12 +578,7 @@ class Program:
                 return
 
     def _fault(
-        self,
-        law: Literal["crash", "timeout", "illegal-action", "no-estimate"],
-        seen: str,
-        detail: str = "",
-        *,
-        machine: bool = False,
+        self, law: RunLaw, seen: str, detail: str = "", *, machine: bool = False
     ) -> ExplorerFault:
         self._drain()
         said = self._err.decode(errors="replace")

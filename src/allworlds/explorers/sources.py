@@ -85,31 +85,21 @@ def place_of_explorer(name: str) -> SourceLine | None:
         return None
     try:
         if is_program(name):
-            return _of_program(name)
-        if is_library(name):
-            return _of_library(Path(path_of(name)))
-        return _of_python(name)
+            files = files_of_explorer(name)[::-1]
+        elif is_library(name):
+            files = _library_and_sources(Path(path_of(name)))
+        else:
+            file, attributes = _file_and_attributes(name)
+            tree = ast.parse(file.read_text(encoding="utf-8"))
+            return SourceLine(file, _line(tree, attributes))
+        return next((SourceLine(file.resolve()) for file in files if file.is_file()), None)
     except (InputError, OSError, ValueError, SyntaxError):
         return None
 
 
-def _of_program(name: str) -> SourceLine | None:
-    files = files_of_explorer(name)
-    return SourceLine(files[-1].resolve()) if files else None
-
-
-def _of_library(library: Path) -> SourceLine | None:
-    stems = {library.stem, library.stem.removeprefix("lib")}
-    beside = [library.with_name(stem + ending) for ending in SOURCES for stem in sorted(stems)]
-    found = next((file for file in [*beside, library] if file.is_file()), None)
-    return SourceLine(found.resolve()) if found else None
-
-
-def _of_python(name: str) -> SourceLine | None:
-    file, attributes = _file_and_attributes(name)
-    if not file.is_file():
-        return None
-    return SourceLine(file, _line(ast.parse(file.read_text(encoding="utf-8")), attributes))
+def _library_and_sources(library: Path) -> list[Path]:
+    stems = sorted({library.stem, library.stem.removeprefix("lib")})
+    return [*(library.with_name(stem + end) for end in SOURCES for stem in stems), library]
 
 
 def _file_and_attributes(name: str) -> tuple[Path, list[str]]:

@@ -9,15 +9,12 @@ from itertools import combinations, zip_longest
 from math import comb, factorial, perm, prod
 from typing import TypeAlias
 
+Degrees: TypeAlias = frozenset[int]
+"""The legal degrees of the vertices of a map."""
+
 Polynomial: TypeAlias = tuple[int, ...]
 Series: TypeAlias = list[Polynomial]
 """The coefficients of a power series in z, as far as they are needed."""
-
-
-def check_edges(edges: int) -> None:
-    """Raise ValueError unless the number of edges is at least 1."""
-    if edges < 1:
-        raise ValueError(f"a map has at least 1 edge, not {edges}")
 
 
 def check_genus(genus: int) -> None:
@@ -27,8 +24,12 @@ def check_genus(genus: int) -> None:
 
 
 def vertex_counts(edges: int) -> range:
-    """The numbers of vertices that connected maps with ``edges`` edges have."""
-    check_edges(edges)
+    """The numbers of vertices that connected maps with ``edges`` edges have.
+
+    Raises: ValueError for edges < 1; and so do all that give ``{vertices: rooted maps}``.
+    """
+    if edges < 1:
+        raise ValueError(f"a map has at least 1 edge, not {edges}")
     return range(1, edges + 2)
 
 
@@ -48,6 +49,16 @@ def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]
             return
         for rest in partitions(total - first, parts - 1, first):
             yield (first, *rest)
+
+
+def sequences(
+    total: int, vertices: int, largest: int, legal: Degrees | None
+) -> Iterator[tuple[tuple[int, ...], int]]:
+    """The partitions into legal degrees, each with the number of its orders."""
+    for degrees in partitions(total, vertices, largest):
+        if legal is None or legal.issuperset(degrees):
+            orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
+            yield degrees, orders
 
 
 def exactly(numerator: int, denominator: int) -> int:
@@ -102,15 +113,8 @@ def geometric(a: Series) -> Series:
     return result
 
 
-Degrees: TypeAlias = frozenset[int]
-"""The legal degrees of the vertices of a map."""
-
-
 def catalan(n: int) -> int:
-    """The Catalan number ``C(2n, n) / (n+1)``: rooted plane trees with n edges.
-
-    Raises: ValueError for n < 0.
-    """
+    """The Catalan number ``C(2n, n) / (n+1)``: rooted plane trees with n edges."""
     return comb(2 * n, n) // (n + 1)
 
 
@@ -119,7 +123,7 @@ def rooted_maps(edges: int) -> dict[int, int]:
 
     The number is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``: all sigma by
     cycles, times all alpha, on labelled darts; log keeps the connected pairs, and a rooted
-    map has ``(2m-1)!`` labellings.  Raises: ValueError for edges < 1.
+    map has ``(2m-1)!`` labellings.
     """
     return cells(edges, _rooted_by_permutations(edges))
 
@@ -128,7 +132,6 @@ def rooted_of_degrees(edges: int, degrees: Degrees) -> dict[int, int]:
     """``{vertices: rooted maps}`` with that many edges and legal degrees alone, of any genus.
 
     As :func:`rooted_maps`, but with those sigma alone whose cycles have legal lengths.
-    Raises: ValueError for edges < 1.
     """
     return cells(edges, _rooted_of_degrees(edges, degrees))
 
@@ -185,20 +188,12 @@ def _rising(length: int) -> Polynomial:
 def rooted_of_genus(edges: int, genus: int) -> dict[int, int]:
     """``{vertices: rooted maps}`` of one genus, by the recurrence of Carrell and Chapuy.
 
-    Raises: ValueError for edges < 1 or genus < 0.
+    Raises: ValueError for genus < 0.
     Source: S. R. Carrell and G. Chapuy, Simple recurrence formulas to count maps on
     orientable surfaces, J. Combin. Theory A 133 (2015).
     """
     check_genus(genus)
     return cells(edges, carrell_chapuy(edges, genus))
-
-
-def rooted_planar(edges: int) -> dict[int, int]:
-    """``{vertices: rooted planar maps}`` with that many edges.
-
-    Raises: ValueError for edges < 1.  Source: as :func:`rooted_of_genus`.
-    """
-    return rooted_of_genus(edges, 0)
 
 
 @cache
@@ -221,38 +216,28 @@ def carrell_chapuy(n: int, genus: int) -> Polynomial:
     return divided(plus(bigger, handle, *pairs), 2 * (n + 1))
 
 
-def rooted_of_genus_by_contraction(edges: int, genus: int) -> dict[int, int]:
+def rooted_of_genus_by_contraction(
+    edges: int, genus: int, legal: Degrees | None = None
+) -> dict[int, int]:
     """``{vertices: rooted maps}`` of one genus, by contracting edges at every vertex degree.
+
+    With ``legal`` those alone whose degrees are all among these.
 
     Counted first are maps whose vertices are labelled and have a distinguished dart each;
     of these a rooted map has ``(n-1)!`` times the product of the degrees away from the root.
-    Raises: ValueError for edges < 1 or genus < 0.
+    Raises: ValueError for genus < 0.
     Cost: the partitions of 2m, each with the ways to split it in two; meant for m <= 9.
     Source: T. R. S. Walsh and A. B. Lehman, Counting rooted maps by genus I,
     J. Combin. Theory B 13 (1972).
-    """
-    check_edges(edges)
-    check_genus(genus)
-    every = frozenset(range(1, 2 * edges + 1))
-    return {n: _rooted_by_contraction(edges, n, genus, every) for n in vertex_counts(edges)}
-
-
-def rooted_of_degrees_by_contraction(edges: int, genus: int, legal: Degrees) -> dict[int, int]:
-    """``{vertices: rooted maps}`` of one genus with legal degrees alone.
-
-    Raises, Cost, Source: as :func:`rooted_of_genus_by_contraction`.
     """
     check_genus(genus)
     return {n: _rooted_by_contraction(edges, n, genus, legal) for n in vertex_counts(edges)}
 
 
-def _rooted_by_contraction(edges: int, vertices: int, genus: int, legal: Degrees) -> int:
+def _rooted_by_contraction(edges: int, vertices: int, genus: int, legal: Degrees | None) -> int:
     # Each degree of the partition takes the root in turn: sum d / 2m of the orders do.
     scaled = 0
-    for degrees in partitions(2 * edges, vertices, 2 * edges):
-        if not legal.issuperset(degrees):
-            continue
-        orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
+    for degrees, orders in sequences(2 * edges, vertices, 2 * edges, legal):
         weight = 2 * edges * factorial(2 * edges) // prod(degrees)
         scaled += orders * weight * _dotted(degrees[::-1], genus)
     return exactly(scaled, factorial(vertices) * factorial(2 * edges))

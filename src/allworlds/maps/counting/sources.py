@@ -18,15 +18,13 @@ from allworlds.maps.counting.any_genus import (
     coefficient,
     exactly,
     geometric,
-    partitions,
     plus,
     rooted_maps,
     rooted_of_degrees,
-    rooted_of_degrees_by_contraction,
     rooted_of_genus,
     rooted_of_genus_by_contraction,
-    rooted_planar,
     scaled,
+    sequences,
     series_product,
     times,
     vertex_counts,
@@ -35,6 +33,8 @@ from allworlds.maps.counting.atlas import (
     rooted_planar_simple,
     rooted_simple,
 )
+
+Cells: TypeAlias = dict[int, int]
 
 
 def rooted_planar_simple_by_substitution(edges: int) -> dict[int, int]:
@@ -45,7 +45,6 @@ def rooted_planar_simple_by_substitution(edges: int) -> dict[int, int]:
     corner having two sides.  A map without loops is a simple one with each edge kept or
     opened to a 2-gon, and in it a map without loops whose root edge has been opened.  Both
     are solved for the inner series.
-    Raises: ValueError for edges < 1.
     Source: the compositions of W. T. Tutte, A census of planar maps, Canad. J. Math. 15 (1963).
     """
     vertices = vertex_counts(edges)
@@ -83,17 +82,16 @@ def rooted_simple_by_degrees(edges: int, legal: Degrees | None = None) -> dict[i
 
     A graph has ``prod (deg-1)!`` rotation systems; labelled graphs are counted by degree
     sequence, and a rooted map has ``n!`` labellings of its vertices.
-    Raises: ValueError for edges < 1.  Cost: the partitions of 2m.
+    Cost: the partitions of 2m.
     """
-    degrees = frozenset(range(1, 2 * edges + 1)) if legal is None else legal
     return {
-        n: exactly(2 * edges * _connected_rotations(n, edges, degrees), factorial(n))
+        n: exactly(2 * edges * _connected_rotations(n, edges, legal), factorial(n))
         for n in vertex_counts(edges)
     }
 
 
 @cache
-def _connected_rotations(vertices: int, edges: int, legal: Degrees) -> int:
+def _connected_rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
     """Rotation systems of connected simple graphs on labelled vertices, with m >= 1 edges."""
     if not vertices - 1 <= edges <= comb(vertices, 2):
         return 0
@@ -108,17 +106,14 @@ def _connected_rotations(vertices: int, edges: int, legal: Degrees) -> int:
 
 
 @cache
-def _rotations(vertices: int, edges: int, legal: Degrees) -> int:
+def _rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
     """As :func:`_connected_rotations`, of all graphs without isolated vertices."""
     if edges > comb(vertices, 2):
         return 0
-    total = 0
-    for degrees in partitions(2 * edges, vertices, vertices - 1):
-        if not legal.issuperset(degrees):
-            continue
-        orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
-        total += orders * _graphs(degrees) * prod(factorial(d - 1) for d in degrees)
-    return total
+    return sum(
+        orders * _graphs(degrees) * prod(factorial(d - 1) for d in degrees)
+        for degrees, orders in sequences(2 * edges, vertices, vertices - 1, legal)
+    )
 
 
 @cache
@@ -156,32 +151,10 @@ def sources(map_class: str) -> tuple[CountSource, ...]:
 
     The first knows every cell and is fast.  Raises: ValueError for an unknown class.
     """
-    known = {
-        "maps": (
-            CountSource("log-series of permutations", rooted_maps),
-            CountSource("Carrell-Chapuy recurrence", _over_all_genera(rooted_of_genus)),
-            CountSource(
-                "Walsh-Lehman recurrence", _over_all_genera(rooted_of_genus_by_contraction)
-            ),
-        ),
-        "planar": (
-            CountSource("Carrell-Chapuy recurrence", rooted_planar),
-            CountSource("Walsh-Lehman recurrence", lambda m: rooted_of_genus_by_contraction(m, 0)),
-        ),
-        "simple": (
-            CountSource("degree sequences of labelled graphs", rooted_simple_by_degrees),
-            CountSource("graph atlas and Catalan numbers", rooted_simple),
-        ),
-        "planar-simple": (
-            CountSource("substitution into planar maps", rooted_planar_simple_by_substitution),
-            CountSource(
-                "graph atlas with genus-0 rotations and Catalan numbers", rooted_planar_simple
-            ),
-        ),
-    }
-    if map_class not in known:
-        raise ValueError(f"unknown class of maps {map_class!r}; the classes are {', '.join(known)}")
-    return known[map_class]
+    if map_class not in _SOURCES:
+        legal = ", ".join(_SOURCES)
+        raise ValueError(f"unknown class of maps {map_class!r}; the classes are {legal}")
+    return _SOURCES[map_class]
 
 
 def source_for(map_class: str) -> CountSource:
@@ -189,28 +162,17 @@ def source_for(map_class: str) -> CountSource:
     return sources(map_class)[0]
 
 
-def _over_all_genera(
-    cells: Callable[[int, int], dict[int, int]],
-) -> Callable[[int], dict[int, int]]:
-    def summed(edges: int) -> dict[int, int]:
-        by_genus = [cells(edges, genus) for genus in range(edges // 2 + 1)]
-        return {n: sum(cell[n] for cell in by_genus) for n in vertex_counts(edges)}
-
-    return summed
-
-
-Cells: TypeAlias = dict[int, int]
+def _of_any_genus(
+    edges: int, of_genus: Callable[[int, int], Cells], genera: Iterable[int] | None = None
+) -> Cells:
+    """``{vertices: rooted maps}``, summed over these genera; over all if none are given."""
+    each = [of_genus(edges, g) for g in (range(edges // 2 + 1) if genera is None else genera)]
+    return {n: sum(cells[n] for cells in each) for n in vertex_counts(edges)}
 
 
 def rooted_trees(edges: int) -> Cells:
     """``{vertices: rooted plane trees}``: Catalan numbers."""
     return {n: catalan(edges) if n == edges + 1 else 0 for n in vertex_counts(edges)}
-
-
-def rooted_with_degrees(edges: int, degrees: Degrees, genera: Iterable[int]) -> Cells:
-    """``{vertices: rooted maps}`` of these genera with legal degrees alone, by contraction."""
-    each = [rooted_of_degrees_by_contraction(edges, genus, degrees) for genus in genera]
-    return {n: sum(cells[n] for cells in each) for n in vertex_counts(edges)}
 
 
 def rooted_with_faces(edges: int, length: int, genera: Iterable[int]) -> Cells:
@@ -220,7 +182,7 @@ def rooted_with_faces(edges: int, length: int, genera: Iterable[int]) -> Cells:
     for genus in genera if rest == 0 else ():
         vertices = edges - faces + 2 - 2 * genus
         if vertices > 0:
-            duals = rooted_of_degrees_by_contraction(edges, genus, frozenset({length}))
+            duals = rooted_of_genus_by_contraction(edges, genus, frozenset({length}))
             cells[vertices] = duals[faces]
     return cells
 
@@ -253,7 +215,11 @@ def _of_degrees(map_class: str, legal: Callable[[int], bool]) -> tuple[CountSour
     )
     by_contraction = CountSource(
         "Walsh-Lehman recurrence at these degrees",
-        lambda m: rooted_with_degrees(m, degrees(m), _genera(map_class, m)),
+        lambda m: _of_any_genus(
+            m,
+            lambda m, genus: rooted_of_genus_by_contraction(m, genus, degrees(m)),
+            _genera(map_class, m),
+        ),
     )
     by_graphs = CountSource(
         "these degree sequences of labelled graphs",
@@ -295,6 +261,29 @@ def _of_girth(map_class: str, least: int) -> tuple[CountSource, ...]:
         return sources(map_class) if least <= 3 else ()
     return sources({"maps": "simple", "planar": "planar-simple"}[map_class]) if least == 3 else ()
 
+
+_SOURCES = {
+    "maps": (
+        CountSource("log-series of permutations", rooted_maps),
+        CountSource("Carrell-Chapuy recurrence", lambda m: _of_any_genus(m, rooted_of_genus)),
+        CountSource(
+            "Walsh-Lehman recurrence",
+            lambda m: _of_any_genus(m, rooted_of_genus_by_contraction),
+        ),
+    ),
+    "planar": (
+        CountSource("Carrell-Chapuy recurrence", lambda m: rooted_of_genus(m, 0)),
+        CountSource("Walsh-Lehman recurrence", lambda m: rooted_of_genus_by_contraction(m, 0)),
+    ),
+    "simple": (
+        CountSource("degree sequences of labelled graphs", rooted_simple_by_degrees),
+        CountSource("graph atlas and Catalan numbers", rooted_simple),
+    ),
+    "planar-simple": (
+        CountSource("substitution into planar maps", rooted_planar_simple_by_substitution),
+        CountSource("graph atlas with genus-0 rotations and Catalan numbers", rooted_planar_simple),
+    ),
+}
 
 _NARROWED: dict[str, Callable[[str, int], tuple[CountSource, ...]]] = {
     "cubic": lambda map_class, _: _of_degrees(map_class, lambda d: d == 3),
