@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from enum import StrEnum
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol, TypeAlias
 
@@ -68,26 +68,30 @@ def girth_at_least(gluing: Gluing, least: int) -> bool:
     dart = gluing.newest
     if dart == OPEN:
         return True
-    u, v = gluing.vertex[dart], gluing.vertex[gluing.alpha[dart]]
-    between = _neighbours_but(gluing, dart)
-    ring, met = {u}, {u}
-    for length in range(1, least):
-        if v in ring:
-            return False
-        ring = {w for x in ring for w in between[x]} - met
-        met |= ring
-        if not ring or length + 1 == least:
-            break
-    return True
-
-
-def _neighbours_but(gluing: Gluing, dart: int) -> list[set[int]]:
-    """The vertices next to each vertex, by another edge than that of the dart."""
-    found: list[set[int]] = [set() for _ in gluing.degrees]
+    other, vertex = gluing.alpha[dart], gluing.vertex
+    beyond: list[set[int]] = [set() for _ in gluing.degrees]
     for d, e in enumerate(gluing.alpha):
-        if e != OPEN and d not in (dart, gluing.alpha[dart]):
-            found[gluing.vertex[d]].add(gluing.vertex[e])
-    return found
+        if e != OPEN and d not in (dart, other):
+            beyond[vertex[d]].add(vertex[e])
+    return _shortest_round(vertex[dart], vertex[other], beyond.__getitem__, least - 1) is None
+
+
+def _shortest_round(
+    start: int, goal: int, beyond: Callable[[int], Iterable[int]], most: int
+) -> int | None:
+    """The length of a shortest cycle through an edge with these ends, of those up to ``most``.
+
+    The other edges lead from a vertex to those ``beyond`` it.
+    """
+    ring, met = {start}, {start}
+    for length in range(1, most + 1):
+        if goal in ring:
+            return length
+        ring = {w for vertex in ring for w in beyond(vertex)} - met
+        if not ring:
+            break
+        met |= ring
+    return None
 
 
 def genus_exactly(gluing: Gluing, genus: int) -> bool:
@@ -144,7 +148,6 @@ class ConditionKind(Struct, frozen=True):
     """A condition that comes with this program.
 
     Attributes:
-        about: what holds of a map.
         holds: whether it does; of a map and the number of the name.
         begins: whether a map of which it holds can begin as a partial gluing.
         least: the least number that is legal; None where the name has none.
@@ -152,7 +155,6 @@ class ConditionKind(Struct, frozen=True):
             asked of these.
     """
 
-    about: str
     holds: Callable[[CombinatorialMap, int], bool]
     begins: Beginning = any_map
     least: int | None = None
@@ -165,27 +167,16 @@ def girth(map_: CombinatorialMap) -> int | None:
     A loop is a cycle of length 1, two parallel edges are one of length 2.
     Cost: O(m) a dart.
     """
-    found = [length for dart in map_.darts if (length := _shortest_round(map_, dart)) is not None]
-    return min(found, default=None)
+    owner, alpha = map_.vertex_of, map_.alpha
+    shortest: int | None = None
+    for d, e in map_.edges:
 
+        def beyond(vertex: int, edge: tuple[int, int] = (d, e)) -> list[int]:
+            return [owner[alpha[x]] for x in map_.vertices[vertex] if x not in edge]
 
-def _shortest_round(map_: CombinatorialMap, dart: int) -> int | None:
-    """The length of a shortest cycle through the edge of a dart."""
-    goal, start = map_.vertex_of[dart], map_.vertex_of[map_.alpha[dart]]
-    ring, met, steps = {start}, {start}, 1
-    while ring:
-        if goal in ring:
-            return steps
-        beyond = {
-            map_.vertex_of[map_.alpha[d]]
-            for vertex in ring
-            for d in map_.vertices[vertex]
-            if d not in (dart, map_.alpha[dart])
-        }
-        ring = beyond - met
-        met |= ring
-        steps += 1
-    return None
+        most = map_.edge_count if shortest is None else shortest - 1
+        shortest = _shortest_round(owner[d], owner[e], beyond, most) or shortest
+    return shortest
 
 
 def _girth_at_least(map_: CombinatorialMap, least: int) -> bool:
@@ -193,33 +184,24 @@ def _girth_at_least(map_: CombinatorialMap, least: int) -> bool:
     return length is None or length >= least
 
 
+def _faces_of(length: int) -> ConditionKind:
+    """Every face has that many darts."""
+    return ConditionKind(
+        lambda m, _: all(len(face) == length for face in m.faces),
+        lambda dual, _: regular(dual, length),
+        dual=True,
+    )
+
+
 CONDITIONS: dict[str, ConditionKind] = {
-    "cubic": ConditionKind(
-        "every vertex has 3 darts", lambda m, _: {*m.degrees} == {3}, lambda g, _: regular(g, 3)
-    ),
-    "regular": ConditionKind(
-        "every vertex has D darts", lambda m, d: {*m.degrees} == {d}, regular, 1
-    ),
-    "eulerian": ConditionKind(
-        "every vertex has an even number of darts",
-        lambda m, _: not any(d % 2 for d in m.degrees),
-        even,
-    ),
-    "trees": ConditionKind("no cycle", lambda m, _: m.edge_count == m.vertex_count - 1, tree),
-    "girth": ConditionKind("every cycle has at least G edges", _girth_at_least, girth_at_least, 1),
-    "genus": ConditionKind("exactly the genus G", lambda m, g: m.genus == g, genus_exactly, 0),
-    "triangulation": ConditionKind(
-        "every face has 3 darts",
-        lambda m, _: all(len(face) == 3 for face in m.faces),
-        lambda dual, _: regular(dual, 3),
-        dual=True,
-    ),
-    "quadrangulation": ConditionKind(
-        "every face has 4 darts",
-        lambda m, _: all(len(face) == 4 for face in m.faces),
-        lambda dual, _: regular(dual, 4),
-        dual=True,
-    ),
+    "cubic": ConditionKind(lambda m, _: {*m.degrees} == {3}, lambda g, _: regular(g, 3)),
+    "regular": ConditionKind(lambda m, d: {*m.degrees} == {d}, regular, 1),
+    "eulerian": ConditionKind(lambda m, _: not any(d % 2 for d in m.degrees), even),
+    "trees": ConditionKind(lambda m, _: m.edge_count == m.vertex_count - 1, tree),
+    "girth": ConditionKind(_girth_at_least, girth_at_least, 1),
+    "genus": ConditionKind(lambda m, g: m.genus == g, genus_exactly, 0),
+    "triangulation": _faces_of(3),
+    "quadrangulation": _faces_of(4),
 }
 """Every condition with a name."""
 

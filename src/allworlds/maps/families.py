@@ -20,11 +20,7 @@ Ends: TypeAlias = list[tuple[int, int]]
 
 
 def torus(rows: int, columns: int, random: Random) -> CombinatorialMap:
-    """The square lattice on the torus, from any of its darts; m = 2RC.
-
-    Raises:
-        ValueError: if there is no row or no column.
-    """
+    """The square lattice on the torus, from any of its darts; m = 2RC."""
     if rows < 1 or columns < 1:
         raise ValueError("R and C are at least 1")
     cells = [(r, c) for r in range(rows) for c in range(columns)]
@@ -39,33 +35,22 @@ def torus(rows: int, columns: int, random: Random) -> CombinatorialMap:
 
 
 def regular(degree: int, vertices: int, random: Random) -> CombinatorialMap:
-    """A connected map in which every vertex has that degree; m = DN/2.
-
-    Raises:
-        ValueError: if there is none, or the degree is below 3 (drawn ones would not be connected).
-    """
+    """A connected map in which every vertex has that degree; m = DN/2."""
     if degree < 3 or vertices < 1 or degree * vertices % 2:
         raise ValueError("D is at least 3, and D times N is even")
-    return _connected(lambda: _paired([v for v in range(vertices) for _ in range(degree)], random))
+    darts = [v for v in range(vertices) for _ in range(degree)]
+    return _connected(lambda: _drawn(vertices, _matched(darts, random), random))
 
 
 def cubic(vertices: int, random: Random) -> CombinatorialMap:
-    """A connected map in which every vertex has degree 3; m = 3N/2.
-
-    Raises:
-        ValueError: for an odd number of vertices, or none.
-    """
+    """A connected map in which every vertex has degree 3; m = 3N/2."""
     if vertices < 1 or vertices % 2:
         raise ValueError("N is even, and at least 2")
     return regular(3, vertices, random)
 
 
 def sparse(vertices: int, edges: int, random: Random) -> CombinatorialMap:
-    """A random tree with random edges besides, loops and parallel ones among them.
-
-    Raises:
-        ValueError: if there are fewer edges than a tree has.
-    """
+    """A random tree with random edges besides, loops and parallel ones among them."""
     if not 0 < vertices <= edges + 1 or edges < 1:
         raise ValueError("N vertices need N - 1 edges at least, and a map has 1")
     ends = [(v, random.randrange(v)) for v in range(1, vertices)]
@@ -86,9 +71,6 @@ def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
 
     The path has ``length`` inner vertices, filled up with loops, and the knot as many vertices,
     the last of which has degree D + 1.
-
-    Raises:
-        ValueError: for an odd degree, or one below 4.
     """
     if degree < 4 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 4, L at least 1")
@@ -98,10 +80,7 @@ def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
     # The darts of the knot are odd in number: its last vertex has one more.
     knot.append(2 * length)
 
-    def draw() -> CombinatorialMap:
-        return _drawn(2 * length + 1, path + _matched(knot, random), random)
-
-    return _connected(draw)
+    return _connected(lambda: _drawn(2 * length + 1, path + _matched(knot, random), random))
 
 
 def lollipop_edges(degree: int, length: int) -> int:
@@ -110,11 +89,7 @@ def lollipop_edges(degree: int, length: int) -> int:
 
 
 def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
-    """A path of ``length`` edges, from its end, each vertex filled up with loops to at most D.
-
-    Raises:
-        ValueError: for an odd degree, or one below 2.
-    """
+    """A path of ``length`` edges, from its end, each vertex filled up with loops to at most D."""
     if degree < 2 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 2, L at least 1")
     ends = list(pairwise(range(length + 1)))
@@ -130,11 +105,7 @@ def thick_edges(degree: int, length: int) -> int:
 
 
 def switched_prism(length: int, random: Random) -> CombinatorialMap:
-    """Two rings with rungs, of which two are crossed: cubic, and nearly symmetric; m = 3N.
-
-    Raises:
-        ValueError: for fewer than 3 rungs.
-    """
+    """Two rings with rungs, of which two are crossed: cubic, and nearly symmetric; m = 3N."""
     if length < 3:
         raise ValueError("N is at least 3")
     rungs = [(i, length + i) for i in range(length)]
@@ -151,9 +122,6 @@ def cover(sheets: int, random: Random) -> CombinatorialMap:
     """A connected k-fold cover of a random map with 3 vertices and 5 edges; m = 5k.
 
     Only the lighthouse tells its sheets apart.
-
-    Raises:
-        ValueError: for no sheet.
     """
     if sheets < 1:
         raise ValueError("K is at least 1")
@@ -178,10 +146,6 @@ def _matched(darts: list[int], random: Random) -> Ends:
     shuffled = darts[:]
     random.shuffle(shuffled)
     return list(zip(shuffled[::2], shuffled[1::2], strict=True))
-
-
-def _paired(darts: list[int], random: Random) -> CombinatorialMap:
-    return _drawn(max(darts) + 1, _matched(darts, random), random)
 
 
 def _drawn(vertices: int, ends: Ends, random: Random) -> CombinatorialMap:
@@ -350,17 +314,11 @@ def _de_bruijn(letters: int, length: int) -> Iterator[int]:
             word[-1] += 1
 
 
-def drawn_corridor(shape: CorridorShape, seed: int) -> Corridor:
-    """The corridor of that shape that a seed draws."""
-    name = f"corridor/{shape.far}/{seed}"
-    if shape.degree != usual_degree(shape.far):
-        name = f"corridor/{shape.far}x{shape.degree}/{seed}"
-    return corridor_skeleton(shape, Random(name))  # noqa: S311  # reproducible
-
-
 def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
     """The world with F far hubs of degree R, near loops and far matching drawn."""
-    drawn = drawn_corridor(CorridorShape(far, degree), seed)
+    numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
+    random = Random(f"corridor/{numbers}/{seed}")  # noqa: S311  # reproducible
+    drawn = corridor_skeleton(CorridorShape(far, degree), random)
     return drawn.matched(list(zip(drawn.free[::2], drawn.free[1::2], strict=True)))
 
 
@@ -436,15 +394,8 @@ def edges_of(text: str) -> int:
 def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
     """The number of rooted maps that seeds draw of a member, each with the same chance.
 
-    Args:
-        text: of the member.
-        map_: the member from any seed.
-        holes: of the member.
-
-    Returns:
-        The number; None where a seed draws more than the dart at which a robot starts.
-
-    Cost: O(m^2).
+    None where a seed draws more than the dart at which a robot starts.  ``map_`` is the member
+    from any seed.  Cost: O(m^2).
     """
     kind, _ = _parsed(text)
     if not kind.one_map or holes:

@@ -36,8 +36,9 @@ class BuiltIn(Struct, frozen=True):
     """An explorer that ships with the package.
 
     Attributes:
-        explore: the generator function; it takes ``choices`` and ``notice``, and may take
-            ``told``.
+        explore: the generator function; it takes the percept before any motion, ``choices``
+            (default: first in, first out) and ``notice``, which hears of events and changes
+            nothing, and may take ``told``.
         lighthouse: the one that it is written for, as ``KIND[:key=value,...]``.
         witnesses: the events that a complete check must have seen, each with the least known
             (edges, vertices) within which every policy meets it, for classes with loops and

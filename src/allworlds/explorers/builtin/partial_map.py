@@ -12,11 +12,7 @@ from allworlds.protocol.choices import Choices, Kind
 
 
 def bearing_of(percept: Percept) -> int:
-    """The bearing that an explorer cannot do without.
-
-    Raises:
-        ValueError: if the lighthouse shows none here.
-    """
+    """The bearing that an explorer cannot do without."""
     if percept.bearing is None:
         raise ValueError("this explorer needs a bearing here, and the lighthouse shows none")
     return percept.bearing
@@ -67,12 +63,14 @@ class PartialMap:
         The other darts of the vertex join U.
         """
         entry = self._add_vertex(percept)
-        self._explore(dart, entry)
+        self.add_loop(dart, entry)
         return entry
 
     def add_loop(self, dart: int, partner: int) -> None:
         """Lines 18-19: join the explored ``dart`` to ``partner``, which leaves U."""
-        self._explore(dart, partner)
+        self.alpha[dart], self.alpha[partner] = partner, dart
+        self.unexplored.remove(dart)
+        self.unexplored.remove(partner)
 
     def ways(self, vertex: int) -> Iterator[tuple[int, int]]:
         """The explored darts of a vertex, clockwise, each with the vertex it leads to."""
@@ -111,11 +109,6 @@ class PartialMap:
         self.expected.extend([percept] * degree)
         self.unexplored.extend(darts)
         return start
-
-    def _explore(self, dart: int, partner: int) -> None:
-        self.alpha[dart], self.alpha[partner] = partner, dart
-        self.unexplored.remove(dart)
-        self.unexplored.remove(partner)
 
 
 def simple_path(

@@ -118,10 +118,7 @@ def quotient(
 ) -> Walk[Estimate | Ambiguous]:
     """Learn the quotient under position: return a map if only one has it, else the quotient.
 
-    Args:
-        first: the percept at v0 before any motion.
-        choices: is not asked.
-        notice: told of ``map`` or ``ambiguous``, the kind of the answer.
+    Events are ``map`` and ``ambiguous``, the kind of the answer.
 
     Cost: polynomial in the darts; at most 557 traversals for up to 4 edges, 1,791 for 5.
     """
