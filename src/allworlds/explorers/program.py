@@ -268,7 +268,12 @@ def _short_action(line: bytes) -> Action | None:
 
 
 def _message_of(line: bytes) -> Message:
-    message = _object_of(line)
+    try:
+        message = json.loads(line)
+    except (ValueError, RecursionError):
+        raise _illegal(f"a line that is no JSON: {shown(line)}") from None
+    if not isinstance(message, dict):
+        raise _illegal(f"a line that is no object: {shown(line)}")
     if (said := _sayings(message)) != 1:
         keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
         raise _illegal(f"the line {_short(message)}: {keys}")
@@ -287,16 +292,6 @@ def _message_of(line: bytes) -> Message:
         return EpisodeEnd(message["answer"])
     legal = "move takes an integer, write one from 0 on, drop and pick take true"
     raise _illegal(f"the line {_short(message)}: {legal}")
-
-
-def _object_of(line: bytes) -> dict[str, Any]:
-    try:
-        message = json.loads(line)
-    except (ValueError, RecursionError):
-        raise _illegal(f"a line that is no JSON: {shown(line)}") from None
-    if not isinstance(message, dict):
-        raise _illegal(f"a line that is no object: {shown(line)}")
-    return message
 
 
 def _sayings(message: dict[str, Any]) -> int:
@@ -433,16 +428,12 @@ class Program:
     def _begin(self, first: Percept, told: Told) -> None:
         if self._process is None:
             self._start()
-        self._empty()
-        self._heard = False
-        self._send(beginning(self._numbers.getrandbits(53), first, told))
-
-    def _empty(self) -> None:
-        """Raise ExplorerFault if the program has said more than it was asked for."""
         self._read(0)
         self._err.clear()
         if self._out:
             raise self._fault("illegal-action", f"a line before it was asked: {shown(self._out)}")
+        self._heard = False
+        self._send(beginning(self._numbers.getrandbits(53), first, told))
 
     def _start(self) -> None:
         try:
@@ -507,20 +498,15 @@ class Program:
                 raise self._fault("illegal-action", f"a line of over {LONGEST_LINE} bytes")
             left = deadline - time.monotonic()
             if left <= 0:
-                raise self._fault("timeout", self._silence(), machine=True)
+                part = f"no whole line in {self._timeout:g} s ({plural(searched, 'byte')} of one)"
+                seen = part if searched else f"silent for {self._timeout:g} s"
+                raise self._fault("timeout", seen, machine=True)
             if not self._read(left):
                 raise self._ended("the end of its output: it writes no more, and goes on")
         line = bytes(self._out[:end])
         del self._out[: end + 1]
         self._heard = True
         return line
-
-    def _silence(self) -> str:
-        """The words for a time in which no line came."""
-        begun = len(self._out)
-        if not begun:
-            return f"silent for {self._timeout:g} s"
-        return f"no whole line in {self._timeout:g} s ({plural(begun, 'byte')} of one)"
 
     def _read(self, wait: float) -> bool:
         """Read the program's output for up to ``wait`` seconds; return False at its end of output.

@@ -25,7 +25,6 @@ from allworlds.explorers.names import (
 from allworlds.explorers.program import Program
 from allworlds.inputs.checks import InputError, read_text, show
 from allworlds.protocol.importing import SourceText, bytes_of, module_file
-from allworlds.protocol.user_code import arguments_of
 
 SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
 """The endings of the source of a shared library, looked for beside it."""
@@ -169,7 +168,7 @@ def content_digest(subject: Subject) -> str:
     elif is_library(name):
         files = [Path(path_of(name))]
     else:
-        files = [module_file(_module_of(name))]
+        files = [_file_and_attributes(name)[0]]
     digest = hashlib.sha256()
     for file in files:
         text = bytes_of(file)
@@ -207,12 +206,6 @@ def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
     except InputError as error:
         return str(error)
     return "" if same else f"the explorer {show(subject.name)} has another text here"
-
-
-def _module_of(name: str) -> str:
-    plain, _ = arguments_of(name)
-    point = entry_point(plain)
-    return point.module if point else plain.rpartition(":")[0]
 
 
 def _files_of(command: str) -> list[Path]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Sequence
 from functools import cached_property
 from math import factorial, gcd, perm, prod
 from typing import NamedTuple, TypeAlias
@@ -11,7 +11,7 @@ from typing import NamedTuple, TypeAlias
 from msgspec import Struct
 
 from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, inverse, places
 
 
 def coarsest_partition(
@@ -55,7 +55,7 @@ class _Partition:
                 self.block[element] = number
 
     def refined(self, permutations: Sequence[Sequence[int]]) -> list[int]:
-        inverses = [_inverse(permutation) for permutation in permutations]
+        inverses = [inverse(permutation) for permutation in permutations]
         # What splits by the largest block splits by the others too.
         sizes = [past - first for first, past in zip(self.first, self.past, strict=True)]
         largest = sizes.index(max(sizes))
@@ -63,8 +63,8 @@ class _Partition:
         while waiting:
             splitter = waiting.pop()
             members = self.elements[self.first[splitter] : self.past[splitter]]
-            for inverse in inverses:
-                waiting += self.split([inverse[element] for element in members])
+            for back in inverses:
+                waiting += self.split([back[element] for element in members])
         return self.block
 
     def split(self, chosen: Sequence[int]) -> list[int]:
@@ -98,13 +98,6 @@ class _Partition:
         return new
 
 
-def _inverse(permutation: Sequence[int]) -> list[int]:
-    inverse = [0] * len(permutation)
-    for x, y in enumerate(permutation):
-        inverse[y] = x
-    return inverse
-
-
 class Quotient(Struct, frozen=True, dict=True):
     """A quotient rooted at class 0, in canonical numbering.
 
@@ -132,11 +125,7 @@ class Quotient(Struct, frozen=True, dict=True):
     @cached_property
     def vertex_of(self) -> tuple[int, ...]:
         """For each class the index of its vertex in :attr:`vertices`."""
-        owner = [0] * len(self.sigma)
-        for index, vertex in enumerate(self.vertices):
-            for q in vertex:
-                owner[q] = index
-        return tuple(owner)
+        return places(self.vertices)[0]
 
     @cached_property
     def cone_indices(self) -> tuple[int, ...]:
@@ -239,24 +228,13 @@ def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
     block = coarsest_partition(labels, (sigma, alpha))
     number: dict[int, int] = {}
     for root in roots:
-        for representative in _breadth_first(root, block, sigma, alpha, set(number)):
-            number[block[representative]] = len(number)
+        queue = [root]
+        for x in queue:
+            if block[x] not in number:
+                number[block[x]] = len(number)
+                queue += sigma[x], alpha[x]
     all_classes = iter([number[b] for b in block])
     return tuple(tuple(next(all_classes) for _ in map_.darts) for map_, _, _ in parts)
-
-
-def _breadth_first(
-    root: int, block: Sequence[int], sigma: Sequence[int], alpha: Sequence[int], known: set[int]
-) -> Iterator[int]:
-    """One dart of each block that can be reached from the root and is not known."""
-    queue = [root] if block[root] not in known else []
-    known.add(block[root])
-    for x in queue:
-        yield x
-        for y in (sigma[x], alpha[x]):
-            if block[y] not in known:
-                known.add(block[y])
-                queue.append(y)
 
 
 def is_ambiguous(quotient: Quotient) -> bool:

@@ -197,7 +197,8 @@ class NativeExplorer:
         if quotient is None:
             there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
             raise ExplorerFault("illegal-action", there_is_none)
-        return Ambiguous(*self._said(quotient, 4, state, sensed, "no-estimate"), self._here[0])
+        sigma, alpha, degree, marks = self._said(quotient, 4, state, sensed, "no-estimate")
+        return Ambiguous(sigma, alpha, degree, marks, self._here[0])
 
 
 def _one_number(told: Told) -> int:
