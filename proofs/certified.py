@@ -46,8 +46,7 @@ from allworlds.corpus.explorers import (
     WrongExplorer,
 )
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
-from allworlds.explorers.loading import load
-from allworlds.explorers.subject import in_process_subject
+from allworlds.explorers.loading import in_process_subject, load
 from allworlds.judging.endings import Answered
 from allworlds.judging.episode import play
 from allworlds.judging.laws.bounds import paper_bound

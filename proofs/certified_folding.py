@@ -25,8 +25,7 @@ from allworlds.corpus.explorers import (
 from allworlds.engines.kernel.laws import folds
 from allworlds.engines.kernel.records import FOLD, LOG, WORLD
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
-from allworlds.explorers.loading import load
-from allworlds.explorers.subject import in_process_subject
+from allworlds.explorers.loading import in_process_subject, load
 from allworlds.judging.episode import play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.folding import fold

@@ -16,7 +16,7 @@ from allworlds.engines.lane import answered, started
 from allworlds.engines.players import Lost, Setup
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.judging.endings import Fault
 from allworlds.judging.episode import Episode, Log
 from allworlds.judging.findings.rules import Rules

@@ -49,7 +49,7 @@ from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.engines.effort import Limits
 from allworlds.engines.players import Unsettled
 from allworlds.engines.single import subject_of
-from allworlds.explorers.subject import Subject, built_in, in_process_subject
+from allworlds.explorers.loading import Subject, built_in, in_process_subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.endings import Answered, Fault
 from allworlds.judging.episode import default_step_budget

@@ -11,8 +11,7 @@ from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.engines.progress import Silent
 from allworlds.engines.scope import Scope
 from allworlds.engines.single import subject_of
-from allworlds.explorers.loading import load
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject, load
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass

@@ -21,8 +21,8 @@ from allworlds.engines.dask import Dask
 from allworlds.engines.effort import ClusterLost, DaskCluster
 from allworlds.engines.here import ThisThread
 from allworlds.engines.progress import Silent
-from allworlds.explorers.digest import content_digest, not_alike, with_content
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
+from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError
 from allworlds.version import __version__
 from clusters import cluster_apart, cluster_here

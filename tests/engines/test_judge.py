@@ -16,7 +16,7 @@ from allworlds.engines.kernel.records import ACTION, ANSWER, PERCEPT, ROBOT
 from allworlds.engines.questions import level_of
 from allworlds.engines.scope import LevelRuns, Scope
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.subject import in_process_subject
+from allworlds.explorers.loading import in_process_subject
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps import MapClass

@@ -18,8 +18,7 @@ from allworlds.engines.lane import answered
 from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
-from allworlds.explorers.loading import load, source_of
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject, load, source_of
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import Log
 from allworlds.judging.findings.rules import Rules

@@ -13,12 +13,9 @@ from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.builtin.folded_log import FoldedLog
 from allworlds.explorers.builtin.folding import has_open_dart
 from allworlds.explorers.builtin.shield import Shield
-from allworlds.explorers.digest import content_digest
-from allworlds.explorers.loading import load
-from allworlds.explorers.names import named_on_command_line, own_bound
-from allworlds.explorers.source_line import place_of_explorer
-from allworlds.explorers.spelling import whole_name
-from allworlds.explorers.subject import in_process_subject
+from allworlds.explorers.loading import in_process_subject, load
+from allworlds.explorers.names import named_on_command_line, own_bound, whole_name
+from allworlds.explorers.sources import content_digest, place_of_explorer
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.explorers.source_line import files_of_explorer, place_of_explorer
+from allworlds.explorers.sources import files_of_explorer, place_of_explorer
 
 TEXT = '''\
 """An explorer."""

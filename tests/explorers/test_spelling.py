@@ -4,7 +4,7 @@ import inspect
 
 import pytest
 
-from allworlds.explorers.spelling import explorers_in, short_names, whole_name
+from allworlds.explorers.names import explorers_in, short_names, whole_name
 from allworlds.inputs.checks import InputError
 from allworlds.studies.check.exhaustive import check
 

@@ -3,10 +3,9 @@ import sys
 import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.loading import load
+from allworlds.explorers.loading import in_process_subject, load
 from allworlds.explorers.names import own_bound, own_lighthouse
 from allworlds.explorers.program import Program
-from allworlds.explorers.subject import in_process_subject
 from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.choices import Choices

@@ -5,8 +5,7 @@ import pytest
 
 from allworlds.inputs.checks import InputError
 from allworlds.maps import MapClass, girth, rooted_code, rooted_maps
-from allworlds.maps.classes import Extent
-from allworlds.maps.conditions import AND, CONDITIONS, AllOf, condition_named
+from allworlds.maps.classes import AND, CONDITIONS, AllOf, Extent, condition_named
 from allworlds.maps.count_source import source_of
 from allworlds.maps.enumeration import prefixes
 from bruteforce import rooted_maps_by_permutations

@@ -17,7 +17,7 @@ from allworlds.maps import (
 )
 from allworlds.maps.build import cycle
 from allworlds.maps.combinatorial import cycles
-from allworlds.maps.criterion import _uniform, pose_count
+from allworlds.maps.quotient import _uniform, pose_count
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity import class_of, projection_of
 from allworlds.studies.ambiguity.members import (

@@ -5,10 +5,9 @@ from math import comb, factorial, prod
 import pytest
 
 from allworlds.maps import MapClass, rooted_maps
-from allworlds.maps.conditions import condition_named
-from allworlds.maps.counting.any_genus import catalan
-from allworlds.maps.counting.arithmetic import vertex_counts
-from allworlds.maps.counting.narrowed import source_under, sources_under
+from allworlds.maps.classes import condition_named
+from allworlds.maps.counting.any_genus import catalan, vertex_counts
+from allworlds.maps.counting.sources import source_under, sources_under
 
 NAMES = [
     *("cubic", "regular:2", "regular:4", "eulerian", "trees", "girth:1", "girth:2", "girth:3"),

@@ -5,7 +5,7 @@ import importlib
 import pytest
 
 from allworlds.explorers.builtin.shield import Shield
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.subject import built_in, in_process_subject
+from allworlds.explorers.loading import built_in, in_process_subject
 from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import worlds
 

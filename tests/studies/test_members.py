@@ -3,7 +3,7 @@ import pytest
 from allworlds.inputs.checks import InputError
 from allworlds.maps import automorphisms, class_size, isomorphism, named_map, rooted_maps
 from allworlds.maps.build import lattice
-from allworlds.maps.criterion import pose_count
+from allworlds.maps.quotient import pose_count
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import class_of, members, projection_of, twins
 from allworlds.studies.ambiguity.members import is_least_rooting

@@ -22,8 +22,8 @@ from allworlds import CombinatorialMap, World, ambiguity
 from allworlds.corpus import explorers as wrong
 from allworlds.document.struct import replace
 from allworlds.maps import named_map
-from allworlds.maps.criterion import pose_count
 from allworlds.maps.families import CorridorShape, corridor_skeleton
+from allworlds.maps.quotient import pose_count
 from allworlds.studies.worst.every_schedule import EverySchedule
 from enumerators import map_doubled, mirror_images_merged
 from minimax import StrategyLeaf

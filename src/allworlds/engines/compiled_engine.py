@@ -30,7 +30,7 @@ from allworlds.engines.questions import level_of, tally_of
 from allworlds.engines.scope import LevelRuns, NumberedRun, Scope, UnitOfRuns, numbered_runs
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.engines.units import Whole, cells_of_level
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.maps.enumeration import prefixes

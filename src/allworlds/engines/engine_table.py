@@ -16,8 +16,8 @@ from allworlds.engines.obstacles import COMPILED_FROM, COMPILER, WORTH_LOADING, 
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Transport
-from allworlds.explorers.digest import content_digest, not_alike, with_content
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
+from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError, lack_of, show
 
 

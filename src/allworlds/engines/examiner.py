@@ -6,7 +6,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import show
 from allworlds.judging.endings import Answered, Ending, Fault, Undecided
 from allworlds.judging.episode import Episode, play

@@ -55,7 +55,7 @@ from allworlds.engines.players import (
 from allworlds.engines.scope import LevelRuns, UnitOfRuns
 from allworlds.engines.tally import REPORT_EVERY, RunCounter
 from allworlds.engines.units import PartialResult, level_size
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.judging.episode import Log
 from allworlds.protocol.playing import AN_ACTION
 

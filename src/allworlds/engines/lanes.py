@@ -34,7 +34,7 @@ from allworlds.engines.players import HarnessError, Unsettled, child_path
 from allworlds.engines.scope import UnitOfRuns
 from allworlds.engines.tally import EnginesDisagree, RunCounter
 from allworlds.engines.units import PartialResult, Transport
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.words import ended_by
 

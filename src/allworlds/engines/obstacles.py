@@ -12,7 +12,7 @@ from allworlds.engines.kernel.capabilities import (
     MOST_EDGES,
 )
 from allworlds.engines.scope import Given, Scope
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import show
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import MapClass

@@ -23,8 +23,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from allworlds.engines.kernel.library_player import LibraryPlayer
     from allworlds.explorers.functions import Function
+    from allworlds.explorers.loading import Subject
     from allworlds.explorers.program import Program
-    from allworlds.explorers.subject import Subject
     from allworlds.protocol.choices import Choices
     from allworlds.protocol.player import Player
 

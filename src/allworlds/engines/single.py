@@ -31,11 +31,15 @@ from allworlds.engines.players import Lost, PlayerProcess, Setup, keep
 from allworlds.engines.scope import GivenWorlds, Scope
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.loading import source_of
-from allworlds.explorers.names import command_of, is_program
+from allworlds.explorers.loading import (
+    Subject,
+    built_in,
+    in_process_subject,
+    source_of,
+    with_shield,
+)
+from allworlds.explorers.names import command_of, is_program, whole_name
 from allworlds.explorers.program import Program
-from allworlds.explorers.spelling import whole_name
-from allworlds.explorers.subject import Subject, built_in, in_process_subject, with_shield
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.endings import (
     Answered,

@@ -3,24 +3,18 @@
 ``builtin``
     the explorers that come with the package, one a module;
 ``names``
-    names of explorers, and what is known by a name alone;
-``subject``
-    an explorer as a check speaks of it;
-``loading``, ``functions``
-    its code, found by its name, in a process that may run users' code; a function, with the fewest
-    imports;
+    names of explorers, what is known by a name alone, and those that are nearly one;
+``functions``
+    a function found by its name, with the fewest imports;
+``loading``
+    any explorer found by its name, in a process that may run users' code, and as a check speaks
+    of it;
 ``asked``
     the part of a request that names one;
-``spelling``
-    names that are nearly those of an explorer;
-``digest``
-    a digest of an explorer's code, independent of its name;
-``source_line``
-    the file and the line of one;
-``program``, ``program_lines``
-    a program in any language behind a pipe, and the lines between;
-``command_words``
-    the words of its command: an interpreter and its script;
+``sources``
+    the files of its code: their digest, and the line of the explorer;
+``program``
+    a program in any language behind a pipe;
 ``shared_library``
     explorers in shared libraries: the C interface;
 ``skeletons``

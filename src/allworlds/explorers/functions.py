@@ -60,10 +60,6 @@ class Function:
 def function_named(name: str, source: SourceText | None) -> Any:
     """The object that a name ``module:attribute`` or ``FILE.py:attribute`` stands for.
 
-    Args:
-        name: of the explorer.
-        source: the text of its file, if it stands in a file.
-
     Raises:
         InputError: if there is none, or it does not import.
     """

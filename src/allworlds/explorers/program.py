@@ -90,10 +90,8 @@ def missing_script(words: Sequence[str]) -> str:
     endings = ("", *call.interpreter.endings)
     if any(Path(script + ending).exists() for script in scripts for ending in endings):
         return ""
-    name = Path(call.program).name
-    if is_loop_of_links(call.files[0]):
-        return f"{name} cannot open {show(call.files[0])}: it is a loop of links"
-    return f"{name} cannot open {show(call.files[0])}: there is no such file"
+    reason = "it is a loop of links" if is_loop_of_links(call.files[0]) else "there is no such file"
+    return f"{Path(call.program).name} cannot open {show(call.files[0])}: {reason}"
 
 
 def syntax_error(words: Sequence[str]) -> str:
@@ -208,8 +206,13 @@ def obstacle(name: str) -> str:
     return f"there is no program {show(name)}"
 
 
+RunLaw: TypeAlias = Literal["crash", "timeout", "illegal-action", "no-estimate"]
+"""The laws that a program breaks by what it writes."""
+
 SAYINGS = ("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer")
 """A line of the program has exactly one of these keys."""
+
+MAP_KEYS, QUOTIENT_KEYS = ("sigma", "alpha", "here"), ("sigma", "alpha", "degree", "marks", "here")
 
 SHORT = 64
 """Lines of fewer bytes, as most are, are parsed once."""
@@ -265,7 +268,12 @@ def _short_action(line: bytes) -> Action | None:
 
 
 def _message_of(line: bytes) -> Message:
-    message = _object_of(line)
+    try:
+        message = json.loads(line)
+    except (ValueError, RecursionError):
+        raise _illegal(f"a line that is no JSON: {shown(line)}") from None
+    if not isinstance(message, dict):
+        raise _illegal(f"a line that is no object: {shown(line)}")
     if (said := _sayings(message)) != 1:
         keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
         raise _illegal(f"the line {_short(message)}: {keys}")
@@ -273,25 +281,17 @@ def _message_of(line: bytes) -> Message:
     if action is not None:
         return action
     if "checkpoint" in message:
-        return _checkpoint(message["checkpoint"])
+        found = _values(message["checkpoint"], "a checkpoint", "illegal-action", *MAP_KEYS)
+        return Checkpoint(*found)
     if "estimate" in message:
         return EpisodeEnd(_estimate(message["estimate"]))
     if "ambiguous" in message:
-        return EpisodeEnd(_ambiguous(message["ambiguous"]))
+        found = _values(message["ambiguous"], "a quotient", "no-estimate", *QUOTIENT_KEYS)
+        return EpisodeEnd(Ambiguous(*found))
     if "answer" in message:
         return EpisodeEnd(message["answer"])
     legal = "move takes an integer, write one from 0 on, drop and pick take true"
     raise _illegal(f"the line {_short(message)}: {legal}")
-
-
-def _object_of(line: bytes) -> dict[str, Any]:
-    try:
-        message = json.loads(line)
-    except (ValueError, RecursionError):
-        raise _illegal(f"a line that is no JSON: {shown(line)}") from None
-    if not isinstance(message, dict):
-        raise _illegal(f"a line that is no object: {shown(line)}")
-    return message
 
 
 def _sayings(message: dict[str, Any]) -> int:
@@ -303,36 +303,21 @@ def _illegal(seen: str) -> ExplorerFault:
     return ExplorerFault("illegal-action", seen)
 
 
-def _checkpoint(value: object) -> Checkpoint:
-    if not isinstance(value, dict):
-        raise ExplorerFault("illegal-action", f"a checkpoint that is no object: {_short(value)}")
-    if missing := _missing(value):
-        raise ExplorerFault("illegal-action", f"a checkpoint without {missing}: {_short(value)}")
-    return Checkpoint(value["sigma"], value["alpha"], value["here"])
-
-
 def _estimate(value: object) -> Estimate:
-    if not isinstance(value, dict):
-        raise ExplorerFault("no-estimate", f"an estimate that is no object: {_short(value)}")
-    if missing := _missing(value):
-        raise ExplorerFault("no-estimate", f"an estimate without {missing}: {_short(value)}")
+    _, _, here = _values(value, "an estimate", "no-estimate", *MAP_KEYS)
     try:
-        return Estimate(CombinatorialMap.from_json(value), value["here"])
+        return Estimate(CombinatorialMap.from_json(value), here)  # type: ignore[arg-type]
     except InvalidMap as error:
         raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
 
-def _ambiguous(value: object) -> Ambiguous:
+def _values(value: object, what: str, law: RunLaw, *keys: str) -> list[Any]:
+    """The values of a checkpoint or an answer under these keys."""
     if not isinstance(value, dict):
-        raise ExplorerFault("no-estimate", f"a quotient that is no object: {_short(value)}")
-    if missing := _missing(value, ("sigma", "alpha", "degree", "marks", "here")):
-        raise ExplorerFault("no-estimate", f"a quotient without {missing}: {_short(value)}")
-    return Ambiguous(*(value[key] for key in ("sigma", "alpha", "degree", "marks", "here")))
-
-
-def _missing(value: dict[str, Any], keys: Sequence[str] = ("sigma", "alpha", "here")) -> str:
-    """The missing keys of a checkpoint or an answer, in words."""
-    return " and ".join(key for key in keys if key not in value)
+        raise ExplorerFault(law, f"{what} that is no object: {_short(value)}")
+    if missing := [key for key in keys if key not in value]:
+        raise ExplorerFault(law, f"{what} without {' and '.join(missing)}: {_short(value)}")
+    return [value[key] for key in keys]
 
 
 def _short(value: object) -> str:
@@ -443,16 +428,12 @@ class Program:
     def _begin(self, first: Percept, told: Told) -> None:
         if self._process is None:
             self._start()
-        self._empty()
-        self._heard = False
-        self._send(beginning(self._numbers.getrandbits(53), first, told))
-
-    def _empty(self) -> None:
-        """Raise ExplorerFault if the program has said more than it was asked for."""
         self._read(0)
         self._err.clear()
         if self._out:
             raise self._fault("illegal-action", f"a line before it was asked: {shown(self._out)}")
+        self._heard = False
+        self._send(beginning(self._numbers.getrandbits(53), first, told))
 
     def _start(self) -> None:
         try:
@@ -517,20 +498,15 @@ class Program:
                 raise self._fault("illegal-action", f"a line of over {LONGEST_LINE} bytes")
             left = deadline - time.monotonic()
             if left <= 0:
-                raise self._fault("timeout", self._silence(), machine=True)
+                part = f"no whole line in {self._timeout:g} s ({plural(searched, 'byte')} of one)"
+                seen = part if searched else f"silent for {self._timeout:g} s"
+                raise self._fault("timeout", seen, machine=True)
             if not self._read(left):
                 raise self._ended("the end of its output: it writes no more, and goes on")
         line = bytes(self._out[:end])
         del self._out[: end + 1]
         self._heard = True
         return line
-
-    def _silence(self) -> str:
-        """The words for a time in which no line came."""
-        begun = len(self._out)
-        if not begun:
-            return f"silent for {self._timeout:g} s"
-        return f"no whole line in {self._timeout:g} s ({plural(begun, 'byte')} of one)"
 
     def _read(self, wait: float) -> bool:
         """Read the program's output for up to ``wait`` seconds; return False at its end of output.
@@ -588,12 +564,7 @@ class Program:
                 return
 
     def _fault(
-        self,
-        law: Literal["crash", "timeout", "illegal-action", "no-estimate"],
-        seen: str,
-        detail: str = "",
-        *,
-        machine: bool = False,
+        self, law: RunLaw, seen: str, detail: str = "", *, machine: bool = False
     ) -> ExplorerFault:
         self._drain()
         said = self._err.decode(errors="replace")

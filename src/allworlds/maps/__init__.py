@@ -37,24 +37,17 @@ Modules
 ``combinatorial``, ``canonical``
     the map itself; codes, automorphisms and isomorphisms;
 ``classes``
-    **the** table of the classes of maps;
-``conditions``, ``beginnings``
-    conditions that narrow a class, and how the maps of which they are true can begin;
+    **the** tables of the classes of maps, and of the conditions that narrow them;
 ``enumeration``, ``counting``
     every map of a class: glued together, and counted without making one;
 ``count_source``
-    the source with which the enumeration of an extent is compared;
-``completion_counts``
-    how many maps a partial gluing can become;
-``build``, ``families``, ``drawn_families``, ``corridor``
+    the source with which the enumeration of an extent is compared, and how many maps a partial
+    gluing can become;
+``build``, ``families``
     maps by hand and by name, and large ones by a text and a seed;
 ``surgery``, ``networks``
-    small changes to a map; to networkx and back;
-``postman``
-    the shortest walk along every edge;
-``matching``
-    matchings of graphs, enlarged by one edge;
-``refinement``, ``quotient``, ``criterion``
+    small changes to a map, and the shortest walk along every edge; to networkx and back;
+``quotient``
     indistinguishable darts, the quotient by them, and the number of worlds that share a quotient.
 
 Inside this package a map in a hot place is a bare pair of tuples or lists; everywhere
@@ -82,13 +75,11 @@ if TYPE_CHECKING:
         rooted_isomorphism as rooted_isomorphism,
         unrooted_code as unrooted_code,
     )
-    from allworlds.maps.classes import MapClass as MapClass
+    from allworlds.maps.classes import MapClass as MapClass, girth as girth
     from allworlds.maps.combinatorial import (
         CombinatorialMap as CombinatorialMap,
         InvalidMap as InvalidMap,
     )
-    from allworlds.maps.conditions import girth as girth
-    from allworlds.maps.criterion import class_size as class_size, is_ambiguous as is_ambiguous
     from allworlds.maps.enumeration import rooted_maps as rooted_maps
     from allworlds.maps.families import family as family, random_map as random_map
     from allworlds.maps.networks import (
@@ -96,7 +87,12 @@ if TYPE_CHECKING:
         from_networkx as from_networkx,
         to_networkx as to_networkx,
     )
-    from allworlds.maps.quotient import Quotient as Quotient, project as project
+    from allworlds.maps.quotient import (
+        Quotient as Quotient,
+        class_size as class_size,
+        is_ambiguous as is_ambiguous,
+        project as project,
+    )
     from allworlds.maps.surgery import (
         contracted as contracted,
         covering_walk as covering_walk,

@@ -283,43 +283,16 @@ def _cube() -> CombinatorialMap:
     return from_rotation(outer + inner)
 
 
-def _fig1_left() -> CombinatorialMap:
-    return from_rotation(
-        [
-            [1, 2, 3, 5],
-            [0, 4, 6],
-            [0, 6, 7],
-            [0, 7, 8],
-            [1, 5, 6],
-            [0, 8, 4],
-            [2, 1, 4],
-            [3, 2, 8],
-            [5, 3, 7],
-        ]
-    )
-
-
-def _fig1_right() -> CombinatorialMap:
-    return from_rotation(
-        [
-            [1, 2, 3, 5],
-            [0, 4, 6],
-            [0, 6, 4],
-            [0, 7, 8],
-            [1, 2, 6],
-            [0, 8, 7],
-            [2, 1, 4],
-            [3, 5, 8],
-            [5, 3, 7],
-        ]
-    )
+def _of_digits(rotation: str) -> CombinatorialMap:
+    """The map of a rotation in which each neighbour is a digit, and each vertex a word."""
+    return from_rotation([[*map(int, vertex)] for vertex in rotation.split()])
 
 
 _SINGLE: dict[str, Callable[[], CombinatorialMap]] = {
     "cube": _cube,
     "edge": lambda: from_cycles(["a", "a"]),
-    "fig1-left": _fig1_left,
-    "fig1-right": _fig1_right,
+    "fig1-left": lambda: _of_digits("1235 046 067 078 156 084 214 328 537"),
+    "fig1-right": lambda: _of_digits("1235 046 064 078 126 087 214 358 537"),
     "k4": lambda: _wheel(3),
     "k4-torus": lambda: dense(4),
     "loop": lambda: from_cycles(["aa"]),

@@ -74,7 +74,30 @@ def unrooted_code(map_: CombinatorialMap) -> Code:
     Cost: O(m^2) at worst; roots are given up at the first larger entry, and roots that an
     automorphism already found carries to a tried one are skipped.
     """
-    return _least_rooting(map_)[0]
+    sigma, alpha = map_.sigma, map_.alpha
+    size = len(sigma)
+    best, best_order = rooted_code(sigma, alpha, 0), numbering(sigma, alpha, 0)
+    tried = [False] * size
+    tried[0] = True
+    for root in range(1, size):
+        if tried[root]:
+            continue
+        tried[root] = True
+        if _compare(sigma, alpha, root, best[0]) > 0:
+            continue
+        code, order = rooted_code(sigma, alpha, root), numbering(sigma, alpha, root)
+        if code < best:
+            best, best_order = code, order
+        elif code == best:
+            # An automorphism: best_order[i] -> order[i].  Its powers carry tried roots on.
+            image = dict(zip(best_order, order, strict=True))
+            for d in range(size):
+                if tried[d]:
+                    e = image[d]
+                    while not tried[e]:
+                        tried[e] = True
+                        e = image[e]
+    return best
 
 
 def automorphisms(map_: CombinatorialMap) -> int:
@@ -112,38 +135,6 @@ def carries(
                 return False
     # A map that commutes with two transitive actions on equally many darts is onto.
     return True
-
-
-def _least_rooting(map_: CombinatorialMap) -> tuple[Code, Dart]:
-    sigma, alpha = map_.sigma, map_.alpha
-    size = len(sigma)
-    best = rooted_code(sigma, alpha, 0)
-    best_root, best_order = 0, numbering(sigma, alpha, 0)
-    tried = [False] * size
-    tried[0] = True
-    for root in range(1, size):
-        if tried[root]:
-            continue
-        tried[root] = True
-        verdict = _compare(sigma, alpha, root, best[0])
-        if verdict > 0:
-            continue
-        code = rooted_code(sigma, alpha, root)
-        if code < best:
-            best, best_root, best_order = code, root, numbering(sigma, alpha, root)
-        elif code == best:
-            # An automorphism: best_order[i] -> order[i].  Its powers carry tried roots on.
-            order = numbering(sigma, alpha, root)
-            image = [0] * size
-            for a, b in zip(best_order, order, strict=True):
-                image[a] = b
-            for d in range(size):
-                if tried[d]:
-                    e = image[d]
-                    while not tried[e]:
-                        tried[e] = True
-                        e = image[e]
-    return best, best_root
 
 
 def _compare(sigma: Sequence[Dart], alpha: Sequence[Dart], root: Dart, best: Sequence[int]) -> int:

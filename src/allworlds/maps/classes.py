@@ -1,10 +1,11 @@
-"""**The** table of the classes of maps, and the extent that makes one of them finite."""
+"""**The** tables of the classes of maps and of the conditions that narrow them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterable
 from enum import StrEnum
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol, TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import force_setattr
@@ -21,7 +22,297 @@ from allworlds.inputs.checks import (
 )
 from allworlds.inputs.requests import SCOPE, Option, Request, Taken
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.conditions import Condition
+
+if TYPE_CHECKING:
+    from allworlds.maps.enumeration import Gluing
+
+OPEN = -1
+
+Beginning: TypeAlias = "Callable[[Gluing, int], bool]"
+"""Of a partial gluing and the number of the condition: whether a map of it may begin so."""
+
+
+def any_map(_gluing: Gluing, _number: int) -> bool:
+    """True: nothing is known of the beginnings."""
+    return True
+
+
+def regular(gluing: Gluing, degree: int) -> bool:
+    """Every vertex so far has this degree, and the owed darts make vertices of it."""
+    room = gluing.limit - len(gluing.degrees)
+    return (
+        all(met == degree for met in gluing.degrees)
+        and gluing.owed % degree == 0
+        and gluing.owed <= room * degree
+    )
+
+
+def even(gluing: Gluing, _number: int) -> bool:
+    """Every vertex so far has an even degree."""
+    return not any(degree % 2 for degree in gluing.degrees)
+
+
+def tree(gluing: Gluing, _number: int) -> bool:
+    """Each edge so far has led to a new vertex, and each open dart can, too."""
+    open_darts = sum(map(len, gluing.faces))
+    edges = (len(gluing.alpha) - open_darts) // 2
+    return (
+        edges == len(gluing.degrees) - 1
+        and open_darts <= gluing.owed
+        and gluing.limit == gluing.edges + 1
+    )
+
+
+def girth_at_least(gluing: Gluing, least: int) -> bool:
+    """The cycle that the newest edge closes, if it closes one, has at least this length."""
+    dart = gluing.newest
+    if dart == OPEN:
+        return True
+    other, vertex = gluing.alpha[dart], gluing.vertex
+    beyond: list[set[int]] = [set() for _ in gluing.degrees]
+    for d, e in enumerate(gluing.alpha):
+        if e != OPEN and d not in (dart, other):
+            beyond[vertex[d]].add(vertex[e])
+    return _shortest_round(vertex[dart], vertex[other], beyond.__getitem__, least - 1) is None
+
+
+def _shortest_round(
+    start: int, goal: int, beyond: Callable[[int], Iterable[int]], most: int
+) -> int | None:
+    """The length of a shortest cycle through an edge with these ends, of those up to ``most``.
+
+    The other edges lead from a vertex to those ``beyond`` it.
+    """
+    ring, met = {start}, {start}
+    for length in range(1, most + 1):
+        if goal in ring:
+            return length
+        ring = {w for vertex in ring for w in beyond(vertex)} - met
+        if not ring:
+            break
+        met |= ring
+    return None
+
+
+def genus_exactly(gluing: Gluing, genus: int) -> bool:
+    """The surface so far has no more handles, and enough cycles to get as many are to come.
+
+    Closed edges alone make a surface whose handles stay; of a finished map with n vertices and one
+    face at least, ``2g <= m - n + 1``.
+    """
+    vertices = len(gluing.degrees)
+    most = (gluing.edges - vertices - (gluing.owed > 0) + 1) // 2
+    if genus > most:
+        return False
+    closed = [d for d, e in enumerate(gluing.alpha) if e != OPEN]
+    if not closed:
+        return True
+    faces = _faces_of_closed(gluing, closed)
+    return 2 - vertices + len(closed) // 2 - faces <= 2 * genus
+
+
+def _faces_of_closed(gluing: Gluing, closed: list[int]) -> int:
+    """The number of faces round the closed edges, as if there were no open darts."""
+    at: dict[int, list[int]] = {}
+    for dart in closed:
+        at.setdefault(gluing.vertex[dart], []).append(dart)
+    following = {
+        dart: after
+        for darts in at.values()
+        for dart, after in zip(darts, [*darts[1:], darts[0]], strict=True)
+    }
+    left, faces = set(closed), 0
+    while left:
+        faces += 1
+        dart = start = left.pop()
+        while (dart := following[gluing.alpha[dart]]) != start:
+            left.remove(dart)
+    return faces
+
+
+class Condition(Protocol):
+    """A property of maps that does not depend on the numbering of darts.
+
+    Of one that cuts off gluings more is known: see :class:`Narrowing`.
+    """
+
+    @property
+    def name(self) -> str:
+        """As ``--where`` takes it."""
+
+    def holds(self, map_: CombinatorialMap) -> bool:
+        """Whether the map has the property."""
+
+
+class ConditionKind(Struct, frozen=True):
+    """A condition that comes with this program.
+
+    Attributes:
+        holds: whether it does; of a map and the number of the name.
+        begins: whether a map of which it holds can begin as a partial gluing.
+        least: the least number that is legal; None where the name has none.
+        dual: such maps are made as the duals of maps that are glued together, and ``begins`` is
+            asked of these.
+    """
+
+    holds: Callable[[CombinatorialMap, int], bool]
+    begins: Beginning = any_map
+    least: int | None = None
+    dual: bool = False
+
+
+def girth(map_: CombinatorialMap) -> int | None:
+    """The length of a shortest cycle; None of a tree.
+
+    A loop is a cycle of length 1, two parallel edges are one of length 2.
+    Cost: O(m) a dart.
+    """
+    owner, alpha = map_.vertex_of, map_.alpha
+    shortest: int | None = None
+    for d, e in map_.edges:
+
+        def beyond(vertex: int, edge: tuple[int, int] = (d, e)) -> list[int]:
+            return [owner[alpha[x]] for x in map_.vertices[vertex] if x not in edge]
+
+        most = map_.edge_count if shortest is None else shortest - 1
+        shortest = _shortest_round(owner[d], owner[e], beyond, most) or shortest
+    return shortest
+
+
+def _girth_at_least(map_: CombinatorialMap, least: int) -> bool:
+    length = girth(map_)
+    return length is None or length >= least
+
+
+def _faces_of(length: int) -> ConditionKind:
+    """Every face has that many darts."""
+    return ConditionKind(
+        lambda m, _: all(len(face) == length for face in m.faces),
+        lambda dual, _: regular(dual, length),
+        dual=True,
+    )
+
+
+CONDITIONS: dict[str, ConditionKind] = {
+    "cubic": ConditionKind(lambda m, _: {*m.degrees} == {3}, lambda g, _: regular(g, 3)),
+    "regular": ConditionKind(lambda m, d: {*m.degrees} == {d}, regular, 1),
+    "eulerian": ConditionKind(lambda m, _: not any(d % 2 for d in m.degrees), even),
+    "trees": ConditionKind(lambda m, _: m.edge_count == m.vertex_count - 1, tree),
+    "girth": ConditionKind(_girth_at_least, girth_at_least, 1),
+    "genus": ConditionKind(lambda m, g: m.genus == g, genus_exactly, 0),
+    "triangulation": _faces_of(3),
+    "quadrangulation": _faces_of(4),
+}
+"""Every condition with a name."""
+
+AND = " and "
+"""The text between the names of several conditions."""
+
+LEGAL = "cubic, regular:D, eulerian, trees, girth:G, genus:G, triangulation, quadrangulation"
+"""How they are written."""
+
+
+class NamedCondition(Struct, frozen=True):
+    """A condition that comes with this program, with its number where it has one."""
+
+    name: str
+    narrows: ClassVar[bool] = True
+
+    def holds(self, map_: CombinatorialMap) -> bool:
+        """Whether the map has the property."""
+        return self._kind.holds(map_, self.number)
+
+    @property
+    def dual(self) -> bool:
+        """Whether such maps are made as duals."""
+        return self._kind.dual
+
+    def may_begin(self, gluing: Gluing) -> bool:
+        """Whether a map that has the property, or its dual, can begin as this gluing."""
+        return self._kind.begins(gluing, self.number)
+
+    @property
+    def kind(self) -> str:
+        """The name without its number."""
+        return self.name.partition(":")[0]
+
+    @property
+    def number(self) -> int:
+        """The number in the name; 0 where there is none."""
+        return int(self.name.partition(":")[2] or 0)
+
+    @property
+    def _kind(self) -> ConditionKind:
+        return CONDITIONS[self.kind]
+
+    def __str__(self) -> str:
+        return self.name
+
+
+class AllOf(Struct, frozen=True):
+    """Several conditions, each of which must hold."""
+
+    parts: tuple[Condition, ...]
+
+    @property
+    def name(self) -> str:
+        """The names of the parts."""
+        return AND.join(part.name for part in self.parts)
+
+    @property
+    def codes(self) -> tuple[Any, ...]:
+        """The user's code among the parts."""
+        return tuple(code for part in self.parts for code in getattr(part, "codes", ()))
+
+    def holds(self, map_: CombinatorialMap) -> bool:
+        """Whether the map has every property."""
+        return all(part.holds(map_) for part in self.parts)
+
+    def __str__(self) -> str:
+        return self.name
+
+
+class Narrowing(Condition, Protocol):
+    """A condition that cuts off gluings.
+
+    Attributes:
+        narrows: whether it does.
+        dual: such maps are made as the duals of gluings.
+    """
+
+    narrows: bool
+    dual: bool
+
+    def may_begin(self, gluing: Gluing) -> bool:
+        """Whether such a map, or its dual, can begin as this gluing."""
+
+
+def narrowing(where: Condition | None) -> tuple[Narrowing, ...]:
+    """The conditions that cut off gluings: of maps, or else of their duals."""
+    parts: tuple[Any, ...] = where.parts if isinstance(where, AllOf) else (where,)
+    found = [part for part in parts if getattr(part, "narrows", False)]
+    return tuple([part for part in found if not part.dual] or found)
+
+
+def condition_named(text: str) -> NamedCondition | None:
+    """The condition of that name; None where the name is none of ours.
+
+    Raises:
+        InputError: if its number is missing, too small, or none.
+    """
+    name, colon, number = text.partition(":")
+    if name not in CONDITIONS:
+        return None
+    least = CONDITIONS[name].least
+    if least is None:
+        if colon:
+            raise InputError(f"where = {show(text)}: {name} takes no number; legal are {LEGAL}")
+    elif not re.fullmatch("[0-9]{1,6}", number) or int(number) < least:
+        raise InputError(
+            f"where = {show(text)}: {name} takes a number from {least} on, as in {name}:3"
+        )
+    return NamedCondition(text)
+
 
 DEFAULT_EDGES = 5
 """The number of edges up to which a check takes seconds."""

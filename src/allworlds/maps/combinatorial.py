@@ -156,11 +156,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
     @cached_property
     def vertex_of(self) -> tuple[Vertex, ...]:
         """For each dart the index of its vertex in :attr:`vertices`."""
-        owner = [0] * len(self.sigma)
-        for index, vertex in enumerate(self.vertices):
-            for dart in vertex:
-                owner[dart] = index
-        return tuple(owner)
+        return self._places[0]
 
     @cached_property
     def degree_at(self) -> tuple[int, ...]:
@@ -184,18 +180,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
         Cost: O(m) a vertex.
         """
-        beyond: list[set[int]] = [set() for _ in self.vertices]
-        for dart, other in enumerate(self.alpha):
-            beyond[self.vertex_of[dart]].add(self.vertex_of[other])
-        largest = 0
-        for first in range(len(beyond)):
-            met, ring, steps = {first}, {first}, -1
-            while ring:
-                ring = set().union(*(beyond[vertex] for vertex in ring)) - met
-                met |= ring
-                steps += 1
-            largest = max(largest, steps)
-        return largest
+        return max(max(distances(self, v).values()) for v in range(self.vertex_count))
 
     @cached_property
     def loop_count(self) -> int:
@@ -230,7 +215,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
         Cost: O(1) after the first call.
         """
         vertex = self.vertices[self.vertex_of[dart]]
-        return vertex[(self._place[dart] + offset) % len(vertex)]
+        return vertex[(self._places[1][dart] + offset) % len(vertex)]
 
     def offset(self, start: Dart, end: Dart) -> int:
         """The ``k`` in ``0..degree-1`` with ``sigma^k(start) == end``.
@@ -240,16 +225,12 @@ class CombinatorialMap(Pictured, WrittenByFields):
         """
         if self.vertex_of[start] != self.vertex_of[end]:
             raise ValueError(f"darts {start} and {end} are not at one vertex")
-        return (self._place[end] - self._place[start]) % self.degree_at[start]
+        place = self._places[1]
+        return (place[end] - place[start]) % self.degree_at[start]
 
     @cached_property
-    def _place(self) -> tuple[int, ...]:
-        """For each dart its position in its vertex's cycle."""
-        place = [0] * len(self.sigma)
-        for vertex in self.vertices:
-            for i, dart in enumerate(vertex):
-                place[dart] = i
-        return tuple(place)
+    def _places(self) -> tuple[tuple[Vertex, ...], tuple[int, ...]]:
+        return places(self.vertices)
 
     def relabelled(self, names: Sequence[Dart]) -> CombinatorialMap:
         """Return the map with dart ``d`` renamed to ``names[d]``, a permutation of the darts."""
@@ -264,10 +245,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     def mirrored(self) -> CombinatorialMap:
         """The mirror image: anticlockwise becomes clockwise, the darts keep their names."""
-        inverse = [0] * len(self.sigma)
-        for d, e in enumerate(self.sigma):
-            inverse[e] = d
-        return CombinatorialMap.trusted(inverse, self.alpha)
+        return CombinatorialMap.trusted(inverse(self.sigma), self.alpha)
 
     def dual(self) -> CombinatorialMap:
         """The dual map: faces become vertices, and the genus stays."""
@@ -324,6 +302,36 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
             x = permutation[x]
         found.append(tuple(cycle))
     return tuple(found)
+
+
+def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """For each element of a permutation its cycle, and its place in it, by their numbers."""
+    size = sum(map(len, cycles))
+    owner, place = [0] * size, [0] * size
+    for index, cycle in enumerate(cycles):
+        for i, x in enumerate(cycle):
+            owner[x], place[x] = index, i
+    return tuple(owner), tuple(place)
+
+
+def distances(map_: CombinatorialMap, vertex: Vertex) -> dict[Vertex, int]:
+    """The number of edges of a shortest walk to each vertex.  Cost: O(m)."""
+    far = {vertex: 0}
+    for v in (queue := [vertex]):
+        for dart in map_.vertices[v]:
+            w = map_.vertex_of[map_.alpha[dart]]
+            if w not in far:
+                far[w] = far[v] + 1
+                queue.append(w)
+    return far
+
+
+def inverse(permutation: Sequence[int]) -> list[int]:
+    """The permutation that leads back."""
+    found = [0] * len(permutation)
+    for x, y in enumerate(permutation):
+        found[y] = x
+    return found
 
 
 def _entries(name: str, values: Iterable[object]) -> tuple[object, ...]:

@@ -8,10 +8,8 @@ from functools import cache
 from types import MappingProxyType
 from typing import TypeAlias
 
-from allworlds.maps.classes import Extent
-from allworlds.maps.conditions import NamedCondition
-from allworlds.maps.counting.narrowed import source_under
-from allworlds.maps.counting.sources import CountSource, source_for
+from allworlds.maps.classes import Extent, NamedCondition
+from allworlds.maps.counting.sources import CountSource, source_for, source_under
 from allworlds.maps.enumeration import Gluing
 
 Size: TypeAlias = tuple[int, int]

@@ -19,15 +19,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
-from allworlds.maps.classes import MapClass
+from allworlds.maps.classes import OPEN, Condition, MapClass, narrowing
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.maps.conditions import Condition, narrowing
 
 Decision: TypeAlias = int
 """A decision about the oldest open dart: ``z >= 0``: it is glued to the open dart ``z``;
 ``-d``: it is glued to a new vertex of degree d.  The first decision is the root's degree."""
-
-OPEN = -1
 
 
 class Gluing:

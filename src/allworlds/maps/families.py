@@ -1,19 +1,172 @@
-"""Named families of maps."""
+"""Named families of maps, small and large."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from itertools import cycle as repeated, islice
+from itertools import cycle as repeated, islice, pairwise
 from random import Random
+from typing import TypeAlias
 
 from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.maps import drawn_families as large
-from allworlds.maps.build import cycle, dense, lattice
+from allworlds.maps.build import cycle, dense, from_cycles, lattice
 from allworlds.maps.canonical import automorphisms, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+
+Ends: TypeAlias = list[tuple[int, int]]
+"""The edges of a graph: the numbers of the two vertices of each."""
+
+
+def torus(rows: int, columns: int, random: Random) -> CombinatorialMap:
+    """The square lattice on the torus, from any of its darts; m = 2RC."""
+    if rows < 1 or columns < 1:
+        raise ValueError("R and C are at least 1")
+    cells = [(r, c) for r in range(rows) for c in range(columns)]
+    start = random.randrange(len(cells))
+    around = []
+    for r, c in cells[start:] + cells[:start]:
+        north, west = (r - 1) % rows, (c - 1) % columns
+        around.append([("down", north, c), ("right", r, c), ("down", r, c), ("right", r, west)])
+    turned = random.randrange(4)
+    around[0] = around[0][turned:] + around[0][:turned]
+    return from_cycles(around)
+
+
+def regular(degree: int, vertices: int, random: Random) -> CombinatorialMap:
+    """A connected map in which every vertex has that degree; m = DN/2."""
+    if degree < 3 or vertices < 1 or degree * vertices % 2:
+        raise ValueError("D is at least 3, and D times N is even")
+    darts = [v for v in range(vertices) for _ in range(degree)]
+    return _connected(lambda: _drawn(vertices, _matched(darts, random), random))
+
+
+def cubic(vertices: int, random: Random) -> CombinatorialMap:
+    """A connected map in which every vertex has degree 3; m = 3N/2."""
+    if vertices < 1 or vertices % 2:
+        raise ValueError("N is even, and at least 2")
+    return regular(3, vertices, random)
+
+
+def sparse(vertices: int, edges: int, random: Random) -> CombinatorialMap:
+    """A random tree with random edges besides, loops and parallel ones among them."""
+    if not 0 < vertices <= edges + 1 or edges < 1:
+        raise ValueError("N vertices need N - 1 edges at least, and a map has 1")
+    ends = [(v, random.randrange(v)) for v in range(1, vertices)]
+    more = edges - len(ends)
+    ends += [(random.randrange(vertices), random.randrange(vertices)) for _ in range(more)]
+    return _drawn(vertices, ends, random)
+
+
+def bouquet(loops: int, random: Random) -> CombinatorialMap:
+    """A first vertex of degree 1 joined to one with loops, matched at random; m = c + 1."""
+    names = [loop for loop in range(loops) for _ in range(2)]
+    random.shuffle(names)
+    return from_cycles([["stem"], ["stem", *names]])
+
+
+def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
+    """A path that looks like the knot at its end, and leads to it from a first vertex of degree 1.
+
+    The path has ``length`` inner vertices, filled up with loops, and the knot as many vertices,
+    the last of which has degree D + 1.
+    """
+    if degree < 4 or degree % 2 or length < 1:
+        raise ValueError("D is even and at least 4, L at least 1")
+    path = list(pairwise(range(length + 2)))
+    path += [(v, v) for v in range(1, length + 1) for _ in range(degree // 2 - 1)]
+    knot = [v for v in range(length + 1, 2 * length + 1) for _ in range(degree)][1:]
+    # The darts of the knot are odd in number: its last vertex has one more.
+    knot.append(2 * length)
+
+    return _connected(lambda: _drawn(2 * length + 1, path + _matched(knot, random), random))
+
+
+def lollipop_edges(degree: int, length: int) -> int:
+    """The number of edges of a lollipop."""
+    return length + 1 + length * (degree // 2 - 1) + length * degree // 2
+
+
+def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
+    """A path of ``length`` edges, from its end, each vertex filled up with loops to at most D."""
+    if degree < 2 or degree % 2 or length < 1:
+        raise ValueError("D is even and at least 2, L at least 1")
+    ends = list(pairwise(range(length + 1)))
+    for v in range(length + 1):
+        on_path = 1 if v in (0, length) else 2
+        ends += [(v, v)] * ((degree - on_path) // 2)
+    return _drawn(length + 1, ends, random)
+
+
+def thick_edges(degree: int, length: int) -> int:
+    """The number of edges of a thick path."""
+    return length + (length - 1) * (degree // 2 - 1) + 2 * ((degree - 1) // 2)
+
+
+def switched_prism(length: int, random: Random) -> CombinatorialMap:
+    """Two rings with rungs, of which two are crossed: cubic, and nearly symmetric; m = 3N."""
+    if length < 3:
+        raise ValueError("N is at least 3")
+    rungs = [(i, length + i) for i in range(length)]
+    half = length // 2
+    rungs[half], rungs[half - 1] = (half, length + half - 1), (half - 1, length + half)
+    ring = [(i, (i + 1) % length) for i in range(length)]
+    return _drawn(2 * length, [*ring, *((length + a, length + b) for a, b in ring), *rungs], random)
+
+
+BASE_VERTICES, BASE_EDGES = 3, 5
+
+
+def cover(sheets: int, random: Random) -> CombinatorialMap:
+    """A connected k-fold cover of a random map with 3 vertices and 5 edges; m = 5k.
+
+    Only the lighthouse tells its sheets apart.
+    """
+    if sheets < 1:
+        raise ValueError("K is at least 1")
+
+    def draw() -> CombinatorialMap:
+        base = sparse(BASE_VERTICES, BASE_EDGES, random)
+        names: dict[tuple[int, int], tuple[int, int]] = {}
+        for edge, (d, e) in enumerate((d, e) for d, e in enumerate(base.alpha) if d < e):
+            sheet = list(range(sheets))
+            random.shuffle(sheet)
+            for s in range(sheets):
+                names[d, s] = names[e, sheet[s]] = edge, s
+        return from_cycles(
+            [[names[d, s] for d in around] for around in base.vertices for s in range(sheets)]
+        )
+
+    return _connected(draw)
+
+
+def _matched(darts: list[int], random: Random) -> Ends:
+    """A random matching of darts that are given by their vertices."""
+    shuffled = darts[:]
+    random.shuffle(shuffled)
+    return list(zip(shuffled[::2], shuffled[1::2], strict=True))
+
+
+def _drawn(vertices: int, ends: Ends, random: Random) -> CombinatorialMap:
+    """The graph with random rotations."""
+    around: list[list[int]] = [[] for _ in range(vertices)]
+    for edge, pair in enumerate(ends):
+        for v in pair:
+            around[v].append(edge)
+    for names in around:
+        random.shuffle(names)
+    return from_cycles(around)
+
+
+def _connected(draw: Callable[[], CombinatorialMap]) -> CombinatorialMap:
+    """The first connected one of these maps."""
+    while True:
+        try:
+            return draw()
+        except InvalidMap:
+            continue
+
 
 LEAST_DEGREE = 14
 """The least degree of a hub: with two types, and more free darts than testers get for nothing."""
@@ -161,17 +314,11 @@ def _de_bruijn(letters: int, length: int) -> Iterator[int]:
             word[-1] += 1
 
 
-def drawn_corridor(shape: CorridorShape, seed: int) -> Corridor:
-    """The corridor of that shape that a seed draws."""
-    name = f"corridor/{shape.far}/{seed}"
-    if shape.degree != usual_degree(shape.far):
-        name = f"corridor/{shape.far}x{shape.degree}/{seed}"
-    return corridor_skeleton(shape, Random(name))  # noqa: S311  # reproducible
-
-
 def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
     """The world with F far hubs of degree R, near loops and far matching drawn."""
-    drawn = drawn_corridor(CorridorShape(far, degree), seed)
+    numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
+    random = Random(f"corridor/{numbers}/{seed}")  # noqa: S311  # reproducible
+    drawn = corridor_skeleton(CorridorShape(far, degree), random)
     return drawn.matched(list(zip(drawn.free[::2], drawn.free[1::2], strict=True)))
 
 
@@ -247,15 +394,8 @@ def edges_of(text: str) -> int:
 def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
     """The number of rooted maps that seeds draw of a member, each with the same chance.
 
-    Args:
-        text: of the member.
-        map_: the member from any seed.
-        holes: of the member.
-
-    Returns:
-        The number; None where a seed draws more than the dart at which a robot starts.
-
-    Cost: O(m^2).
+    None where a seed draws more than the dart at which a robot starts.  ``map_`` is the member
+    from any seed.  Cost: O(m^2).
     """
     kind, _ = _parsed(text)
     if not kind.one_map or holes:
@@ -305,10 +445,10 @@ def _lattice(rows: int, columns: int, holes: float, seed: int) -> CombinatorialM
     return CombinatorialMap(*rooted_code(map_.sigma, map_.alpha, start))
 
 
-def _drawn(
+def _from_seed(
     draw: Callable[..., CombinatorialMap],
 ) -> Callable[[tuple[int, ...], float, int], CombinatorialMap]:
-    """A family of :mod:`allworlds.maps.drawn_families`; each size is drawn independently."""
+    """A family that is drawn; each size is drawn independently."""
 
     def build(sizes: tuple[int, ...], _holes: float, seed: int) -> CombinatorialMap:
         name = "x".join(map(str, sizes))
@@ -339,16 +479,16 @@ FAMILIES = (
         has_holes=True,
     ),
     Family("cycle:N", lambda n: n, lambda size, _holes, _seed: cycle(size[0]), one_map=True),
-    Family("torus:RxC", lambda r, c: 2 * r * c, _drawn(large.torus), one_map=True),
-    Family("cubic:N", lambda n: 3 * n // 2, _drawn(large.cubic)),
-    Family("regular:DxN", lambda d, n: d * n // 2, _drawn(large.regular)),
+    Family("torus:RxC", lambda r, c: 2 * r * c, _from_seed(torus), one_map=True),
+    Family("cubic:N", lambda n: 3 * n // 2, _from_seed(cubic)),
+    Family("regular:DxN", lambda d, n: d * n // 2, _from_seed(regular)),
     Family("random:M", lambda m: m, _random),
-    Family("random:NxM", lambda _n, m: m, _drawn(large.sparse)),
-    Family("bouquet:C", lambda c: c + 1, _drawn(large.bouquet)),
-    Family("lollipop:DxL", large.lollipop_edges, _drawn(large.lollipop)),
-    Family("prism:N", lambda n: 3 * n, _drawn(large.switched_prism)),
-    Family("thick:DxL", large.thick_edges, _drawn(large.thick)),
-    Family("cover:K", lambda k: large.BASE_EDGES * k, _drawn(large.cover)),
+    Family("random:NxM", lambda _n, m: m, _from_seed(sparse)),
+    Family("bouquet:C", lambda c: c + 1, _from_seed(bouquet)),
+    Family("lollipop:DxL", lollipop_edges, _from_seed(lollipop)),
+    Family("prism:N", lambda n: 3 * n, _from_seed(switched_prism)),
+    Family("thick:DxL", thick_edges, _from_seed(thick)),
+    Family("cover:K", lambda k: BASE_EDGES * k, _from_seed(cover)),
     Family(
         "corridor:F",
         lambda f: corridor_edges(f, usual_degree(f)),

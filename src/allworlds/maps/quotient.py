@@ -1,15 +1,17 @@
-"""The least quotient of a map with colours, and the criterion that follows from it."""
+"""The least quotient of a map with colours, and the number of worlds that share one."""
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Hashable, Sequence
 from functools import cached_property
+from math import factorial, gcd, perm, prod
 from typing import NamedTuple, TypeAlias
 
 from msgspec import Struct
 
 from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, inverse, places
 
 
 def coarsest_partition(
@@ -53,7 +55,7 @@ class _Partition:
                 self.block[element] = number
 
     def refined(self, permutations: Sequence[Sequence[int]]) -> list[int]:
-        inverses = [_inverse(permutation) for permutation in permutations]
+        inverses = [inverse(permutation) for permutation in permutations]
         # What splits by the largest block splits by the others too.
         sizes = [past - first for first, past in zip(self.first, self.past, strict=True)]
         largest = sizes.index(max(sizes))
@@ -61,8 +63,8 @@ class _Partition:
         while waiting:
             splitter = waiting.pop()
             members = self.elements[self.first[splitter] : self.past[splitter]]
-            for inverse in inverses:
-                waiting += self.split([inverse[element] for element in members])
+            for back in inverses:
+                waiting += self.split([back[element] for element in members])
         return self.block
 
     def split(self, chosen: Sequence[int]) -> list[int]:
@@ -96,13 +98,6 @@ class _Partition:
         return new
 
 
-def _inverse(permutation: Sequence[int]) -> list[int]:
-    inverse = [0] * len(permutation)
-    for x, y in enumerate(permutation):
-        inverse[y] = x
-    return inverse
-
-
 class Quotient(Struct, frozen=True, dict=True):
     """A quotient rooted at class 0, in canonical numbering.
 
@@ -130,11 +125,7 @@ class Quotient(Struct, frozen=True, dict=True):
     @cached_property
     def vertex_of(self) -> tuple[int, ...]:
         """For each class the index of its vertex in :attr:`vertices`."""
-        owner = [0] * len(self.sigma)
-        for index, vertex in enumerate(self.vertices):
-            for q in vertex:
-                owner[q] = index
-        return tuple(owner)
+        return places(self.vertices)[0]
 
     @cached_property
     def cone_indices(self) -> tuple[int, ...]:
@@ -237,21 +228,80 @@ def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
     block = coarsest_partition(labels, (sigma, alpha))
     number: dict[int, int] = {}
     for root in roots:
-        for representative in _breadth_first(root, block, sigma, alpha, set(number)):
-            number[block[representative]] = len(number)
+        queue = [root]
+        for x in queue:
+            if block[x] not in number:
+                number[block[x]] = len(number)
+                queue += sigma[x], alpha[x]
     all_classes = iter([number[b] for b in block])
     return tuple(tuple(next(all_classes) for _ in map_.darts) for map_, _, _ in parts)
 
 
-def _breadth_first(
-    root: int, block: Sequence[int], sigma: Sequence[int], alpha: Sequence[int], known: set[int]
-) -> Iterator[int]:
-    """One dart of each block that can be reached from the root and is not known."""
-    queue = [root] if block[root] not in known else []
-    known.add(block[root])
-    for x in queue:
-        yield x
-        for y in (sigma[x], alpha[x]):
-            if block[y] not in known:
-                known.add(block[y])
-                queue.append(y)
+def is_ambiguous(quotient: Quotient) -> bool:
+    """Whether two or more worlds have this quotient under position.
+
+    True iff k >= 2, and not: there is no cycle (beta1 = 0), and k = 2, or there is no
+    semi-edge and every cone index but that of v0 is 1.
+
+    Cost: O(m).
+    """
+    if quotient.sheets == 1 or quotient.beta1:
+        return quotient.sheets > 1
+    rigid = not quotient.semi_edges and all(b == 1 for b in quotient.cone_indices[1:])
+    return quotient.sheets > 2 and not rigid
+
+
+def pose_count(quotient: Quotient) -> int:
+    """The number of poses (world, dart of v0): P = (k!)^beta1 N(k,2)^s prod N(k,b_v).
+
+    N(k,b) is the number of permutations of k things with cycles of length b only, s the
+    number of semi-edges; the product is over the vertices other than v0.
+    """
+    return _fixed_by_rotations(quotient, quotient.sheets)
+
+
+def class_size(quotient: Quotient) -> int:
+    """The number of worlds with this quotient, by Burnside's count of orbits.
+
+    Cost: at most k products of large integers for each vertex, each edge and each divisor of
+    k; no world is made.
+    """
+    k = quotient.sheets
+    divisors = [g for g in range(1, k + 1) if k % g == 0]
+    # totient(k / g) powers of c have g cycles.
+    return sum(_totient(k // g) * _fixed_by_rotations(quotient, g) for g in divisors) // k
+
+
+def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
+    """The number of choices that commute with a power of c that has ``cycles`` cycles."""
+    k = quotient.sheets
+    lengths = Counter(quotient.cone_indices[1:])
+    lengths[2] += len(quotient.semi_edges)
+    uniform: int = prod(_uniform(k, cycles, b) ** times for b, times in lengths.items())
+    free: int = ((k // cycles) ** cycles * factorial(cycles)) ** quotient.beta1
+    return uniform * free
+
+
+def _uniform(k: int, cycles: int, b: int) -> int:
+    """The number of permutations of k things, all cycles of length b, that commute with c^i.
+
+    The power c^i has ``cycles`` cycles of length ``r = k / cycles``.  A commuting permutation
+    permutes these cycles, and turns each on the way.  Where it takes t of them round, with
+    turns that add up to an element of order o in Z_r, it has cycles of length t o = b: there
+    are ``r^(t-1) phi(o)`` such turns.
+    """
+    r = k // cycles
+    weight = {
+        t: r ** (t - 1) * _totient(b // t)
+        for t in range(1, min(b, cycles) + 1)
+        if b % t == 0 and r % (b // t) == 0
+    }
+    ways = [1]
+    for g in range(1, cycles + 1):
+        # The cycle of the g-th thing has t things: the others of it come in (g-1)!/(g-t)! ways.
+        ways.append(sum(perm(g - 1, t - 1) * w * ways[g - t] for t, w in weight.items() if t <= g))
+    return ways[cycles]
+
+
+def _totient(n: int) -> int:
+    return sum(gcd(n, j) == 1 for j in range(1, n + 1))

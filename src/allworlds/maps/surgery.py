@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, Vertex
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, distances
 
 
 def deleted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
@@ -76,20 +76,8 @@ def covering_walk(map_: CombinatorialMap, start: Dart) -> int:
     alone = -1
     graph = nx.Graph()
     for vertex in sorted(odd):
-        far = _distances(map_, vertex)
+        far = distances(map_, vertex)
         graph.add_weighted_edges_from((vertex, w, far[w]) for w in odd if w > vertex)
         graph.add_edge(vertex, alone, weight=0)
     again: int = sum(graph.edges[pair]["weight"] for pair in nx.min_weight_matching(graph))
     return map_.edge_count + again
-
-
-def _distances(map_: CombinatorialMap, vertex: Vertex) -> dict[Vertex, int]:
-    """The number of edges of a shortest path to each vertex."""
-    far = {vertex: 0}
-    for v in (queue := [vertex]):
-        for dart in map_.vertices[v]:
-            w = map_.vertex_of[map_.alpha[dart]]
-            if w not in far:
-                far[w] = far[v] + 1
-                queue.append(w)
-    return far

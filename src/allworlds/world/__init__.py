@@ -4,14 +4,13 @@
     the marks and directions in a world, and the percepts that they cause; one kind a module;
 ``state``
     the state that a step changes: the places of the robot and of its markers;
-``world``, ``illegal_action``
-    map, lighthouse and start together, the effect of a step, and the error where there is none;
-``enumeration``
-    every world of a class, for loops of one's own;
+``world``
+    map, lighthouse and start together, and the effect of a step;
 ``named``
     the forms of a WORLD on the command line and in Python;
 ``asked_lighthouse``, ``own_condition``
     the lighthouse of a request, and conditions that narrow a class of maps; the user's are tried;
+    every world of a class;
 ``corpus``
     the worlds, findings and pairs that ship with the package;
 ``bisimulation``
@@ -35,12 +34,6 @@ if TYPE_CHECKING:
         LIGHTHOUSES as LIGHTHOUSES,
         lighthouse_named as lighthouse_named,
     )
-    from allworlds.world.lighthouses.knowledge import Knowledge as Knowledge, Nothing as Nothing
-    from allworlds.world.lighthouses.left import (
-        Movable as Movable,
-        Ports as Ports,
-        Whiteboard as Whiteboard,
-    )
     from allworlds.world.lighthouses.marked import (
         Cluster as Cluster,
         Directional as Directional,
@@ -48,6 +41,13 @@ if TYPE_CHECKING:
         Position as Position,
     )
     from allworlds.world.lighthouses.options import InvalidWorld as InvalidWorld
+    from allworlds.world.lighthouses.placeless import (
+        Knowledge as Knowledge,
+        Movable as Movable,
+        Nothing as Nothing,
+        Ports as Ports,
+        Whiteboard as Whiteboard,
+    )
     from allworlds.world.named import (
         code_of as code_of,
         map_of_code as map_of_code,

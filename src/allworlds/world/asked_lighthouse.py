@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cache
 from random import Random
 from typing import Annotated
 
@@ -41,24 +42,20 @@ def tried_kind(given: object) -> LighthouseKind:
         InvalidWorld: naming the legal kinds, or the map in which it is no function of the world.
     """
     kind = lighthouse_kind(given)
-    if any(not code.recorded for code in kind.codes) and kind not in _TRIED:
-        for wrong in flaws_of(kind, TRIED_EDGES):
-            raise InvalidWorld(wrong)
-        if not _has_a_place(kind.as_class):
-            raise InvalidWorld(
-                f"the lighthouse {kind} has no place in any map with at most {PLACED_EDGES} edges"
-            )
-        _TRIED.add(kind)
+    if any(not code.recorded for code in kind.codes):
+        _try(kind)
     return kind
 
 
-_TRIED: set[LighthouseKind] = set()
-
-
-def _has_a_place(kind: type[Lighthouse]) -> bool:
-    levels = range(1, PLACED_EDGES + 1)
-    found = (place for m in levels for map_ in rooted_maps(m) for place in kind.places(map_, 0))
-    return next(found, None) is not None
+@cache
+def _try(kind: LighthouseKind) -> None:
+    for wrong in flaws_of(kind, TRIED_EDGES):
+        raise InvalidWorld(wrong)
+    maps = (map_ for level in range(1, PLACED_EDGES + 1) for map_ in rooted_maps(level))
+    if not any(True for map_ in maps for _ in kind.as_class.places(map_, 0)):
+        raise InvalidWorld(
+            f"the lighthouse {kind} has no place in any map with at most {PLACED_EDGES} edges"
+        )
 
 
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:

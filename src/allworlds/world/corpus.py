@@ -81,19 +81,12 @@ class Corpus(Struct, frozen=True):
         Raises:
             InputError: naming the entry, if its file is missing or is not what it was.
         """
-        try:
-            content = _bytes(self.directory / entry.file)
-            text = content.decode()
-        except OSError as error:
-            raise InputError(f"corpus entry {show(entry.name)}: {error.strerror}") from None
-        except UnicodeDecodeError:
-            raise InputError(
-                f"corpus entry {show(entry.name)}: {show(entry.file)} is no text"
-            ) from None
-        digest = hashlib.sha256(content).hexdigest()
+        owner = f"corpus entry {show(entry.name)}"
+        text = _text(self.directory / entry.file, owner, f"{owner}: {show(entry.file)}")
+        digest = hashlib.sha256(text.encode()).hexdigest()
         if digest != entry.sha256:
             raise InputError(
-                f"corpus entry {show(entry.name)}: {show(entry.file)} has the digest "
+                f"{owner}: {show(entry.file)} has the digest "
                 f"{digest[:12]}..., but its manifest says {show(entry.sha256[:12])}..."
             )
         return parse_json(text)
@@ -105,12 +98,8 @@ def load_corpus(directory: Path) -> Corpus:
     Raises:
         InputError: if there is no manifest, or naming what in it is none.
     """
-    try:
-        text = _bytes(directory / MANIFEST).decode()
-    except OSError as error:
-        raise InputError(f"corpus {directory}: {MANIFEST}: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise InputError(f"corpus {directory}: {MANIFEST} is no text") from None
+    what = f"corpus {directory}: {MANIFEST}"
+    text = _text(directory / MANIFEST, what, what)
     try:
         entries = taken(parse_json(text), Manifest, MANIFEST).entries
     except InputError as error:
@@ -122,12 +111,16 @@ def load_corpus(directory: Path) -> Corpus:
     return Corpus(directory, entries)
 
 
-def _bytes(file: Path) -> bytes:
-    """The content of a file; raise FileNotFoundError for a name that no file can have."""
+def _text(file: Path, owner: str, name: str) -> str:
+    """The text of a file; raise InputError, with these words before the reason, if it has none."""
     try:
-        return file.read_bytes()
-    except ValueError:
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT)) from None
+        return file.read_bytes().decode()
+    except UnicodeDecodeError:
+        raise InputError(f"{name} is no text") from None
+    except OSError as error:
+        raise InputError(f"{owner}: {error.strerror}") from None
+    except ValueError:  # no file can be named so
+        raise InputError(f"{owner}: {os.strerror(errno.ENOENT)}") from None
 
 
 @cache

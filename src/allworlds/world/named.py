@@ -254,16 +254,14 @@ class AskedWorld(Request):
             InputError: naming what is not there, or has no effect.
         """
         kind = tried_kind(usual if self.lighthouse is None else self.lighthouse)
-        if not isinstance(given, World | str | None):
-            raise InputError(f"world = {show(given)} is no World; World(map) makes one of a map")
-        if isinstance(given, World):
-            self.refuse(("family", "holes", "lighthouse"), "a world that is given")
-            world = given
-        elif given is not None:
+        if isinstance(given, str):
             self.refuse(["family"], f"world {show(given)}: it is a world already")
             # Scripts may name a seed in every run.
             seed = self.seed if _names_family(given) else None
             world = world_named(given, kind, seed, self.holes)
+        elif given is not None:
+            world = a_world(given, kind)
+            self.refuse(("family", "holes", "lighthouse"), "a world that is given")
         elif self.family is not None:
             world = World(map_of_family(self.family, self.holes, self.seed or 0), kind)
         else:

@@ -12,9 +12,17 @@ from msgspec import Struct
 from allworlds.document.struct import IfAny, Text, about
 from allworlds.inputs.checks import InputError, a_text, show
 from allworlds.inputs.requests import RARE_SCOPE, Option, Request, Taken
-from allworlds.maps.classes import DEFAULT_EDGES, Extent, MapClass
+from allworlds.maps.classes import (
+    AND,
+    DEFAULT_EDGES,
+    LEGAL,
+    AllOf,
+    Condition,
+    Extent,
+    MapClass,
+    condition_named,
+)
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.conditions import AND, LEGAL, AllOf, Condition, condition_named
 from allworlds.maps.enumeration import Gluing, rooted_maps
 from allworlds.protocol.importing import attempted
 from allworlds.protocol.user_code import LocalCode, Role, UserCode

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 from allworlds.document.report import Pictured
 from allworlds.document.struct import Document, about
-from allworlds.inputs.checks import integer, parse_json, show
+from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.maps.networks import from_faces, from_networkx, to_networkx
 from allworlds.protocol.actions import Action, Move, Percept
@@ -18,7 +18,7 @@ from allworlds.protocol.player import Told
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional
-from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys
+from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys, the_integer
 from allworlds.world.state import State, without_markers
 
 
@@ -231,10 +231,7 @@ def at_place(world: World, number: int) -> World:
 
 def _a_start(given: object, map_: CombinatorialMap) -> Dart:
     """The start; raise InvalidWorld unless it is a dart of the map."""
-    try:
-        start = integer(given)
-    except TypeError:
-        raise InvalidWorld(f"start = {show(given)} is not an integer") from None
+    start = the_integer("start", given)
     if start not in map_.darts:
         raise InvalidWorld(f"start = {show(start)} is no dart; darts are 0..{len(map_.sigma) - 1}")
     return start

@@ -23,7 +23,7 @@ from allworlds.corpus.explorers import (
     WrongExplorer,
     WrongLearner,
 )
-from allworlds.explorers.subject import in_process_subject
+from allworlds.explorers.loading import in_process_subject
 from allworlds.judging.endings import Answered, Undecided
 from allworlds.judging.episode import default_step_budget, play
 from allworlds.judging.findings.finding import canonical_world

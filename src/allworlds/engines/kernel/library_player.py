@@ -65,7 +65,7 @@ class LibraryPlayer:
     """
 
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
-        functions = [*explorer.library.addresses().values(), explorer.state()]
+        functions = [*explorer.library.addresses(), explorer.state()]
         self._memory = explorer.handed()  # it is the explorer's for good
         self._handed = _handed(functions, self._memory, beat)
         self._memories: dict[int, Stretch] = {}

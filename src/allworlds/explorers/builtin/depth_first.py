@@ -20,10 +20,8 @@ def dfs(
 ) -> Walk[Estimate]:
     """Explore under labels: the number tells the vertex, and the bearing the dart of entry.
 
-    Args:
-        first: the percept before any motion.
-        choices: answers by which open dart the robot leaves a vertex (``edge``).
-        notice: told of ``known`` and ``unknown`` vertices beyond a dart.
+    A choice (``edge``) is by which open dart the robot leaves a vertex; events are ``known`` and
+    ``unknown`` vertices beyond a dart.
 
     Cost: at most 2m traversals: an edge is walked along once, and back once at most.
     """

@@ -39,10 +39,7 @@ def dudek91(
 ) -> Acts[Estimate]:
     """Explore a simple world with one marker in hand that can be taken up again.
 
-    Args:
-        first: the percept before any motion.
-        choices: answers which dart is explored next (default: first in, first out).
-        notice: told of ``new-vertex`` and ``back-link``, the two ends of a pass.
+    Events are ``new-vertex`` and ``back-link``, the two ends of a pass.
 
     Cost: in a simple world at most ``3s`` for the vertex that is found when s are known, and
     ``5n + 2D - 4`` for every other edge, where D is the largest degree: O(mn).

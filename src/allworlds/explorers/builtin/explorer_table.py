@@ -4,13 +4,13 @@ The modules:
 
 ``algorithm1``, ``undirected``
     Algorithm 1 of the paper, and its variant without a direction;
-``partial_map``, ``paths``
+``partial_map``
     its S and U, and its ways through S;
 ``folded_log``, ``folding``
     all percepts of a run as one map, and explorers that only fold it;
 ``shield``
     the shield that makes any explorer right;
-``quotient``, ``experiments``
+``quotient``
     position alone: the quotient, learnt by experiments that are never made twice;
 ``dudek91``, ``depth_first``
     one movable marker; a number at every vertex.
@@ -36,8 +36,9 @@ class BuiltIn(Struct, frozen=True):
     """An explorer that ships with the package.
 
     Attributes:
-        explore: the generator function; it takes ``choices`` and ``notice``, and may take
-            ``told``.
+        explore: the generator function; it takes the percept before any motion, ``choices``
+            (default: first in, first out) and ``notice``, which hears of events and changes
+            nothing, and may take ``told``.
         lighthouse: the one that it is written for, as ``KIND[:key=value,...]``.
         witnesses: the events that a complete check must have seen, each with the least known
             (edges, vertices) within which every policy meets it, for classes with loops and

@@ -34,10 +34,7 @@ def folding(
 ) -> Walk[Estimate]:
     """Go home to v0, then to the open dart that is nearest to v0.
 
-    Args:
-        first: the percept at v0 before any motion; it has a bearing.
-        choices: is not asked.
-        notice: told of ``merged``, an arrival at v0 that makes nodes one.
+    An event is ``merged``, an arrival at v0 that makes nodes one.
 
     Cost: the explorer stops; no bound is known (up to 1,206 traversals for m = 5).
     """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
-from typing import overload
+from typing import Any
 
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.answers import Checkpoint
@@ -12,11 +12,7 @@ from allworlds.protocol.choices import Choices, Kind
 
 
 def bearing_of(percept: Percept) -> int:
-    """The bearing that an explorer cannot do without.
-
-    Raises:
-        ValueError: if the lighthouse shows none here.
-    """
+    """The bearing that an explorer cannot do without."""
     if percept.bearing is None:
         raise ValueError("this explorer needs a bearing here, and the lighthouse shows none")
     return percept.bearing
@@ -67,12 +63,14 @@ class PartialMap:
         The other darts of the vertex join U.
         """
         entry = self._add_vertex(percept)
-        self._explore(dart, entry)
+        self.add_loop(dart, entry)
         return entry
 
     def add_loop(self, dart: int, partner: int) -> None:
         """Lines 18-19: join the explored ``dart`` to ``partner``, which leaves U."""
-        self._explore(dart, partner)
+        self.alpha[dart], self.alpha[partner] = partner, dart
+        self.unexplored.remove(dart)
+        self.unexplored.remove(partner)
 
     def ways(self, vertex: int) -> Iterator[tuple[int, int]]:
         """The explored darts of a vertex, clockwise, each with the vertex it leads to."""
@@ -112,11 +110,6 @@ class PartialMap:
         self.unexplored.extend(darts)
         return start
 
-    def _explore(self, dart: int, partner: int) -> None:
-        self.alpha[dart], self.alpha[partner] = partner, dart
-        self.unexplored.remove(dart)
-        self.unexplored.remove(partner)
-
 
 def simple_path(
     s: PartialMap, start: int, goal: int, choices: Choices, kind: Kind
@@ -133,7 +126,24 @@ def simple_path(
         yield dart
 
 
-class NextDarts(Sequence[int]):
+class Lazy(Sequence[int]):
+    """Integers that are computed when a policy looks at the first of them."""
+
+    def __init__(self, compute: Callable[[], list[int]]) -> None:
+        self._compute = compute
+
+    @cached_property
+    def _values(self) -> list[int]:
+        return self._compute()
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __getitem__(self, index: Any) -> Any:
+        return self._values[index]
+
+
+class NextDarts(Lazy):
     """The options of one step of a path.  The first is found without looking at the others.
 
     While a path has only taken first options it is a shortest one, and the first option is
@@ -143,25 +153,18 @@ class NextDarts(Sequence[int]):
     def __init__(
         self, s: PartialMap, vertex: int, goal: int, visited: list[int], lengths: dict[int, int]
     ) -> None:
+        super().__init__(lambda: [dart for _, dart in self._ranked])
         self._s, self._vertex, self._goal = s, vertex, goal
         self._visited = tuple(visited)
         self._lengths = lengths
         self.cost = Lazy(lambda: [length for length, _ in self._ranked])
 
-    def __len__(self) -> int:
-        return len(self._ranked)
-
-    @overload
-    def __getitem__(self, index: int) -> int: ...
-    @overload
-    def __getitem__(self, index: slice) -> Sequence[int]: ...
-    def __getitem__(self, index: int | slice) -> int | Sequence[int]:
+    def __getitem__(self, index: Any) -> Any:
         if index == 0 and self._on_a_shortest_path():
             nearer = self._lengths[self._vertex] - 1
             ways = self._s.ways(self._vertex)
             return next(dart for dart, other in ways if self._lengths[other] == nearer)
-        darts = [dart for _, dart in self._ranked]
-        return darts[index]
+        return super().__getitem__(index)
 
     def _on_a_shortest_path(self) -> bool:
         steps = len(self._visited) - 1
@@ -176,27 +179,6 @@ class NextDarts(Sequence[int]):
             for dart, other in self._s.ways(self._vertex)
             if other in lengths and other not in self._visited
         )
-
-
-class Lazy(Sequence[int]):
-    """Costs that are computed when a policy looks at the first of them."""
-
-    def __init__(self, compute: Callable[[], list[int]]) -> None:
-        self._compute = compute
-
-    @cached_property
-    def _values(self) -> list[int]:
-        return self._compute()
-
-    def __len__(self) -> int:
-        return len(self._values)
-
-    @overload
-    def __getitem__(self, index: int) -> int: ...
-    @overload
-    def __getitem__(self, index: slice) -> Sequence[int]: ...
-    def __getitem__(self, index: int | slice) -> int | Sequence[int]:
-        return self._values[index]
 
 
 def walks(s: PartialMap, start: int, darts: list[int]) -> Lazy:

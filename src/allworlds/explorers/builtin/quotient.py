@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.combinatorial import CombinatorialMap, cycles
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.protocol.choices import Choices
@@ -118,10 +118,7 @@ def quotient(
 ) -> Walk[Estimate | Ambiguous]:
     """Learn the quotient under position: return a map if only one has it, else the quotient.
 
-    Args:
-        first: the percept at v0 before any motion.
-        choices: is not asked.
-        notice: told of ``map`` or ``ambiguous``, the kind of the answer.
+    Events are ``map`` and ``ambiguous``, the kind of the answer.
 
     Cost: polynomial in the darts; at most 557 traversals for up to 4 edges, 1,791 for 5.
     """
@@ -164,19 +161,9 @@ class Table(NamedTuple):
                     queue.append(other)
         return words
 
-    def vertices(self) -> list[list[int]]:
+    def vertices(self) -> tuple[tuple[int, ...], ...]:
         """The cycles of sigma; that of the start first."""
-        seen: set[int] = set()
-        found = []
-        for first in range(len(self.sigma)):
-            cycle, of = [], first
-            while of not in seen:
-                seen.add(of)
-                cycle.append(of)
-                of = self.sigma[of]
-            if cycle:
-                found.append(cycle)
-        return found
+        return cycles(self.sigma)
 
     @property
     def sheets(self) -> int:
@@ -191,7 +178,7 @@ class Table(NamedTuple):
         rigid = not halves and all(self.turns(v) == 1 for v in vertices[1:])
         return self.sheets == 1 or (not cycles and (self.sheets == 2 or rigid))
 
-    def turns(self, vertex: list[int]) -> int:
+    def turns(self, vertex: Sequence[int]) -> int:
         """The number of times that a vertex of the world goes round one of the quotient."""
         return self.sensed[vertex[0]].degree // len(vertex)
 

@@ -31,10 +31,7 @@ def algorithm1_cluster(
 ) -> Walk[Estimate]:
     """Explore from a marker cluster: one marker lies at v0, two at v1.
 
-    Args:
-        first: the percept at v0 before any motion.
-        choices: answers every choice of Algorithm 1 (default: first in, first out).
-        notice: told of each event of Algorithm 1.  It changes nothing.
+    Choices and events are those of Algorithm 1.
 
     Cost: at most (1) + (2), 2 traversals a test, and 2 deg(v0) for the search.
     """
@@ -57,11 +54,7 @@ def algorithm1_natural(
 ) -> Walk[Estimate]:
     """Explore from a natural lighthouse: no other vertex has the degree of v0, or that of v1.
 
-    Args:
-        first: the percept at v0 before any motion: its degree.
-        choices: answers every choice of Algorithm 1 (default: first in, first out).
-        told: the degree of v1.
-        notice: told of each event of Algorithm 1.  It changes nothing.
+    It is told the degree of v1; choices and events are those of Algorithm 1.
 
     Cost: as for :func:`algorithm1_cluster`.
     """

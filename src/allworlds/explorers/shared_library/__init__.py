@@ -2,10 +2,6 @@
 
 ``allworlds.h``
     the interface, which is its own manual;
-``header``
-    the text of it;
-``guarded_memory``
-    memory with a page behind it that cannot be written;
 ``library``
     a library, loaded and checked;
 ``native``

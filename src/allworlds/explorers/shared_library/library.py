@@ -23,7 +23,7 @@ ROOM = 1 << 18
 """The least capacity of an answer, in darts."""
 
 MOVE, DROP, PICK, CHECKPOINT, ANSWER, AMBIGUOUS = range(1, 7)
-"""The kinds of actions."""
+"""The kinds of actions; in the header their names begin with ``ALLWORLDS_``."""
 
 NOTHING = -1
 """The entry for no bearing, and for no number told."""
@@ -45,9 +45,6 @@ class CAction(ctypes.Structure):
     _fields_ = (("kind", ctypes.c_int32), ("motion", ctypes.c_int32))
 
 
-_LINES = 1
-"""The value of ``_IOLBF``: buffered until the end of a line."""
-
 _INTEGER, _ADDRESS = ctypes.c_int32, ctypes.c_void_p
 
 Pick = ctypes.CFUNCTYPE(_INTEGER, _ADDRESS, _INTEGER, _INTEGER, ctypes.POINTER(_INTEGER))
@@ -60,29 +57,23 @@ _FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "start": (None, (_ADDRESS, _ADDRESS, _INTEGER, _ADDRESS)),
     "step": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
     "answer": (_INTEGER, (_ADDRESS, _INTEGER, _ADDRESS, _ADDRESS, _ADDRESS)),
-}
-"""The types that each function returns and takes."""
-
-_OPTIONAL: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "choose": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
     "quotient": (_INTEGER, (_ADDRESS, _INTEGER, *(_ADDRESS,) * 5)),
 }
-"""The types of the functions that a library need not have."""
+"""The types that each function returns and takes."""
+
+_OPTIONAL = ("choose", "quotient")
+"""The functions that a library need not have."""
 
 
 def library_path(path: str) -> Path:
-    """The file of a library, as an absolute path.
-
-    Raises:
-        InputError: if there is none.
-    """
+    """The file of a library, as an absolute path; raise InputError if there is none."""
     if not path:
         raise InputError("--native needs the path of a shared library, not an empty string")
     file = existing_file("--native", path)
     if file is None:
         reason = "it is a loop of links" if is_loop_of_links(path) else "there is no such file"
-        if Path(path).is_dir():
-            reason = "it is a directory"
+        reason = "it is a directory" if Path(path).is_dir() else reason
         raise InputError(f"--native {show(path)}: {reason}")
     return file
 
@@ -108,13 +99,12 @@ class Library:
         except OSError as error:
             said = str(error).split("\n", 1)[0]
             raise InputError(f"--native {show(path)} is no library that loads: {said}") from None
-        functions = {name: self._function(name, path) for name in _FUNCTIONS}
-        self.new, self.delete = functions["new"], functions["delete"]
-        self.start, self.step = functions["start"], functions["step"]
-        self.answer = functions["answer"]
-        self.choose, self.quotient = (self._optional(name) for name in ("choose", "quotient"))
+        has_version, self.new, self.delete, self.start, self.step, self.answer, *more = (
+            self._function(name, path) for name in _FUNCTIONS
+        )
+        self.choose, self.quotient = more
         self.chooses = self.choose is not None
-        version = functions["version"]()
+        version = has_version()
         if version != INTERFACE_VERSION:
             raise InputError(
                 f"--native {show(path)} is built with version {version} of allworlds.h; legal is "
@@ -126,30 +116,20 @@ class Library:
         program = ctypes.CDLL(None)
         with suppress(ValueError):  # a C library that calls it otherwise
             stdout = ctypes.c_void_p.in_dll(program, "stdout")
-            program.setvbuf(stdout, None, _LINES, ctypes.c_size_t(0))
+            program.setvbuf(stdout, None, 1, ctypes.c_size_t(0))  # 1: _IOLBF
 
     def _function(self, name: str, path: str) -> Any:
-        try:
-            function = getattr(self._loaded, f"allworlds_{name}")
-        except AttributeError:
-            needed = ", ".join(f"allworlds_{each}" for each in _FUNCTIONS)
-            raise InputError(
-                f"--native {show(path)} has no function allworlds_{name}; needed are {needed}"
-            ) from None
-        function.restype, function.argtypes = _FUNCTIONS[name]
-        return function
-
-    def _optional(self, name: str) -> Any:
         function = getattr(self._loaded, f"allworlds_{name}", None)
         if function is not None:
-            function.restype, function.argtypes = _OPTIONAL[name]
+            function.restype, function.argtypes = _FUNCTIONS[name]
+        elif name not in _OPTIONAL:
+            needed = ", ".join(f"allworlds_{each}" for each in _FUNCTIONS if each not in _OPTIONAL)
+            raise InputError(
+                f"--native {show(path)} has no function allworlds_{name}; needed are {needed}"
+            )
         return function
 
-    def addresses(self) -> dict[str, int]:
-        """The addresses of the functions of episodes, by name; 0 for one that is missing."""
-        names = ("start", "step", "answer", "choose")
-        functions = {name: getattr(self, name) for name in names}
-        return {
-            name: (ctypes.cast(function, _ADDRESS).value or 0) if function else 0
-            for name, function in functions.items()
-        }
+    def addresses(self) -> list[int]:
+        """The addresses of start, step, answer and choose; 0 for one that is missing."""
+        functions = (self.start, self.step, self.answer, self.choose)
+        return [(ctypes.cast(each, _ADDRESS).value or 0) if each else 0 for each in functions]

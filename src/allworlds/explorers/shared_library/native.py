@@ -8,7 +8,7 @@ import os
 import time
 from collections.abc import Generator
 from contextlib import suppress
-from typing import Any, Literal, TypeAlias, TypeVar, cast
+from typing import Any, Literal, TypeVar, cast
 
 from allworlds.explorers.shared_library.library import (
     AMBIGUOUS,
@@ -67,10 +67,6 @@ class Guarded:
 
 THREADS_END = 0.5
 """Seconds until a thread that has been joined is no longer listed."""
-
-
-_NoAnswer: TypeAlias = Literal["illegal-action", "no-estimate"]
-"""The law that is broken by a value that is no list of darts."""
 
 
 class NativeExplorer:
@@ -142,14 +138,14 @@ class NativeExplorer:
             if kind == MOVE:
                 sensed += self._sense((yield Move(action.motion)))
             elif kind == CHECKPOINT:
-                yield Checkpoint(*self._published(state, sensed, "illegal-action"))
-            elif kind == ANSWER:
-                answer: Answer = self._estimate(state, sensed)
-                _nothing_left(threads)
-                return answer
-            elif kind == AMBIGUOUS:
-                answer = self._ambiguous(state, sensed)
-                _nothing_left(threads)
+                sigma, alpha = self._said(library.answer, 2, state, sensed, "illegal-action")
+                yield Checkpoint(sigma, alpha, self._here[0])
+            elif kind in (ANSWER, AMBIGUOUS):
+                read = self._estimate if kind == ANSWER else self._ambiguous
+                answer: Answer = read(state, sensed)
+                if left := threads_left(threads):
+                    what = "a thread" if left == 1 else f"{left} threads"
+                    raise ExplorerFault("crash", f"{what} left behind")
                 return answer
             elif kind in (DROP, PICK):
                 sensed += self._sense((yield Drop() if kind == DROP else PickUp()))
@@ -165,15 +161,13 @@ class NativeExplorer:
         ours.bearing = NOTHING if percept.bearing is None else percept.bearing
         return percept.degree
 
-    def _published(
-        self, state: int, sensed: int, law: _NoAnswer
-    ) -> tuple[tuple[int, ...], tuple[int, ...], int]:
-        """Sigma, alpha and ``here``, as the library writes them now."""
-        sigma, alpha = self._said(self.library.answer, 2, state, sensed, law)
-        return sigma, alpha, self._here[0]
-
     def _said(
-        self, function: Any, lists: int, state: int, sensed: int, law: _NoAnswer
+        self,
+        function: Any,
+        lists: int,
+        state: int,
+        sensed: int,
+        law: Literal["illegal-action", "no-estimate"],
     ) -> list[tuple[int, ...]]:
         """Lists of integers, each with one entry for each dart, as the library fills them now."""
         capacity = max(ROOM, sensed)
@@ -192,9 +186,9 @@ class NativeExplorer:
         return [tuple(array.from_address(room)[:]) for room in rooms]
 
     def _estimate(self, state: int, sensed: int) -> Estimate:
-        sigma, alpha, here = self._published(state, sensed, "no-estimate")
+        sigma, alpha = self._said(self.library.answer, 2, state, sensed, "no-estimate")
         try:
-            return Estimate(CombinatorialMap(sigma, alpha), here)
+            return Estimate(CombinatorialMap(sigma, alpha), self._here[0])
         except InvalidMap as error:
             raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
@@ -203,8 +197,7 @@ class NativeExplorer:
         if quotient is None:
             there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
             raise ExplorerFault("illegal-action", there_is_none)
-        lists = self._said(quotient, 4, state, sensed, "no-estimate")
-        sigma, alpha, degree, marks = lists
+        sigma, alpha, degree, marks = self._said(quotient, 4, state, sensed, "no-estimate")
         return Ambiguous(sigma, alpha, degree, marks, self._here[0])
 
 
@@ -259,10 +252,3 @@ def threads_left(before: int) -> int:
     while (more := threads_now() - before) > 0 and time.monotonic() < deadline:
         time.sleep(0.001)
     return max(0, more)
-
-
-def _nothing_left(threads: int) -> None:
-    left = threads_left(threads)
-    if left:
-        what = "a thread" if left == 1 else f"{left} threads"
-        raise ExplorerFault("crash", f"{what} left behind")

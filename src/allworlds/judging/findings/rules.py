@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 from allworlds.document.struct import Different, Document, IfAny, Positive, Text, about
+from allworlds.explorers.loading import Subject
 from allworlds.explorers.names import is_library
-from allworlds.explorers.subject import Subject
 from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
 from allworlds.inputs.requests import (
     RARE_RULES,
@@ -28,8 +28,8 @@ from allworlds.judging.episode import default_step_budget
 from allworlds.judging.laws.bounds import BOUNDS, NO_BOUND, Bound, bound_named, paper_bound
 from allworlds.judging.laws.law_table import LAWS, TASK, JudgedLaw, Setting
 from allworlds.judging.tasks import MAP, TASKS, Judge, Task, task_named
+from allworlds.maps.classes import AND, Condition
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.conditions import AND, Condition
 from allworlds.protocol.choices import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import (

@@ -9,8 +9,7 @@ from msgspec import Struct
 
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.maps.criterion import is_ambiguous
-from allworlds.maps.quotient import Quotient, project
+from allworlds.maps.quotient import Quotient, is_ambiguous, project
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
 from allworlds.protocol.transcript import Transcript

@@ -26,11 +26,8 @@ A polynomial is a tuple of integer coefficients, lowest power first.  In the com
 edges and x vertices.
 
 ``sources``
-    **the** table of the sources, by the class of maps;
-``any_genus``, ``degrees``, ``substitution``, ``atlas``
-    generating functions and recurrences, degree sequences, substitution, and the graph atlas;
-``narrowed``
-    **the** table of the sources under a condition with a name;
-``arithmetic``
-    integers and polynomials.
+    **the** tables of the sources, by the class of maps, and by a condition besides; degree
+    sequences, and substitution;
+``any_genus``, ``atlas``
+    polynomials, generating functions and recurrences; the graph atlas.
 """

@@ -3,35 +3,118 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
-from itertools import combinations
+from itertools import combinations, zip_longest
 from math import comb, factorial, perm, prod
 from typing import TypeAlias
-
-from allworlds.maps.counting.arithmetic import (
-    Polynomial,
-    cells,
-    check_edges,
-    check_genus,
-    divided,
-    exactly,
-    partitions,
-    plus,
-    scaled,
-    times,
-    vertex_counts,
-)
 
 Degrees: TypeAlias = frozenset[int]
 """The legal degrees of the vertices of a map."""
 
+Polynomial: TypeAlias = tuple[int, ...]
+Series: TypeAlias = list[Polynomial]
+"""The coefficients of a power series in z, as far as they are needed."""
+
+
+def check_genus(genus: int) -> None:
+    """Raise ValueError if the genus is negative."""
+    if genus < 0:
+        raise ValueError(f"a genus is at least 0, not {genus}")
+
+
+def vertex_counts(edges: int) -> range:
+    """The numbers of vertices that connected maps with ``edges`` edges have.
+
+    Raises: ValueError for edges < 1; and so do all that give ``{vertices: rooted maps}``.
+    """
+    if edges < 1:
+        raise ValueError(f"a map has at least 1 edge, not {edges}")
+    return range(1, edges + 2)
+
+
+def cells(edges: int, polynomial: Polynomial) -> dict[int, int]:
+    """The coefficients of a polynomial in x, by the number of vertices."""
+    return {n: coefficient(polynomial, n) for n in vertex_counts(edges)}
+
+
+def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]]:
+    """The partitions into ``parts`` positive parts, none larger than ``largest``, falling."""
+    if parts == 0:
+        if total == 0:
+            yield ()
+        return
+    for first in range(min(largest, total - parts + 1), 0, -1):
+        if first * parts < total:
+            return
+        for rest in partitions(total - first, parts - 1, first):
+            yield (first, *rest)
+
+
+def sequences(
+    total: int, vertices: int, largest: int, legal: Degrees | None
+) -> Iterator[tuple[tuple[int, ...], int]]:
+    """The partitions into legal degrees, each with the number of its orders."""
+    for degrees in partitions(total, vertices, largest):
+        if legal is None or legal.issuperset(degrees):
+            orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
+            yield degrees, orders
+
+
+def exactly(numerator: int, denominator: int) -> int:
+    """The quotient of two integers; raise ArithmeticError if there is a remainder."""
+    quotient, remainder = divmod(numerator, denominator)
+    if remainder:
+        raise ArithmeticError(f"{numerator} / {denominator} should be a count, but is no integer")
+    return quotient
+
+
+def coefficient(p: Polynomial, power: int) -> int:
+    """The coefficient of a power, 0 beyond the last."""
+    return p[power] if power < len(p) else 0
+
+
+def plus(*terms: Polynomial) -> Polynomial:
+    """The sum of polynomials."""
+    return tuple(map(sum, zip_longest(*terms, fillvalue=0)))
+
+
+def scaled(factor: int, p: Polynomial) -> Polynomial:
+    """A polynomial times an integer."""
+    return tuple(factor * c for c in p)
+
+
+def divided(p: Polynomial, divisor: int) -> Polynomial:
+    """A polynomial divided by an integer that divides it."""
+    return tuple(exactly(c, divisor) for c in p)
+
+
+def times(p: Polynomial, q: Polynomial) -> Polynomial:
+    """The product of two polynomials."""
+    if not p or not q:
+        return ()
+    result = [0] * (len(p) + len(q) - 1)
+    for i, a in enumerate(p):
+        for j, b in enumerate(q):
+            result[i + j] += a * b
+    return tuple(result)
+
+
+def series_product(a: Series, b: Series) -> Series:
+    """The product of two series cut off alike."""
+    return [plus(*(times(a[i], b[k - i]) for i in range(k + 1))) for k in range(len(a))]
+
+
+def geometric(a: Series) -> Series:
+    """The series ``1 / (1 - a)``, where a has no constant term."""
+    result: Series = [(1,)]
+    for k in range(1, len(a)):
+        result.append(plus(*(times(a[i], result[k - i]) for i in range(1, k + 1))))
+    return result
+
 
 def catalan(n: int) -> int:
-    """The Catalan number ``C(2n, n) / (n+1)``: rooted plane trees with n edges.
-
-    Raises: ValueError for n < 0.
-    """
+    """The Catalan number ``C(2n, n) / (n+1)``: rooted plane trees with n edges."""
     return comb(2 * n, n) // (n + 1)
 
 
@@ -40,7 +123,7 @@ def rooted_maps(edges: int) -> dict[int, int]:
 
     The number is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``: all sigma by
     cycles, times all alpha, on labelled darts; log keeps the connected pairs, and a rooted
-    map has ``(2m-1)!`` labellings.  Raises: ValueError for edges < 1.
+    map has ``(2m-1)!`` labellings.
     """
     return cells(edges, _rooted_by_permutations(edges))
 
@@ -49,7 +132,6 @@ def rooted_of_degrees(edges: int, degrees: Degrees) -> dict[int, int]:
     """``{vertices: rooted maps}`` with that many edges and legal degrees alone, of any genus.
 
     As :func:`rooted_maps`, but with those sigma alone whose cycles have legal lengths.
-    Raises: ValueError for edges < 1.
     """
     return cells(edges, _rooted_of_degrees(edges, degrees))
 
@@ -106,20 +188,12 @@ def _rising(length: int) -> Polynomial:
 def rooted_of_genus(edges: int, genus: int) -> dict[int, int]:
     """``{vertices: rooted maps}`` of one genus, by the recurrence of Carrell and Chapuy.
 
-    Raises: ValueError for edges < 1 or genus < 0.
+    Raises: ValueError for genus < 0.
     Source: S. R. Carrell and G. Chapuy, Simple recurrence formulas to count maps on
     orientable surfaces, J. Combin. Theory A 133 (2015).
     """
     check_genus(genus)
     return cells(edges, carrell_chapuy(edges, genus))
-
-
-def rooted_planar(edges: int) -> dict[int, int]:
-    """``{vertices: rooted planar maps}`` with that many edges.
-
-    Raises: ValueError for edges < 1.  Source: as :func:`rooted_of_genus`.
-    """
-    return rooted_of_genus(edges, 0)
 
 
 @cache
@@ -142,38 +216,28 @@ def carrell_chapuy(n: int, genus: int) -> Polynomial:
     return divided(plus(bigger, handle, *pairs), 2 * (n + 1))
 
 
-def rooted_of_genus_by_contraction(edges: int, genus: int) -> dict[int, int]:
+def rooted_of_genus_by_contraction(
+    edges: int, genus: int, legal: Degrees | None = None
+) -> dict[int, int]:
     """``{vertices: rooted maps}`` of one genus, by contracting edges at every vertex degree.
+
+    With ``legal`` those alone whose degrees are all among these.
 
     Counted first are maps whose vertices are labelled and have a distinguished dart each;
     of these a rooted map has ``(n-1)!`` times the product of the degrees away from the root.
-    Raises: ValueError for edges < 1 or genus < 0.
+    Raises: ValueError for genus < 0.
     Cost: the partitions of 2m, each with the ways to split it in two; meant for m <= 9.
     Source: T. R. S. Walsh and A. B. Lehman, Counting rooted maps by genus I,
     J. Combin. Theory B 13 (1972).
-    """
-    check_edges(edges)
-    check_genus(genus)
-    every = frozenset(range(1, 2 * edges + 1))
-    return {n: _rooted_by_contraction(edges, n, genus, every) for n in vertex_counts(edges)}
-
-
-def rooted_of_degrees_by_contraction(edges: int, genus: int, legal: Degrees) -> dict[int, int]:
-    """``{vertices: rooted maps}`` of one genus with legal degrees alone.
-
-    Raises, Cost, Source: as :func:`rooted_of_genus_by_contraction`.
     """
     check_genus(genus)
     return {n: _rooted_by_contraction(edges, n, genus, legal) for n in vertex_counts(edges)}
 
 
-def _rooted_by_contraction(edges: int, vertices: int, genus: int, legal: Degrees) -> int:
+def _rooted_by_contraction(edges: int, vertices: int, genus: int, legal: Degrees | None) -> int:
     # Each degree of the partition takes the root in turn: sum d / 2m of the orders do.
     scaled = 0
-    for degrees in partitions(2 * edges, vertices, 2 * edges):
-        if not legal.issuperset(degrees):
-            continue
-        orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
+    for degrees, orders in sequences(2 * edges, vertices, 2 * edges, legal):
         weight = 2 * edges * factorial(2 * edges) // prod(degrees)
         scaled += orders * weight * _dotted(degrees[::-1], genus)
     return exactly(scaled, factorial(vertices) * factorial(2 * edges))

@@ -8,8 +8,7 @@ from itertools import pairwise, permutations, product
 from math import factorial, prod
 from typing import TypeAlias
 
-from allworlds.maps.counting.any_genus import catalan
-from allworlds.maps.counting.arithmetic import exactly, vertex_counts
+from allworlds.maps.counting.any_genus import catalan, exactly, vertex_counts
 
 ATLAS_VERTICES = 7
 """The graph atlas holds all graphs with at most this many vertices."""
@@ -25,7 +24,7 @@ def rooted_simple(edges: int) -> dict[int, int]:
     """``{vertices: rooted simple maps}``: up to 7 vertices, and trees.
 
     Sum over connected graphs of ``2m prod (deg-1)! / |Aut|``; the trees beyond are counted by
-    Catalan numbers.  Raises: ValueError for edges < 1.  Cost: reads the whole atlas once.
+    Catalan numbers.  Cost: reads the whole atlas once.
     Source: R. C. Read and R. J. Wilson, An Atlas of Graphs (1998).
     """
     counts = {
@@ -41,7 +40,7 @@ def rooted_planar_simple(edges: int) -> dict[int, int]:
     As :func:`rooted_simple`, with those rotation systems only that have genus 0, found by
     trying all.  A cell whose graphs have more than ROTATIONS_LIMIT of them is left out, unless
     Euler's formula leaves none (``m > 3n - 6`` for n >= 3).
-    Raises: ValueError for edges < 1.  Cost: at most ROTATIONS_LIMIT face tracings a cell.
+    Cost: at most ROTATIONS_LIMIT face tracings a cell.
     """
     counts = {}
     for n in _atlas_vertices(edges):

@@ -1,30 +1,30 @@
-"""Independent sources of the counts."""
+"""**The** tables of the sources: by the class of maps, and by a condition besides."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
 from math import comb, factorial, prod
+from typing import TypeAlias
 
 from allworlds.maps.counting.any_genus import (
     Degrees,
-    carrell_chapuy,
-    rooted_maps,
-    rooted_of_genus,
-    rooted_of_genus_by_contraction,
-    rooted_planar,
-)
-from allworlds.maps.counting.arithmetic import (
     Series,
+    carrell_chapuy,
+    catalan,
     coefficient,
     exactly,
     geometric,
-    partitions,
     plus,
+    rooted_maps,
+    rooted_of_degrees,
+    rooted_of_genus,
+    rooted_of_genus_by_contraction,
     scaled,
+    sequences,
     series_product,
     times,
     vertex_counts,
@@ -33,6 +33,8 @@ from allworlds.maps.counting.atlas import (
     rooted_planar_simple,
     rooted_simple,
 )
+
+Cells: TypeAlias = dict[int, int]
 
 
 def rooted_planar_simple_by_substitution(edges: int) -> dict[int, int]:
@@ -43,7 +45,6 @@ def rooted_planar_simple_by_substitution(edges: int) -> dict[int, int]:
     corner having two sides.  A map without loops is a simple one with each edge kept or
     opened to a 2-gon, and in it a map without loops whose root edge has been opened.  Both
     are solved for the inner series.
-    Raises: ValueError for edges < 1.
     Source: the compositions of W. T. Tutte, A census of planar maps, Canad. J. Math. 15 (1963).
     """
     vertices = vertex_counts(edges)
@@ -81,17 +82,16 @@ def rooted_simple_by_degrees(edges: int, legal: Degrees | None = None) -> dict[i
 
     A graph has ``prod (deg-1)!`` rotation systems; labelled graphs are counted by degree
     sequence, and a rooted map has ``n!`` labellings of its vertices.
-    Raises: ValueError for edges < 1.  Cost: the partitions of 2m.
+    Cost: the partitions of 2m.
     """
-    degrees = frozenset(range(1, 2 * edges + 1)) if legal is None else legal
     return {
-        n: exactly(2 * edges * _connected_rotations(n, edges, degrees), factorial(n))
+        n: exactly(2 * edges * _connected_rotations(n, edges, legal), factorial(n))
         for n in vertex_counts(edges)
     }
 
 
 @cache
-def _connected_rotations(vertices: int, edges: int, legal: Degrees) -> int:
+def _connected_rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
     """Rotation systems of connected simple graphs on labelled vertices, with m >= 1 edges."""
     if not vertices - 1 <= edges <= comb(vertices, 2):
         return 0
@@ -106,17 +106,14 @@ def _connected_rotations(vertices: int, edges: int, legal: Degrees) -> int:
 
 
 @cache
-def _rotations(vertices: int, edges: int, legal: Degrees) -> int:
+def _rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
     """As :func:`_connected_rotations`, of all graphs without isolated vertices."""
     if edges > comb(vertices, 2):
         return 0
-    total = 0
-    for degrees in partitions(2 * edges, vertices, vertices - 1):
-        if not legal.issuperset(degrees):
-            continue
-        orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
-        total += orders * _graphs(degrees) * prod(factorial(d - 1) for d in degrees)
-    return total
+    return sum(
+        orders * _graphs(degrees) * prod(factorial(d - 1) for d in degrees)
+        for degrees, orders in sequences(2 * edges, vertices, vertices - 1, legal)
+    )
 
 
 @cache
@@ -154,32 +151,10 @@ def sources(map_class: str) -> tuple[CountSource, ...]:
 
     The first knows every cell and is fast.  Raises: ValueError for an unknown class.
     """
-    known = {
-        "maps": (
-            CountSource("log-series of permutations", rooted_maps),
-            CountSource("Carrell-Chapuy recurrence", _over_all_genera(rooted_of_genus)),
-            CountSource(
-                "Walsh-Lehman recurrence", _over_all_genera(rooted_of_genus_by_contraction)
-            ),
-        ),
-        "planar": (
-            CountSource("Carrell-Chapuy recurrence", rooted_planar),
-            CountSource("Walsh-Lehman recurrence", lambda m: rooted_of_genus_by_contraction(m, 0)),
-        ),
-        "simple": (
-            CountSource("degree sequences of labelled graphs", rooted_simple_by_degrees),
-            CountSource("graph atlas and Catalan numbers", rooted_simple),
-        ),
-        "planar-simple": (
-            CountSource("substitution into planar maps", rooted_planar_simple_by_substitution),
-            CountSource(
-                "graph atlas with genus-0 rotations and Catalan numbers", rooted_planar_simple
-            ),
-        ),
-    }
-    if map_class not in known:
-        raise ValueError(f"unknown class of maps {map_class!r}; the classes are {', '.join(known)}")
-    return known[map_class]
+    if map_class not in _SOURCES:
+        legal = ", ".join(_SOURCES)
+        raise ValueError(f"unknown class of maps {map_class!r}; the classes are {legal}")
+    return _SOURCES[map_class]
 
 
 def source_for(map_class: str) -> CountSource:
@@ -187,11 +162,146 @@ def source_for(map_class: str) -> CountSource:
     return sources(map_class)[0]
 
 
-def _over_all_genera(
-    cells: Callable[[int, int], dict[int, int]],
-) -> Callable[[int], dict[int, int]]:
-    def summed(edges: int) -> dict[int, int]:
-        by_genus = [cells(edges, genus) for genus in range(edges // 2 + 1)]
-        return {n: sum(cell[n] for cell in by_genus) for n in vertex_counts(edges)}
+def _of_any_genus(
+    edges: int, of_genus: Callable[[int, int], Cells], genera: Iterable[int] | None = None
+) -> Cells:
+    """``{vertices: rooted maps}``, summed over these genera; over all if none are given."""
+    each = [of_genus(edges, g) for g in (range(edges // 2 + 1) if genera is None else genera)]
+    return {n: sum(cells[n] for cells in each) for n in vertex_counts(edges)}
 
-    return summed
+
+def rooted_trees(edges: int) -> Cells:
+    """``{vertices: rooted plane trees}``: Catalan numbers."""
+    return {n: catalan(edges) if n == edges + 1 else 0 for n in vertex_counts(edges)}
+
+
+def rooted_with_faces(edges: int, length: int, genera: Iterable[int]) -> Cells:
+    """``{vertices: rooted maps}`` of these genera, all of whose faces have that many darts."""
+    cells = dict.fromkeys(vertex_counts(edges), 0)
+    faces, rest = divmod(2 * edges, length)
+    for genus in genera if rest == 0 else ():
+        vertices = edges - faces + 2 - 2 * genus
+        if vertices > 0:
+            duals = rooted_of_genus_by_contraction(edges, genus, frozenset({length}))
+            cells[vertices] = duals[faces]
+    return cells
+
+
+def rooted_simple_triangulations(edges: int) -> Cells:
+    """``{vertices: rooted simple planar triangulations}``, with k + 2 vertices and 3k edges.
+
+    Source: W. T. Tutte, A census of planar triangulations, Canad. J. Math. 14 (1962):
+    ``2 (4k-3)! / (k! (3k-1)!)``.
+    """
+    cells = dict.fromkeys(vertex_counts(edges), 0)
+    k, rest = divmod(edges, 3)
+    if not rest:
+        cells[k + 2] = exactly(2 * factorial(4 * k - 3), factorial(k) * factorial(3 * k - 1))
+    return cells
+
+
+def _genera(map_class: str, edges: int) -> range:
+    return range(1) if map_class == "planar" else range(edges // 2 + 1)
+
+
+def _of_degrees(map_class: str, legal: Callable[[int], bool]) -> tuple[CountSource, ...]:
+    """Sources for the maps whose degrees are all legal."""
+
+    def degrees(edges: int) -> Degrees:
+        return frozenset(filter(legal, range(1, 2 * edges + 1)))
+
+    by_cycles = CountSource(
+        "log-series of permutations with these cycles", lambda m: rooted_of_degrees(m, degrees(m))
+    )
+    by_contraction = CountSource(
+        "Walsh-Lehman recurrence at these degrees",
+        lambda m: _of_any_genus(
+            m,
+            lambda m, genus: rooted_of_genus_by_contraction(m, genus, degrees(m)),
+            _genera(map_class, m),
+        ),
+    )
+    by_graphs = CountSource(
+        "these degree sequences of labelled graphs",
+        lambda m: rooted_simple_by_degrees(m, degrees(m)),
+    )
+    known = {
+        "maps": (by_cycles, by_contraction),
+        "planar": (by_contraction,),
+        "simple": (by_graphs,),
+    }
+    return known.get(map_class, ())
+
+
+def _of_faces(map_class: str, length: int) -> tuple[CountSource, ...]:
+    if map_class in ("maps", "planar"):
+        dual = CountSource(
+            "Walsh-Lehman recurrence of the dual maps",
+            lambda m: rooted_with_faces(m, length, _genera(map_class, m)),
+        )
+        return (dual,)
+    if (map_class, length) == ("planar-simple", 3):
+        return (CountSource("Tutte's census of triangulations", rooted_simple_triangulations),)
+    return ()
+
+
+def _of_genus(map_class: str, genus: int) -> tuple[CountSource, ...]:
+    if map_class == "maps":
+        recurrence = CountSource("Carrell-Chapuy recurrence", lambda m: rooted_of_genus(m, genus))
+        return (recurrence,)
+    if genus == 0:
+        return sources({"simple": "planar-simple"}.get(map_class, map_class))
+    return ()
+
+
+def _of_girth(map_class: str, least: int) -> tuple[CountSource, ...]:
+    if least == 1:
+        return sources(map_class)
+    if "simple" in map_class:
+        return sources(map_class) if least <= 3 else ()
+    return sources({"maps": "simple", "planar": "planar-simple"}[map_class]) if least == 3 else ()
+
+
+_SOURCES = {
+    "maps": (
+        CountSource("log-series of permutations", rooted_maps),
+        CountSource("Carrell-Chapuy recurrence", lambda m: _of_any_genus(m, rooted_of_genus)),
+        CountSource(
+            "Walsh-Lehman recurrence",
+            lambda m: _of_any_genus(m, rooted_of_genus_by_contraction),
+        ),
+    ),
+    "planar": (
+        CountSource("Carrell-Chapuy recurrence", lambda m: rooted_of_genus(m, 0)),
+        CountSource("Walsh-Lehman recurrence", lambda m: rooted_of_genus_by_contraction(m, 0)),
+    ),
+    "simple": (
+        CountSource("degree sequences of labelled graphs", rooted_simple_by_degrees),
+        CountSource("graph atlas and Catalan numbers", rooted_simple),
+    ),
+    "planar-simple": (
+        CountSource("substitution into planar maps", rooted_planar_simple_by_substitution),
+        CountSource("graph atlas with genus-0 rotations and Catalan numbers", rooted_planar_simple),
+    ),
+}
+
+_NARROWED: dict[str, Callable[[str, int], tuple[CountSource, ...]]] = {
+    "cubic": lambda map_class, _: _of_degrees(map_class, lambda d: d == 3),
+    "regular": lambda map_class, degree: _of_degrees(map_class, lambda d: d == degree),
+    "eulerian": lambda map_class, _: _of_degrees(map_class, lambda d: d % 2 == 0),
+    "trees": lambda _class, _: (CountSource("Catalan numbers", rooted_trees),),
+    "girth": _of_girth,
+    "genus": _of_genus,
+    "triangulation": lambda map_class, _: _of_faces(map_class, 3),
+    "quadrangulation": lambda map_class, _: _of_faces(map_class, 4),
+}
+
+
+def sources_under(map_class: str, kind: str, number: int) -> tuple[CountSource, ...]:
+    """The independent sources for a class under a condition with a name; there may be none."""
+    return _NARROWED[kind](map_class, number)
+
+
+def source_under(map_class: str, kind: str, number: int) -> CountSource | None:
+    """The first of them, which is fast; None if there is none."""
+    return next(iter(sources_under(map_class, kind, number)), None)

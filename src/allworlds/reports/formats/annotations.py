@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.explorers.source_line import place_of_explorer
+from allworlds.explorers.sources import place_of_explorer
 from allworlds.outcome import Verdict
 from allworlds.reports.file_format import Format
 from allworlds.reports.project import project_folder

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-from allworlds.explorers.source_line import SourceLine, place_of_explorer
+from allworlds.explorers.sources import SourceLine, place_of_explorer
 from allworlds.judging.findings.asked_finding import file_name as name_of_finding
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import true_trail

@@ -17,7 +17,7 @@ from allworlds.reports.web.frame import Own, Page, framed
 from allworlds.reports.web.viewer import figure
 from allworlds.studies.play import Play
 from allworlds.world.lighthouses.kinds import parts_of
-from allworlds.world.lighthouses.left import Movable, NumberRoom
+from allworlds.world.lighthouses.placeless import Movable, NumberRoom
 from allworlds.world.world import World
 
 HOW = (

@@ -40,8 +40,7 @@ from allworlds.inputs.requests import answers
 from allworlds.maps.canonical import numbering, rooted_code
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.criterion import class_size, is_ambiguous
-from allworlds.maps.quotient import Quotient, project
+from allworlds.maps.quotient import Quotient, class_size, is_ambiguous, project
 from allworlds.outcome import Disagreement, Ending
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import CensusRequest

@@ -14,8 +14,14 @@ from allworlds.inputs.requests import answers
 from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.maps.criterion import class_size, is_ambiguous, pose_count
-from allworlds.maps.quotient import Projection, Quotient, project
+from allworlds.maps.quotient import (
+    Projection,
+    Quotient,
+    class_size,
+    is_ambiguous,
+    pose_count,
+    project,
+)
 from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import ClassRequest
@@ -67,7 +73,7 @@ _Kind: TypeAlias = Callable[[Sequence[tuple[int, ...]]], Iterator[tuple[int, ...
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
-    """A map for each way to permute the sheets (:mod:`allworlds.maps.criterion`).
+    """A map for each way to permute the sheets (:mod:`allworlds.maps.quotient`).
 
     Dart ``q * k + i`` of a map lies over class q, in sheet i.  The sheets keep their names
     round each vertex up to its last class, and along a spanning tree.  The same marked map

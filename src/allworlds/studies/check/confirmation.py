@@ -18,7 +18,7 @@ from allworlds.engines.run_directory import Records
 from allworlds.engines.scope import Scope
 from allworlds.engines.single import played_again
 from allworlds.engines.tally import Tally, finding_from_record, finding_to_record
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.judging.findings.finding import Finding
 
 UNREPEATED = "what happened to the explorer was not repeated by a fresh process"

@@ -23,7 +23,7 @@ from allworlds.engines.scope import Given, Scope
 from allworlds.engines.single import subject_of
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import WHOLE, Portion, SweptLevel, is_counted
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import answers
 from allworlds.maps.canonical import numbering

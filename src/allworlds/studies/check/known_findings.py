@@ -14,7 +14,7 @@ from allworlds.engines.lanes import workers_for
 from allworlds.engines.scope import GivenWorlds, Scope
 from allworlds.engines.single import played_again
 from allworlds.engines.tally import RunCounter
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.judging.findings.asked_finding import file_name, kept_findings, write_finding
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import LAWS

@@ -36,7 +36,7 @@ from allworlds.engines.swept_report import (
 )
 from allworlds.engines.tally import AtRun, Tally
 from allworlds.engines.units import Portion, Shard
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules

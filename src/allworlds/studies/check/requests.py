@@ -10,13 +10,12 @@ from allworlds.document.struct import Bounded, IfAny, about, replace
 from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, Limits
 from allworlds.engines.units import AskedShard
 from allworlds.explorers.asked import AskedExplorer
-from allworlds.explorers.source_line import files_of_explorer
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
+from allworlds.explorers.sources import files_of_explorer
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Option, Taken
 from allworlds.judging.findings.rules import Among, AskedRules, Rules
-from allworlds.maps.classes import DEFAULT_EDGES, AskedClass, AskedExtent, Extent
-from allworlds.maps.conditions import Condition
+from allworlds.maps.classes import DEFAULT_EDGES, AskedClass, AskedExtent, Condition, Extent
 from allworlds.protocol.choices import Schedule, a_schedule
 from allworlds.world.asked_lighthouse import AskedLighthouse
 from allworlds.world.own_condition import AskedWhere, files_of_condition

@@ -14,8 +14,8 @@ from allworlds.engines.scope import Scope
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import SweptLevel
-from allworlds.explorers.digest import content_digest
-from allworlds.explorers.subject import Subject, subject_known
+from allworlds.explorers.loading import Subject, subject_known
+from allworlds.explorers.sources import content_digest
 from allworlds.inputs.requests import as_json, meant
 from allworlds.judging.findings.rules import Among, AskedRules, Rules
 from allworlds.maps.classes import Extent

@@ -21,7 +21,7 @@ from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import By
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import WHOLE, PartialResult, Portion, SweptLevel, Transport
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules

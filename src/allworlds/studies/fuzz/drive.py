@@ -18,7 +18,7 @@ from allworlds.engines.single import played_again, subject_of
 from allworlds.engines.sweep import gather
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import AskedShard, Portion, SweptLevel, Transport, shards_of
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
 from allworlds.judging.findings.finding import Finding

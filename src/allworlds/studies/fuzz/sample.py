@@ -13,9 +13,8 @@ from allworlds.engines.units import Shard
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import lattice
 from allworlds.maps.canonical import rooted_code
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.classes import Condition, Extent, MapClass, narrowing
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.conditions import Condition, narrowing
 from allworlds.maps.enumeration import Gluing
 from allworlds.maps.families import random_map
 from allworlds.world.lighthouses.base import Lighthouse

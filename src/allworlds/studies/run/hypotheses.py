@@ -15,7 +15,7 @@ from msgspec import Struct
 
 from allworlds.engines.single import SingleRun
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.subject import built_in
+from allworlds.explorers.loading import built_in
 from allworlds.judging.episode import AroundExplorer, Environment, Log, followed
 from allworlds.judging.findings.walks import true_trail
 from allworlds.maps.combinatorial import Dart

@@ -6,7 +6,7 @@ import os
 import re
 
 from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
-from allworlds.explorers.subject import HASH_SEED
+from allworlds.explorers.loading import HASH_SEED
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import answers
 from allworlds.studies.run.run_request import RunRequest

@@ -33,7 +33,7 @@ from allworlds.engines.swept_report import GATE, SweptExit, SweptReport, ToldGat
 from allworlds.engines.units import AskedShard
 from allworlds.explorers.asked import DEFAULT_EXPLORER
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.subject import Subject
+from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Option, Request, Taken
 from allworlds.judging.findings.finding import Finding

@@ -272,15 +272,15 @@ class ReferenceLighthouse(Lighthouse):
         sensing: the percepts of a robot near it.
     """
 
-    sensing: ClassVar[Sensing]
+    sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
 
     def __init_subclass__(cls) -> None:
         cls.gives_marks = cls.sensing.marks or cls.leaves_marks
         cls.gives_bearings = cls.sensing.bearing
 
-    @abstractmethod
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # none
         """One dart of each vertex at which more than the degree is sensed; v0's is the first."""
+        return ()
 
     def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
         """For each dart the percept of a robot that has arrived by it."""
@@ -290,8 +290,6 @@ class ReferenceLighthouse(Lighthouse):
 class PlacelessLighthouse(ReferenceLighthouse):
     """A lighthouse of which nothing stands anywhere: any map and any start are one place."""
 
-    sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
-
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:  # noqa: ARG003
         """One place."""
@@ -300,10 +298,6 @@ class PlacelessLighthouse(ReferenceLighthouse):
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any
         """Raise InvalidWorld unless its options are legal; every map and every start will do."""
         ensure_legal(self)
-
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # any map
-        """The empty tuple: at the start no mark lies anywhere."""
-        return ()
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:  # noqa: ARG002  # the only one
         """0."""

@@ -15,8 +15,8 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.player import Told
 from allworlds.world.lighthouses.base import Lighthouse, WalkInAnswer
-from allworlds.world.lighthouses.knowledge import Knowledge
 from allworlds.world.lighthouses.options import InvalidWorld, value_of
+from allworlds.world.lighthouses.placeless import Knowledge
 from allworlds.world.state import State
 
 PLUS = "+"

@@ -22,8 +22,31 @@ from allworlds.world.lighthouses.options import (
 )
 
 
+class AtEveryVertex(ReferenceLighthouse):
+    """A lighthouse with a reference dart at every vertex."""
+
+    darts: tuple[Dart, ...]
+
+    @override
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
+        return self.darts
+
+
+def _met(walk: WalkInAnswer) -> dict[int, tuple[Dart, int]]:
+    """The reference dart and the marks sensed at the first visit of each vertex of an answer.
+
+    Of one that was never visited, they are its first dart, and 0.
+    """
+    answer = walk.map
+    found = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}
+    for dart, percept in reversed([*zip(walk.trail, walk.sensed, strict=True)]):
+        assert percept.bearing is not None
+        found[answer.vertex_of[dart]] = (answer.turn(dart, percept.bearing), percept.marks)
+    return found
+
+
 @dataclass(frozen=True, slots=True)
-class Compass(ReferenceLighthouse):
+class Compass(AtEveryVertex):
     """At every vertex a reference dart (its north), and no mark.
 
     Sensed: the degree, and the bearing of the vertex's reference dart.  ``darts`` holds one
@@ -60,18 +83,9 @@ class Compass(ReferenceLighthouse):
             raise InvalidWorld(f"lighthouse.darts = {show(list(darts))} must be ascending")
         check_one_of_each_vertex(darts, map_)
 
-    @override
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
-        return self.darts
-
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
         """The compass with the reference darts sensed at the first visit of each vertex."""
-        answer = walk.map
-        north = {vertex: darts[0] for vertex, darts in enumerate(answer.vertices)}
-        for dart, percept in reversed([*zip(walk.trail, walk.sensed, strict=True)]):
-            assert percept.bearing is not None
-            north[answer.vertex_of[dart]] = answer.turn(dart, percept.bearing)
-        return Compass(tuple(sorted(north.values())))
+        return Compass(tuple(sorted(dart for dart, _ in _met(walk).values())))
 
     @override
     def relabelled(self, names: Sequence[Dart]) -> Compass:
@@ -89,7 +103,7 @@ class Compass(ReferenceLighthouse):
 
 
 @dataclass(frozen=True, slots=True)
-class Labels(ReferenceLighthouse):
+class Labels(AtEveryVertex):
     """Every vertex has a number of its own, and a reference dart.
 
     Sensed at a vertex: as many marks as its number, the bearing of its reference dart, and
@@ -131,21 +145,13 @@ class Labels(ReferenceLighthouse):
             )
 
     @override
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
-        return self.darts
-
-    @override
     def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
         return self.sensing.percepts(map_, self.darts, self.numbers)
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
         """The labels sensed at the first visit of each vertex; 0 for vertices never visited."""
-        answer = walk.map
-        at = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}
-        for dart, percept in reversed([*zip(walk.trail, walk.sensed, strict=True)]):
-            assert percept.bearing is not None
-            at[answer.vertex_of[dart]] = (answer.turn(dart, percept.bearing), percept.marks)
-        return Labels(tuple(dart for dart, _ in at.values()), tuple(n for _, n in at.values()))
+        darts, numbers = zip(*_met(walk).values(), strict=True)
+        return Labels(darts, numbers)
 
     @classmethod
     def at(cls, darts: object) -> Labels:  # type: ignore[override]  # its only field

@@ -16,8 +16,6 @@ from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.composed import PLUS, Composed, composed, composed_from_json
 from allworlds.world.lighthouses.everywhere import Compass, Labels
-from allworlds.world.lighthouses.knowledge import Knowledge, Nothing
-from allworlds.world.lighthouses.left import Movable, Ports, Whiteboard
 from allworlds.world.lighthouses.marked import Cluster, Directional, Natural, Position
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
@@ -32,6 +30,7 @@ from allworlds.world.lighthouses.options import (
     with_arguments,
 )
 from allworlds.world.lighthouses.own_kind import own_kind
+from allworlds.world.lighthouses.placeless import Knowledge, Movable, Nothing, Ports, Whiteboard
 
 LIGHTHOUSES: dict[str, type[Lighthouse]] = {
     kind.kind: kind

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, Self
 
 from typing_extensions import override
 
@@ -27,8 +27,29 @@ from allworlds.world.lighthouses.options import (
 )
 
 
+class AtOneDart(ReferenceLighthouse):
+    """A lighthouse of which all that is sensed follows from its dart."""
+
+    dart: Dart
+
+    @override
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
+        return (self.dart,)
+
+
+class TowardsNeighbour(ReferenceLighthouse):
+    """A lighthouse at v0 and at the vertex v1 to which its dart leads."""
+
+    dart: Dart
+
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Self:
+        """The lighthouse in the same direction from the start, even if it may not stand there."""
+        dart = walk.map.turn(walk.trail[0], map_.offset(start, self.dart))
+        return replace(self, dart=dart)  # type: ignore[type-var]
+
+
 @dataclass(frozen=True, slots=True)
-class Position(ReferenceLighthouse):
+class Position(AtOneDart):
     """One marker at the start vertex v0 that points nowhere.
 
     Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0.  It is
@@ -43,11 +64,7 @@ class Position(ReferenceLighthouse):
     leaves_open: ClassVar[bool] = True
 
     @classmethod
-    def places(
-        cls,
-        map_: CombinatorialMap,  # noqa: ARG003  # there is one place in every map
-        start: Dart,
-    ) -> Iterator[Position]:
+    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Position]:  # noqa: ARG003
         """Yield the one place: the start's vertex."""
         yield cls(start)
 
@@ -55,13 +72,9 @@ class Position(ReferenceLighthouse):
         """Raise InvalidWorld unless the marked vertex is the start's."""
         check_at_start("stands at", self.dart, map_, start)
 
-    @override
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
-        return (self.dart,)
-
 
 @dataclass(frozen=True, slots=True)
-class Directional(ReferenceLighthouse):
+class Directional(AtOneDart):
     """One marker at the start vertex v0 that points to one of its darts.
 
     Sensed at v0: one mark, and the bearing of ``dart``; elsewhere only the degree.
@@ -85,13 +98,9 @@ class Directional(ReferenceLighthouse):
         """Raise InvalidWorld unless the pointed dart is one of the start's vertex."""
         check_at_start("points to", self.dart, map_, start)
 
-    @override
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
-        return (self.dart,)
-
 
 @dataclass(frozen=True)
-class Cluster(ReferenceLighthouse):
+class Cluster(TowardsNeighbour):
     """One marker at the start vertex v0 and two at a neighbour v1 of it; they point nowhere.
 
     Sensed: one mark at v0, two at v1; at every vertex the degree.  ``dart`` leads from v0 to
@@ -135,13 +144,9 @@ class Cluster(ReferenceLighthouse):
         """The two ends of the dart's edge."""
         return (self.dart, map_.alpha[self.dart])
 
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Cluster:
-        """The cluster in the same direction from the start, even if it may not stand there."""
-        return replace(self, dart=walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
-
 
 @dataclass(frozen=True, slots=True)
-class Natural(ReferenceLighthouse):
+class Natural(TowardsNeighbour):
     """The start vertex v0 and a neighbour v1 of it; no other vertex has the degree of either.
 
     Only the degree is sensed.  The explorer is told the degree of v1: that it is unique could
@@ -152,7 +157,6 @@ class Natural(ReferenceLighthouse):
     dart: StandsAt
 
     kind: ClassVar[str] = "natural"
-    sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Natural]:
@@ -180,14 +184,6 @@ class Natural(ReferenceLighthouse):
                     f"have {vertices[degree]} vertices; a natural lighthouse needs unique degrees"
                 )
 
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # any map
-        """The empty tuple: only the degree is sensed anywhere."""
-        return ()
-
     def told(self, map_: CombinatorialMap) -> int:
         """The degree of v1."""
         return map_.degree_at[map_.alpha[self.dart]]
-
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Natural:
-        """The lighthouse in the same direction from the start, even if it may not stand there."""
-        return Natural(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))

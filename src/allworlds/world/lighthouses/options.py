@@ -26,12 +26,17 @@ def refuse_other_keys(what: str, document: Mapping[str, Any], legal: Sequence[st
             raise InvalidWorld(f"{show(key)} is no key of a {what}; legal are {', '.join(legal)}")
 
 
+def the_integer(what: str, value: object) -> int:
+    """The value as an ``int``; raise InvalidWorld, naming it, if it is none."""
+    try:
+        return integer(value)
+    except TypeError:
+        raise InvalidWorld(f"{what} = {show(value)} is not an integer") from None
+
+
 def check_at_start(what: str, dart: object, map_: CombinatorialMap, start: Dart) -> None:
     """Raise InvalidWorld unless ``dart`` is a dart of the start's vertex."""
-    try:
-        found = integer(dart)
-    except TypeError:
-        raise InvalidWorld(f"lighthouse.dart = {show(dart)} is not an integer") from None
+    found = the_integer("lighthouse.dart", dart)
     at_start = map_.vertices[map_.vertex_of[start]]
     if found not in at_start:
         raise InvalidWorld(
@@ -56,13 +61,7 @@ def the_darts(values: object) -> tuple[Dart, ...]:
     """The integers of a list; raise InvalidWorld if it is none."""
     if not isinstance(values, list | tuple):
         raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
-    found = []
-    for i, value in enumerate(values):
-        try:
-            found.append(integer(value))
-        except TypeError:
-            raise InvalidWorld(f"lighthouse.darts[{i}] = {show(value)} is not an integer") from None
-    return tuple(found)
+    return tuple(the_integer(f"lighthouse.darts[{i}]", value) for i, value in enumerate(values))
 
 
 def check_one_of_each_vertex(darts: Sequence[Dart], map_: CombinatorialMap) -> None:
@@ -95,14 +94,12 @@ class FieldOption(NamedTuple):
     """An option of a kind.
 
     Attributes:
-        name: of the field.
         default: the value where none is given; its type is that of every value.
         least, most: of an integer; None: there is no such limit.
         legal: of a tuple, the words that it may hold, each once.
         told: whether a document holds it even if it is the default.
     """
 
-    name: str
     default: OptionValue
     least: int | None = None
     most: int | None = None
@@ -147,10 +144,7 @@ class FieldOption(NamedTuple):
         return value
 
     def _integer(self, what: str, value: object) -> int:
-        try:
-            number = integer(value)
-        except TypeError:
-            raise InvalidWorld(f"{what} = {show(value)} is not an integer") from None
+        number = the_integer(what, value)
         if self.least is not None and number < self.least:
             raise InvalidWorld(f"{what} = {show(number)} is less than {self.least}, the least one")
         if self.most is not None and number > self.most:
@@ -177,20 +171,18 @@ def options_of(kind: Any) -> dict[str, FieldOption]:
         return {}
     # The annotations of a class of the user's may be texts that mean nothing here.
     hints = get_type_hints(kind, include_extras=True) if kind.code is None else {}
-    found = (_option(told, hints.get(told.name)) for told in fields(kind))
-    return {option.name: option for option in found if option}
+    found = {told.name: _option(told, hints.get(told.name)) for told in fields(kind)}
+    return {name: option for name, option in found.items() if option}
 
 
 def _option(told: Any, hint: Any) -> FieldOption | None:
-    kinds = int, str, bool, tuple
-    if told.name in PLACE or not told.init or type(told.default) not in kinds:
-        return None
     notes = getattr(hint, "__metadata__", ())
-    limits = [note for note in notes if isinstance(note, Meta)]
-    if ASIDE in notes:
+    kinds = int, str, bool, tuple
+    of_place = told.name in PLACE or ASIDE in notes
+    if of_place or not told.init or type(told.default) not in kinds:
         return None
+    limits = [note for note in notes if isinstance(note, Meta)]
     return FieldOption(
-        told.name,
         told.default,
         next((note.ge for note in limits if note.ge is not None), None),  # type: ignore[arg-type]
         next((note.le for note in limits if note.le is not None), None),  # type: ignore[arg-type]

@@ -17,8 +17,8 @@ from allworlds.words import plural
 from allworlds.world.lighthouses.base import Lighthouse, ReferenceLighthouse, Sensing
 from allworlds.world.lighthouses.everywhere import Compass
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES
-from allworlds.world.lighthouses.knowledge import Nothing
 from allworlds.world.lighthouses.marked import Directional, Position
+from allworlds.world.lighthouses.placeless import Nothing
 
 SEARCHED: Mapping[str, Callable[[Sequence[Dart]], Lighthouse]] = {
     Nothing.kind: lambda _: Nothing(),
