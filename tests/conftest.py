@@ -16,7 +16,7 @@ from hypothesis import settings
 
 import allworlds
 from allworlds.cli.app import call
-from allworlds.engines.lanes import OneLane
+from allworlds.engines.lanes import Lanes
 from allworlds.engines.players import PlayerHere
 from allworlds.explorers.loading import load
 
@@ -152,7 +152,7 @@ def without_workers(monkeypatch):
             monkeypatch.setattr(f"allworlds.engines.{module}.started", player)
         monkeypatch.setattr(
             "allworlds.engines.lanes.Lanes",
-            lambda subject, limits, deadline, *_: OneLane(subject, limits, deadline),
+            lambda subject, limits, deadline, *_: Lanes(subject, limits, deadline),
         )
         monkeypatch.setattr("allworlds.explorers.program.Program._pass_stderr_on", lambda _: None)
         yield

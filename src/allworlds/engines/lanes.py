@@ -53,63 +53,6 @@ ALONE = 1.5
 _TOLD = (InputError, Unsettled, EnginesDisagree, HarnessError)
 
 
-class OneLane(Struct):
-    """The transport into one lane, in this process.
-
-    Attributes:
-        subject: the explorer.
-        limits: of the time for an answer, and of memory.
-        deadline: on the monotonic clock, or None.
-    """
-
-    subject: Subject
-    limits: Limits
-    deadline: float | None = None
-    _lanes: list[tuple[RunCounter, Lane]] = field(default_factory=list)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """End the lane."""
-        while self._lanes:
-            self._lanes.pop()[1].close()
-
-    def map(
-        self, engine: RunCounter, units: Iterable[UnitOfRuns]
-    ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
-        """Yield the parts of all units, as they come.
-
-        Raises:
-            TimeIsUp: when the time limit has been reached.
-            InputError: if the explorer cannot be loaded, or of a model of the user's.
-            Unsettled: if processes are lost again and again.
-        """
-        lane = self.lane(engine)
-        waiting = in_any_order(units) if self.subject.from_user else iter(units)
-        unit = next(waiting, None)
-        last = unit
-        while unit is not None or lane.busy:
-            while unit is not None and lane.hungry:
-                lane.offer(unit)
-                last, unit = unit, next(waiting, None)
-            yield from lane.turn()
-            check_deadline(self.deadline)
-        if last is not None and lane.keeps:
-            yield PartialResult(last, lane.end(), last=False)
-
-    def lane(self, engine: RunCounter) -> Lane:
-        """One lane as long as the same is asked for: its players have loaded the explorer."""
-        if self._lanes and self._lanes[0][0] != engine:
-            self.close()
-        if not self._lanes:
-            self._lanes.append((engine, Lane(self.subject, engine, self.limits)))
-        return self._lanes[0][1]
-
-
 class _Process:
     """A lane in a process of its own, forked from this one beside the others."""
 
@@ -149,23 +92,25 @@ class _Process:
 
 
 class Lanes(Struct):
-    """The transport into lanes in processes of their own.
+    """The transport into lanes: one here, others in processes of their own.
 
     Attributes:
         subject: the explorer.
         limits: the number of lanes, and the limits of each.
         deadline: on the monotonic clock, or None.
+        here: whether one is here, which goes before the others.
+        apart: whether there are others.
         models: whether models of the user's judge the runs, or choose the worlds.
-        alone: the lane here that goes before them, if there is one.
     """
 
     subject: Subject
     limits: Limits
     deadline: float | None = None
+    here: bool = True
+    apart: bool = False
     models: bool = False
-    alone: OneLane | None = None
     _until: float = 0.0
-    _last: UnitOfRuns | None = None
+    _first: list[tuple[RunCounter, Lane]] = field(default_factory=list)
     _processes: list[_Process] = field(default_factory=list)
     _lost: Counter[str] = field(default_factory=Counter)
 
@@ -173,8 +118,7 @@ class Lanes(Struct):
         return self
 
     def __exit__(self, *_: object) -> None:
-        if self.alone is not None:
-            self.alone.close()
+        self._close_first()
         for process in self._processes:
             process.end()
         self._processes.clear()
@@ -182,15 +126,22 @@ class Lanes(Struct):
     def map(
         self, engine: RunCounter, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
-        """Yield the parts of all units, as they come; raises as :class:`OneLane` does."""
+        """Yield the parts of all units, as they come.
+
+        Raises:
+            TimeIsUp: when the time limit has been reached.
+            InputError: if the explorer cannot be loaded, or of a model of the user's.
+            Unsettled: if processes are lost again and again.
+        """
         waiting = in_any_order(units) if self.subject.from_user else iter(units)
-        unit, again, first = next(waiting, None), list[UnitOfRuns](), self._first(engine)
+        unit, again, first = next(waiting, None), list[UnitOfRuns](), self._lane_here(engine)
+        last = unit
         while True:
-            early = first is not None and time.monotonic() < self._until
-            while unit and first and early and first.hungry:
+            alone = first is not None and (not self.apart or time.monotonic() < self._until)
+            while unit and first and alone and first.hungry:
                 first.offer(unit)
-                self._last, unit = unit, next(waiting, None)
-            while not early and (unit or again) and (process := self._idle()):
+                last, unit = unit, next(waiting, None)
+            while not alone and (unit or again) and (process := self._idle()):
                 if unit and not again:
                     again, unit = [unit], next(waiting, None)
                 process.units.append(again.pop())
@@ -216,18 +167,23 @@ class Lanes(Struct):
                     process.units.remove(next(u for u in process.units if u.key == part.unit.key))
                 yield part
             check_deadline(self.deadline)
-        if first and first.keeps and self._last:
-            yield PartialResult(self._last, first.end(), last=False)
+        if first and first.keeps and last:
+            yield PartialResult(last, first.end(), last=False)
 
-    def _first(self, engine: RunCounter) -> Lane | None:
-        """The lane here; None if there is none, or others have begun."""
-        if self.alone is None:
-            return None
-        if self._processes:
-            self.alone.close()
+    def _lane_here(self, engine: RunCounter) -> Lane | None:
+        """One lane as long as the same is asked for; None once others have begun."""
+        if not self.here or self._processes or (self._first and self._first[0][0] != engine):
+            self._close_first()
+        if not self.here or self._processes:
             return None
         self._until = self._until or time.monotonic() + ALONE
-        return self.alone.lane(engine)
+        if not self._first:
+            self._first.append((engine, Lane(self.subject, engine, self.limits)))
+        return self._first[0][1]
+
+    def _close_first(self) -> None:
+        while self._first:
+            self._first.pop()[1].close()
 
     def _idle(self) -> _Process | None:
         """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
@@ -321,11 +277,9 @@ def workers_for(
         models: whether models of the user's judge the runs.
     """
     child_path()  # who has lost the current directory hears of it before a process starts
-    here = subject.from_user and not subject.importable
+    only_here = subject.from_user and not subject.importable
     limited = limits.memory is not None and not subject.from_user
-    one = OneLane(subject, limits, deadline)
-    if here or (limits.workers == 1 and not models and not limited):
-        return one
+    apart = not only_here and (limits.workers > 1 or models or limited)
     # Players of libraries load compiled code, which takes longer than a small job.
-    first = None if models or limited or subject.compiled else one
-    return Lanes(subject, limits, deadline, models, first)
+    here = only_here or not (models or limited or (apart and subject.compiled))
+    return Lanes(subject, limits, deadline, here, apart, models)
