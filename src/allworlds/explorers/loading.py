@@ -28,7 +28,6 @@ from allworlds.explorers.names import (
     is_library,
     is_program,
     no_explorer,
-    own_bound,
     path_of,
 )
 from allworlds.explorers.program import Program
@@ -110,10 +109,6 @@ class Subject(Struct, frozen=True, weakref=True):
     def step_budget(self) -> int | None:
         """The explorer's own step budget; None if the usual one is large enough."""
         return self.own.step_budget if self.own else None
-
-    def bound_under(self, lighthouse: str) -> str | None:
-        """The explorer's own bound under this lighthouse; None if it has none."""
-        return own_bound(self.name, lighthouse)
 
     @property
     def takes_choices(self) -> bool:
