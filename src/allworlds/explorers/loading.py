@@ -31,8 +31,7 @@ from allworlds.explorers.names import (
     path_of,
 )
 from allworlds.explorers.program import Program
-from allworlds.explorers.shared_library.library import Library, library_path
-from allworlds.explorers.shared_library.native import NativeExplorer
+from allworlds.explorers.shared_library.library import Library, NativeExplorer, library_path
 from allworlds.inputs.checks import InputError, show
 from allworlds.protocol.faults import ANSWER_TIMEOUT
 from allworlds.protocol.importing import SourceText, imported, text_of

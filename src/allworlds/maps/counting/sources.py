@@ -297,10 +297,5 @@ _NARROWED: dict[str, Callable[[str, int], tuple[CountSource, ...]]] = {
 
 
 def sources_under(map_class: str, kind: str, number: int) -> tuple[CountSource, ...]:
-    """The independent sources for a class under a condition with a name; there may be none."""
+    """The independent sources for a class under a condition; the first is fast."""
     return _NARROWED[kind](map_class, number)
-
-
-def source_under(map_class: str, kind: str, number: int) -> CountSource | None:
-    """The first of them, which is fast; None if there is none."""
-    return next(iter(sources_under(map_class, kind, number)), None)
