@@ -18,10 +18,12 @@ from allworlds.explorers.shared_library.library import (
     ROOM,
     CAction,
     CPercept,
+    Guarded,
     Library,
+    NativeExplorer,
     header_text,
+    threads_left,
 )
-from allworlds.explorers.shared_library.native import Guarded, NativeExplorer, threads_left
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass
@@ -351,9 +353,9 @@ def test_every_schedule_of_a_library_is_one_sequence_of_answers():
 
 def test_threads_that_are_joined_are_not_left_behind(monkeypatch):
     counts = iter([4, 4, 3])  # one is joined, and is listed a little longer
-    monkeypatch.setattr(libraries.native, "threads_now", lambda: next(counts, 3))
+    monkeypatch.setattr(libraries.library, "threads_now", lambda: next(counts, 3))
     assert threads_left(3) == 0
-    monkeypatch.setattr(libraries.native, "THREADS_END", 0.01)
+    monkeypatch.setattr(libraries.library, "THREADS_END", 0.01)
     assert threads_left(2) == 1
 
 

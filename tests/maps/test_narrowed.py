@@ -7,7 +7,7 @@ import pytest
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.classes import condition_named
 from allworlds.maps.counting.any_genus import catalan, vertex_counts
-from allworlds.maps.counting.sources import source_under, sources_under
+from allworlds.maps.counting.sources import sources_under
 
 NAMES = [
     *("cubic", "regular:2", "regular:4", "eulerian", "trees", "girth:1", "girth:2", "girth:3"),
@@ -21,7 +21,7 @@ def asked(name):
 
 
 def total(map_class, name, edges):
-    return sum(source_under(map_class, *asked(name)).cells(edges).values())
+    return sum(sources_under(map_class, *asked(name))[0].cells(edges).values())
 
 
 @pytest.mark.no_cover
@@ -94,7 +94,7 @@ def test_maps_with_loops_alone_are_as_many_as_of_degree_2m():
 def test_no_condition_passes_for_another():
     cells = {}
     for name in NAMES:
-        if source := source_under("maps", *asked(name)):
+        for source in sources_under("maps", *asked(name))[:1]:
             cells[name] = [source.cells(m) for m in range(1, 7)]
     assert len(cells) == len(NAMES) - 2  # girth:2, girth:4
     for name, told in cells.items():

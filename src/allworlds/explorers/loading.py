@@ -28,12 +28,10 @@ from allworlds.explorers.names import (
     is_library,
     is_program,
     no_explorer,
-    own_bound,
     path_of,
 )
 from allworlds.explorers.program import Program
-from allworlds.explorers.shared_library.library import Library, library_path
-from allworlds.explorers.shared_library.native import NativeExplorer
+from allworlds.explorers.shared_library.library import Library, NativeExplorer, library_path
 from allworlds.inputs.checks import InputError, show
 from allworlds.protocol.faults import ANSWER_TIMEOUT
 from allworlds.protocol.importing import SourceText, arguments_of, called, imported, text_of
@@ -109,10 +107,6 @@ class Subject(Struct, frozen=True, weakref=True):
     def step_budget(self) -> int | None:
         """The explorer's own step budget; None if the usual one is large enough."""
         return self.own.step_budget if self.own else None
-
-    def bound_under(self, lighthouse: str) -> str | None:
-        """The explorer's own bound under this lighthouse; None if it has none."""
-        return own_bound(self.name, lighthouse)
 
     @property
     def takes_choices(self) -> bool:

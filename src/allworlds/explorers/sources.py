@@ -55,22 +55,16 @@ def files_of_explorer(name: str) -> list[Path]:
     For a program they are the files that its command names.
     """
     name = innermost(name)
-    if is_program(name):
-        try:
-            words = shlex.split(command_of(name))
-        except ValueError:
-            return []
-        return [Path(word) for word in words if Path(word).is_file()]
-    if is_library(name):
-        library = Path(path_of(name))
-        return [library] if library.is_file() else []
     if name in BUILT_IN:
         return []
     try:
-        file, _ = _file_and_attributes(name)
-    except InputError:
+        if is_program(name):
+            files = [Path(word) for word in shlex.split(command_of(name))]
+        else:
+            files = [Path(path_of(name)) if is_library(name) else _file_and_attributes(name)[0]]
+    except (InputError, ValueError):
         return []
-    return [file] if file.is_file() else []
+    return [file for file in files if file.is_file()]
 
 
 def place_of_explorer(name: str) -> SourceLine | None:

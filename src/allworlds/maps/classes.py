@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from enum import StrEnum
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol
 
 from msgspec import Struct
 from msgspec.structs import force_setattr
@@ -27,14 +27,6 @@ if TYPE_CHECKING:
     from allworlds.maps.enumeration import Gluing
 
 OPEN = -1
-
-Beginning: TypeAlias = "Callable[[Gluing, int], bool]"
-"""Of a partial gluing and the number of the condition: whether a map of it may begin so."""
-
-
-def any_map(_gluing: Gluing, _number: int) -> bool:
-    """True: nothing is known of the beginnings."""
-    return True
 
 
 def regular(gluing: Gluing, degree: int) -> bool:
@@ -149,14 +141,14 @@ class ConditionKind(Struct, frozen=True):
 
     Attributes:
         holds: whether it does; of a map and the number of the name.
-        begins: whether a map of which it holds can begin as a partial gluing.
+        begins: whether a map of which it holds can begin as a partial gluing; of both likewise.
         least: the least number that is legal; None where the name has none.
         dual: such maps are made as the duals of maps that are glued together, and ``begins`` is
             asked of these.
     """
 
     holds: Callable[[CombinatorialMap, int], bool]
-    begins: Beginning = any_map
+    begins: Callable[[Gluing, int], bool]
     least: int | None = None
     dual: bool = False
 

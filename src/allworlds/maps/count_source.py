@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import TypeAlias
 
 from allworlds.maps.classes import Extent, NamedCondition
-from allworlds.maps.counting.sources import CountSource, source_for, source_under
+from allworlds.maps.counting.sources import CountSource, source_for, sources_under
 from allworlds.maps.enumeration import Gluing
 
 Size: TypeAlias = tuple[int, int]
@@ -76,7 +76,8 @@ def source_of(extent: Extent) -> CountSource | None:
     if where is None:
         return source_for(extent.map_class)
     if isinstance(where, NamedCondition):
-        return source_under(extent.map_class, where.kind, where.number)
+        found = sources_under(extent.map_class, where.kind, where.number)
+        return next(iter(found), None)
     return None
 
 

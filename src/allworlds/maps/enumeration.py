@@ -91,7 +91,7 @@ class Gluing:
         for decision in decisions:
             after = self._fork()
             after.apply(decision)
-            if after._can_be_finished() and after._may_be_meant():  # noqa: SLF001  # its own kind
+            if after._can_be_finished() and all(c.may_begin(after) for c in self._where):  # noqa: SLF001  # its own kind
                 yield decision, after
 
     def apply(self, decision: Decision) -> None:
@@ -162,9 +162,6 @@ class Gluing:
         """Whether gluing ``a`` to ``b`` would make a loop or a parallel edge in a simple class."""
         u, v = self.vertex[a], self.vertex[b]
         return self.simple and (u == v or bool(self.neighbours[u] >> v & 1))
-
-    def _may_be_meant(self) -> bool:
-        return all(condition.may_begin(self) for condition in self._where)
 
     def _can_be_finished(self) -> bool:
         owed = self.owed

@@ -83,11 +83,6 @@ def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
     return _connected(lambda: _drawn(2 * length + 1, path + _matched(knot, random), random))
 
 
-def lollipop_edges(degree: int, length: int) -> int:
-    """The number of edges of a lollipop."""
-    return length + 1 + length * (degree // 2 - 1) + length * degree // 2
-
-
 def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
     """A path of ``length`` edges, from its end, each vertex filled up with loops to at most D."""
     if degree < 2 or degree % 2 or length < 1:
@@ -97,11 +92,6 @@ def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
         on_path = 1 if v in (0, length) else 2
         ends += [(v, v)] * ((degree - on_path) // 2)
     return _drawn(length + 1, ends, random)
-
-
-def thick_edges(degree: int, length: int) -> int:
-    """The number of edges of a thick path."""
-    return length + (length - 1) * (degree // 2 - 1) + 2 * ((degree - 1) // 2)
 
 
 def switched_prism(length: int, random: Random) -> CombinatorialMap:
@@ -485,9 +475,11 @@ FAMILIES = (
     Family("random:M", lambda m: m, _random),
     Family("random:NxM", lambda _n, m: m, _from_seed(sparse)),
     Family("bouquet:C", lambda c: c + 1, _from_seed(bouquet)),
-    Family("lollipop:DxL", lollipop_edges, _from_seed(lollipop)),
+    Family("lollipop:DxL", lambda d, n: n * (d // 2) + n * d // 2 + 1, _from_seed(lollipop)),
     Family("prism:N", lambda n: 3 * n, _from_seed(switched_prism)),
-    Family("thick:DxL", thick_edges, _from_seed(thick)),
+    Family(
+        "thick:DxL", lambda d, n: n * (d // 2) - d // 2 + 1 + 2 * ((d - 1) // 2), _from_seed(thick)
+    ),
     Family("cover:K", lambda k: BASE_EDGES * k, _from_seed(cover)),
     Family(
         "corridor:F",

@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.maps.canonical import numbering
+from allworlds.maps.canonical import numbering, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, inverse, places
 
 
@@ -164,10 +164,8 @@ class Quotient(Struct, frozen=True, dict=True):
     def rerooted(self, root: int) -> Quotient:
         """Return the quotient rooted at another class."""
         order = numbering(self.sigma, self.alpha, root)
-        number = {q: i for i, q in enumerate(order)}
         return Quotient(
-            tuple(number[self.sigma[q]] for q in order),
-            tuple(number[self.alpha[q]] for q in order),
+            *rooted_code(self.sigma, self.alpha, root),
             tuple(self.degree[q] for q in order),
             tuple(self.labels[q] for q in order),
             self.sheets,

@@ -17,16 +17,15 @@ needs; the open darts there are tried clockwise from the dart of entry.
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from typing import TypeAlias, TypeVar
+from typing import TypeAlias
 
-from allworlds.explorers.builtin.algorithm1 import nobody
+from allworlds.explorers.builtin.algorithm1 import R, nobody
 from allworlds.explorers.builtin.partial_map import PartialMap, walks
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick
 from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.choices import Choices
 
-R = TypeVar("R")
 Acts: TypeAlias = Generator[Action | Checkpoint, Percept, R]
 """A part of the exploration that ends with a value of type R."""
 

@@ -67,9 +67,7 @@ def explore_folding(
     first: Percept, next_way: Way, hears: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
     """Walk these ways and fold the percepts until no dart is open."""
-    bearing = bearing_of(first)
-    log = FoldedLog(first)
-    here = log.turn(0, -bearing)
+    log, here = begun(first)
     while has_open_dart(log):
         for dart in next_way(log, here):
             seen = yield Move((dart - here) % log.degree[log.node[here]])
@@ -78,6 +76,12 @@ def explore_folding(
             if log.merges > merges:
                 hears("merged")
     return estimate(log, here)
+
+
+def begun(first: Percept) -> tuple[FoldedLog, int]:
+    """The log of the first percept, which has a bearing, and the dart that the robot faces."""
+    log = FoldedLog(first)
+    return log, log.turn(0, -bearing_of(first))
 
 
 def has_open_dart(log: FoldedLog) -> bool:

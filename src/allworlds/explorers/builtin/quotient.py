@@ -168,7 +168,7 @@ class Table(NamedTuple):
     @property
     def sheets(self) -> int:
         """The number of darts of the world over each class: those of v0 go round so often."""
-        return self.sensed[0].degree // len(self.vertices()[0])
+        return self.turns(self.vertices()[0])
 
     def is_alone(self) -> bool:
         """Whether only one world has this quotient."""

@@ -23,8 +23,7 @@ from typing import Any
 
 from allworlds.explorers.builtin.algorithm1 import Walk, algorithm1
 from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
-from allworlds.explorers.builtin.folding import estimate, has_open_dart, way
-from allworlds.explorers.builtin.partial_map import bearing_of
+from allworlds.explorers.builtin.folding import begun, estimate, has_open_dart, way
 from allworlds.inputs.checks import integer, let_users_interrupt, show
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.answers import Checkpoint, Estimate
@@ -47,9 +46,7 @@ class Shield:
 
     def __call__(self, first: Percept, **keywords: Any) -> Walk[Estimate]:
         """Explore from a directional lighthouse; return the true map for every explorer inside."""
-        bearing = bearing_of(first)
-        log = FoldedLog(first)
-        here = log.turn(0, -bearing)
+        log, here = begun(first)
         stranger = _Stranger(log, here, lambda seen: self.explorer(seen, **keywords))
         try:
             here = yield from _take_turns(log, here, (stranger, _Guest(log, here, algorithm1)))

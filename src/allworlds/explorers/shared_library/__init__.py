@@ -3,9 +3,7 @@
 ``allworlds.h``
     the interface, which is its own manual;
 ``library``
-    a library, loaded and checked;
-``native``
-    the episodes of a library as an explorer's.
+    a library, loaded and checked, and its episodes as an explorer's.
 
 Only processes that may run users' code load a library.
 """

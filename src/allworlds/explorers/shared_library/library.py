@@ -1,14 +1,24 @@
-"""A shared library, loaded; and its header."""
+"""A shared library, loaded, and played as an explorer; each buffer is behind a protected page."""
 
 from __future__ import annotations
 
 import ctypes
 import hashlib
+import mmap
+import os
+import time
+from collections.abc import Generator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, TypeVar, cast
 
 from allworlds.inputs.checks import InputError, existing_file, is_loop_of_links, show
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick as PickUp
+from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
+from allworlds.protocol.choices import KINDS, Choices
+from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.player import Told
 
 
 def header_text() -> str:
@@ -133,3 +143,226 @@ class Library:
         """The addresses of start, step, answer and choose; 0 for one that is missing."""
         functions = (self.start, self.step, self.answer, self.choose)
         return [(ctypes.cast(each, _ADDRESS).value or 0) if each else 0 for each in functions]
+
+
+T = TypeVar("T")
+
+_NO_ACCESS = 0
+
+
+class Guarded:
+    """Zeroed memory of ``size`` bytes, right in front of a page without access rights.
+
+    Args:
+        size: bytes, a multiple of 4.
+
+    Source: mprotect(2).
+    """
+
+    def __init__(self, size: int) -> None:
+        page = mmap.PAGESIZE
+        whole = -(-size // page) * page
+        # Private: a copy of the process, forked by the explorer, has memory of its own.
+        mine = mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS
+        self._pages = mmap.mmap(-1, whole + page, flags=mine)
+        start = ctypes.addressof(ctypes.c_char.from_buffer(self._pages))
+        protect = ctypes.CDLL(None, use_errno=True).mprotect
+        protect.argtypes = (ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int)
+        if protect(start + whole, page, _NO_ACCESS):
+            raise OSError(ctypes.get_errno(), "a page cannot be protected")
+        self.address = start + whole - size
+
+    def as_a(self, kind: type[T]) -> T:
+        """The memory as a value of a type of :mod:`ctypes`."""
+        value: Any = kind.from_address(self.address)  # type: ignore[attr-defined]
+        value.memory = self  # keeps it
+        return cast("T", value)
+
+
+THREADS_END = 0.5
+"""Seconds until a thread that has been joined is no longer listed."""
+
+
+class NativeExplorer:
+    """A library with one state, which plays one episode after the other.
+
+    Args:
+        library: loaded here.
+    """
+
+    def __init__(self, library: Library) -> None:
+        self.library = library
+        self._percept = Guarded(ctypes.sizeof(CPercept)).as_a(CPercept)
+        self._action = Guarded(ctypes.sizeof(CAction)).as_a(CAction)
+        self._here = Guarded(4).as_a(ctypes.c_int32 * 1)
+        self._capacity = 0
+        self._lists: list[Guarded] = []
+        self._state: int | None = None
+        self._picks: Any = None
+
+    @property
+    def keywords(self) -> frozenset[str]:
+        """The keywords that the library takes besides percepts."""
+        return frozenset({"told", "choices"} if self.library.chooses else {"told"})
+
+    def state(self) -> int:
+        """The library's state, which is made at the first use.
+
+        Raises:
+            ExplorerFault: if the library makes none.
+        """
+        if self._state is None:
+            self._state = self.library.new()
+            if self._state is None:
+                raise ExplorerFault("crash", "allworlds_new returned NULL")
+        return self._state
+
+    def handed(self) -> tuple[Any, ...]:
+        """Memory for percept, action and ``here``, and twice for sigma and alpha."""
+        sizes = (3, 2, 1, *(ROOM,) * 4)
+        return tuple(Guarded(4 * size).as_a(ctypes.c_int32 * size) for size in sizes)
+
+    def close(self) -> None:
+        """Delete the state."""
+        state, self._state = self._state, None
+        if state is not None:
+            self.library.delete(state)
+
+    def explore(
+        self, first: Percept, *, told: Told = None, choices: Choices | None = None
+    ) -> Generator[Action | Checkpoint, Percept, Answer]:
+        """Play one episode.
+
+        Raises:
+            ExplorerFault: for an illegal action or answer, and for threads left behind.
+        """
+        threads = threads_now()
+        library, action, state = self.library, self._action, self.state()
+        here, there = ctypes.addressof(self._percept), ctypes.addressof(action)
+        asked, number = _Asked(choices), _one_number(told)
+        if library.choose is not None:
+            self._picks = Pick(asked.pick)  # who may still ask a picker must find it
+            library.choose(state, self._picks, None)
+        sensed = self._sense(first)
+        action.kind = action.motion = 0
+        library.start(state, here, number, there)
+        while True:
+            asked.complain()
+            kind = action.kind
+            if kind == MOVE:
+                sensed += self._sense((yield Move(action.motion)))
+            elif kind == CHECKPOINT:
+                sigma, alpha = self._said(library.answer, 2, state, sensed, "illegal-action")
+                yield Checkpoint(sigma, alpha, self._here[0])
+            elif kind in (ANSWER, AMBIGUOUS):
+                read = self._estimate if kind == ANSWER else self._ambiguous
+                answer: Answer = read(state, sensed)
+                if left := threads_left(threads):
+                    what = "a thread" if left == 1 else f"{left} threads"
+                    raise ExplorerFault("crash", f"{what} left behind")
+                return answer
+            elif kind in (DROP, PICK):
+                sensed += self._sense((yield Drop() if kind == DROP else PickUp()))
+            else:
+                raise ExplorerFault("illegal-action", f"an action of kind {kind}")
+            action.kind = action.motion = 0
+            library.step(state, here, there)
+
+    def _sense(self, percept: Percept) -> int:
+        """Write the percept for the library; return its degree."""
+        ours = self._percept
+        ours.degree, ours.marks = percept.degree, percept.marks
+        ours.bearing = NOTHING if percept.bearing is None else percept.bearing
+        return percept.degree
+
+    def _said(
+        self,
+        function: Any,
+        lists: int,
+        state: int,
+        sensed: int,
+        law: Literal["illegal-action", "no-estimate"],
+    ) -> list[tuple[int, ...]]:
+        """Lists of integers, each with one entry for each dart, as the library fills them now."""
+        capacity = max(ROOM, sensed)
+        if capacity > self._capacity:
+            self._lists, self._capacity = [], capacity
+        # The guard stands behind the whole room: no less may be promised.
+        capacity = self._capacity
+        while len(self._lists) < lists:
+            self._lists.append(Guarded(4 * capacity))
+        self._here[0] = NOTHING
+        rooms = [guarded.address for guarded in self._lists[:lists]]
+        darts = function(state, capacity, *rooms, ctypes.addressof(self._here))
+        if not 0 <= darts <= capacity:
+            raise ExplorerFault(law, f"{darts} darts, where there is room for {capacity}")
+        array = ctypes.c_int32 * darts
+        return [tuple(array.from_address(room)[:]) for room in rooms]
+
+    def _estimate(self, state: int, sensed: int) -> Estimate:
+        sigma, alpha = self._said(self.library.answer, 2, state, sensed, "no-estimate")
+        try:
+            return Estimate(CombinatorialMap(sigma, alpha), self._here[0])
+        except InvalidMap as error:
+            raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
+
+    def _ambiguous(self, state: int, sensed: int) -> Ambiguous:
+        quotient = self.library.quotient
+        if quotient is None:
+            there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
+            raise ExplorerFault("illegal-action", there_is_none)
+        sigma, alpha, degree, marks = self._said(quotient, 4, state, sensed, "no-estimate")
+        return Ambiguous(sigma, alpha, degree, marks, self._here[0])
+
+
+def _one_number(told: Told) -> int:
+    """The one number that a library is told."""
+    if told is None:
+        return NOTHING
+    if isinstance(told, int):
+        return told
+    if len(told) > 1:
+        raise ExplorerFault("illegal-action", f"a library that is told {len(told)} numbers")
+    return next(iter(told.values()), NOTHING)
+
+
+class _Asked:
+    """The answering of the choices of one episode."""
+
+    def __init__(self, choices: Choices | None) -> None:
+        self._choices = choices or Choices()
+        self._wrong = ""
+
+    def pick(self, _: int | None, of: int, options: int, cost: Any) -> int:
+        """Answer ``allworlds_pick``; an illegal choice is answered by 0, and reported later."""
+        try:
+            kind = KINDS[of] if 0 <= of < len(KINDS) else str(of)
+            costs = cost[: max(options, 0)] if cost else None
+            index: int = self._choices.pick(range(options), of=kind, cost=costs)  # type: ignore[arg-type]
+        except ValueError as error:
+            self._wrong = self._wrong or str(error)
+            return 0
+        return index
+
+    def complain(self) -> None:
+        """Raise the error of an illegal choice, if there was one."""
+        if self._wrong:
+            raise ExplorerFault("crash", f"a choice that is none: {self._wrong}")
+
+
+def threads_now() -> int:
+    """The number of threads of this process; 0 where that cannot be known."""
+    with suppress(OSError):
+        return len(os.listdir("/proc/self/task"))  # noqa: PTH208  # as short as it can be
+    return 0
+
+
+def threads_left(before: int) -> int:
+    """The number of threads that are more than before, and stay.
+
+    One that has been joined is listed for some microseconds more.
+    """
+    deadline = time.monotonic() + THREADS_END
+    while (more := threads_now() - before) > 0 and time.monotonic() < deadline:
+        time.sleep(0.001)
+    return max(0, more)

@@ -10,7 +10,7 @@ from typing import Annotated, Any, NamedTuple
 
 from allworlds.document.struct import Different, Document, IfAny, Positive, Text, about
 from allworlds.explorers.loading import Subject
-from allworlds.explorers.names import is_library
+from allworlds.explorers.names import is_library, own_bound
 from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
 from allworlds.inputs.requests import (
     RARE_RULES,
@@ -187,7 +187,7 @@ class AskedRules(AskedTask):
                 f"and the lighthouse {kind} tells {', '.join(told_numbers)}; legal is told:n, or "
                 "an explorer that reads lines of JSON"
             )
-        own = subject.bound_under(str(kind))
+        own = own_bound(subject.name, str(kind))
         return Rules(lighthouse, promised=promised, own_bound=own, among=among, **told)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache
 from itertools import combinations, zip_longest
 from math import comb, factorial, perm, prod
@@ -118,70 +118,43 @@ def catalan(n: int) -> int:
     return comb(2 * n, n) // (n + 1)
 
 
-def rooted_maps(edges: int) -> dict[int, int]:
+def rooted_maps(edges: int, legal: Degrees | None = None) -> dict[int, int]:
     """``{vertices: rooted maps}`` with that many edges, of any orientable genus.
+
+    With ``legal`` those alone whose degrees are all among these.
 
     The number is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``: all sigma by
     cycles, times all alpha, on labelled darts; log keeps the connected pairs, and a rooted
-    map has ``(2m-1)!`` labellings.
+    map has ``(2m-1)!`` labellings.  Of legal degrees are those sigma alone whose cycles have legal
+    lengths.
     """
-    return cells(edges, _rooted_by_permutations(edges))
-
-
-def rooted_of_degrees(edges: int, degrees: Degrees) -> dict[int, int]:
-    """``{vertices: rooted maps}`` with that many edges and legal degrees alone, of any genus.
-
-    As :func:`rooted_maps`, but with those sigma alone whose cycles have legal lengths.
-    """
-    return cells(edges, _rooted_of_degrees(edges, degrees))
+    return cells(edges, _connected(edges, legal))
 
 
 @cache
-def _rooted_by_permutations(edges: int) -> Polynomial:
-    return _connected(edges, lambda k: _rising(2 * k), _rooted_by_permutations)
-
-
-@cache
-def _rooted_of_degrees(edges: int, degrees: Degrees) -> Polynomial:
-    return _connected(
-        edges,
-        lambda k: _with_cycles(2 * k, degrees),
-        lambda k: _rooted_of_degrees(k, degrees),
-    )
-
-
-def _connected(
-    edges: int,
-    permutations: Callable[[int], Polynomial],
-    smaller: Callable[[int], Polynomial],
-) -> Polynomial:
+def _connected(edges: int, legal: Degrees | None) -> Polynomial:
     # With b_k the permutations of 2k darts the sum is A = sum b_k z^k / (2^k k!), and R = 2 z A'/A.
-    numerator = scaled(2 * edges, permutations(edges))
+    numerator = scaled(2 * edges, _permutations(2 * edges, legal))
     for k in range(1, edges):
         weight = 2**k * perm(edges, k)
-        term = times(smaller(k), permutations(edges - k))
+        term = times(_connected(k, legal), _permutations(2 * (edges - k), legal))
         numerator = plus(numerator, scaled(-weight, term))
     return divided(numerator, 2**edges * factorial(edges))
 
 
 @cache
-def _with_cycles(length: int, degrees: Degrees) -> Polynomial:
-    """Permutations of that many darts with cycles of legal lengths alone, by their cycles."""
-    if length == 0:
-        return (1,)
-    result: Polynomial = ()
-    for degree in degrees:
-        if degree <= length:
-            rest = _with_cycles(length - degree, degrees)
-            result = plus(result, scaled(perm(length - 1, degree - 1), (0, *rest)))
-    return result
-
-
-@cache
-def _rising(length: int) -> Polynomial:
+def _permutations(length: int, legal: Degrees | None) -> Polynomial:
+    """Permutations of that many darts by their cycles, whose lengths are legal."""
     result: Polynomial = (1,)
-    for i in range(length):
-        result = times(result, (i, 1))
+    if legal is None:
+        for i in range(length):
+            result = times(result, (i, 1))
+    elif length:
+        result = ()
+        for degree in legal:
+            if degree <= length:
+                rest = _permutations(length - degree, legal)
+                result = plus(result, scaled(perm(length - 1, degree - 1), (0, *rest)))
     return result
 
 

@@ -20,7 +20,6 @@ from allworlds.maps.counting.any_genus import (
     geometric,
     plus,
     rooted_maps,
-    rooted_of_degrees,
     rooted_of_genus,
     rooted_of_genus_by_contraction,
     scaled,
@@ -211,7 +210,7 @@ def _of_degrees(map_class: str, legal: Callable[[int], bool]) -> tuple[CountSour
         return frozenset(filter(legal, range(1, 2 * edges + 1)))
 
     by_cycles = CountSource(
-        "log-series of permutations with these cycles", lambda m: rooted_of_degrees(m, degrees(m))
+        "log-series of permutations with these cycles", lambda m: rooted_maps(m, degrees(m))
     )
     by_contraction = CountSource(
         "Walsh-Lehman recurrence at these degrees",
@@ -298,10 +297,5 @@ _NARROWED: dict[str, Callable[[str, int], tuple[CountSource, ...]]] = {
 
 
 def sources_under(map_class: str, kind: str, number: int) -> tuple[CountSource, ...]:
-    """The independent sources for a class under a condition with a name; there may be none."""
+    """The independent sources for a class under a condition; the first is fast."""
     return _NARROWED[kind](map_class, number)
-
-
-def source_under(map_class: str, kind: str, number: int) -> CountSource | None:
-    """The first of them, which is fast; None if there is none."""
-    return next(iter(sources_under(map_class, kind, number)), None)

@@ -227,17 +227,14 @@ def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
     Raises:
         InvalidWorld: naming the option, or the value, that the kind does not have.
     """
-    of = options_of(kind)
-    alone = [key for key, option in of.items() if type(option.default) is tuple]
-    if alone:  # the words of the only one stand without its name
-        return {alone[0]: of[alone[0]].of_text(f"the lighthouse {name}", text)}
+    for key, option in options_of(kind).items():
+        if type(option.default) is tuple:  # the words of the only one stand without its name
+            return {key: option.of_text(f"the lighthouse {name}", text)}
     try:
         pairs = pairs_in(f"{name}:{text}", text)
     except InputError as error:
         raise InvalidWorld(str(error)) from None
-    return {
-        key: _legal(kind, of, name, key).of_text(f"option {key}", value) for key, value in pairs
-    }
+    return {key: _legal(kind, name, key).of_text(f"option {key}", value) for key, value in pairs}
 
 
 def ensure_options(kind: Any, name: str, given: Mapping[str, object]) -> dict[str, OptionValue]:
@@ -246,14 +243,14 @@ def ensure_options(kind: Any, name: str, given: Mapping[str, object]) -> dict[st
     Raises:
         InvalidWorld: naming the option, or the value, that the kind does not have.
     """
-    of = options_of(kind)
     return {
-        key: _legal(kind, of, name, key).checked(f"lighthouse.{key}", value)
+        key: _legal(kind, name, key).checked(f"lighthouse.{key}", value)
         for key, value in given.items()
     }
 
 
-def _legal(kind: Any, of: Mapping[str, FieldOption], name: str, key: str) -> FieldOption:
+def _legal(kind: Any, name: str, key: str) -> FieldOption:
+    of = options_of(kind)
     if key in of:
         return of[key]
     legal = f"legal: {', '.join(of)}" if of else "it has none"
