@@ -115,9 +115,9 @@ def test_an_answer_that_is_no_map_is_told_once_with_what_was_tried(report_of, tm
 
 
 def test_what_was_tried_is_shown_only_if_it_can_be(report_of, cli):
-    _, out, _ = cli("check", report_of("no_darts").explorer, "--edges", 1)
+    _, out, _ = cli("check", report_of("no_darts").explorer, "--edges", 1, "-v")
     assert "[None]" in out
-    _, out, _ = cli("check", report_of("no_lists").explorer, "--edges", 1)
+    _, out, _ = cli("check", report_of("no_lists").explorer, "--edges", 1, "-v")
     assert "sigma must be a sequence of darts, not 3" in " ".join(out.split())
     assert "the permutations that were tried" not in out
 

@@ -119,11 +119,11 @@ def imported(name: str, importing: Callable[[], Any]) -> Any:
     Raises:
         InputError: naming what does not import.
     """
-    return attempted(f"{show(name)} does not import:", importing)
+    return _tried(f"{show(name)} does not import:", importing, InputError)
 
 
 def attempted(what: str, act: Callable[[], T], kind: type[InputError] = InputError) -> T:
-    """The result of an action of the user's code; its prints go to stderr.
+    """The result of an action of a model; its prints go to stderr, and it ends no process.
 
     Args:
         what: the first words of the message.
@@ -133,9 +133,14 @@ def attempted(what: str, act: Callable[[], T], kind: type[InputError] = InputErr
     Raises:
         InputError: beginning with these words, if it raises.
     """
+    with exit_code_kept():
+        return _tried(what, act, kind)
+
+
+def _tried(what: str, act: Callable[[], T], kind: type[InputError]) -> T:
     try:
         # What it prints must not get into a document on stdout.
-        with redirect_stdout(sys.stderr), exit_code_kept():
+        with redirect_stdout(sys.stderr):
             return act()
     except BaseException as error:  # noqa: BLE001  # a module may raise anything
         let_users_interrupt(error)

@@ -26,6 +26,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from allworlds.inputs.checks import InputError, did_you_mean, show
+from allworlds.inputs.exit_code import exit_code_kept
 from allworlds.protocol.importing import (
     Argument,
     SourceText,
@@ -248,14 +249,18 @@ def _loaded(code: UserCode) -> _Loaded:
     if code.source is None and digest_of_file(code.file) != code.digest:
         raise InputError(f"{show(code.name)} has another text here")
     before = {*sys.modules}
-    if point := code.role.offered(code.name):
-        found = imported(code.name, point.load)
-    else:
-        place, _, attribute = code.name.rpartition(":")
-        module = module_named(place) if code.source is None else _module(place, code.source)
-        found = attribute_of(module, attribute, place)
+    with exit_code_kept():
+        found = _found(code)
     files = (getattr(sys.modules[name], "__file__", "") for name in {*sys.modules} - before)
     return _Loaded(found, frozenset(Path(file).resolve() for file in files if file))
+
+
+def _found(code: UserCode) -> Any:
+    if point := code.role.offered(code.name):
+        return imported(code.name, point.load)
+    place, _, attribute = code.name.rpartition(":")
+    module = module_named(place) if code.source is None else _module(place, code.source)
+    return attribute_of(module, attribute, place)
 
 
 @cache
