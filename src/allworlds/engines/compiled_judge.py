@@ -71,14 +71,16 @@ class CompiledBatch(RunBatch):
             whole = len(rows) == len(self)
             heads, tables = (each if whole else each[[*rows]] for each in (self.heads, self.tables))
             return self._native(rows, heads) | {"again": False, "worlds": tables}
-        rows = [*rows]
-        told = [
-            (table.tobytes(), None if said < 0 else said, False, budget, "", ())
-            for table, (budget, said) in zip(
-                self.tables[rows], self.heads[rows][:, [RUN_BUDGET, RUN_TOLD]].tolist(), strict=True
-            )
-        ]
+        told = self._told(rows, (self.tables[row].tobytes() for row in rows))
         return self.judge.message("table", told, range(len(rows)), hear=hear)
+
+    def _told(self, rows: Sequence[int], places: Iterable[bytes]) -> list[tuple[Any, ...]]:
+        """Rows of a message: worlds or records, and what is said of each run."""
+        said = self.heads[[*rows]][:, [RUN_BUDGET, RUN_TOLD]].tolist()
+        return [
+            (place, None if number < 0 else number, False, budget, "", ())
+            for place, (budget, number) in zip(places, said, strict=True)
+        ]
 
     def records(self, rows: Sequence[int], order: Sequence[int]) -> dict[str, Any]:
         """The message to a player that plays recorded percepts."""
@@ -86,12 +88,7 @@ class CompiledBatch(RunBatch):
         if self.by.native and whole:
             sensed = {"again": True, "percepts": self.percepts, "starts": self.starts}
             return self._native(rows, self.motioned) | sensed
-        said = self.heads[[*rows]][:, [RUN_BUDGET, RUN_TOLD]].tolist()
-        told = [
-            (self._percepts(row), None if number < 0 else number, False, budget, "", ())
-            for row, (budget, number) in zip(rows, said, strict=True)
-        ]
-        return self.judge.message("record", told, order)
+        return self.judge.message("record", self._told(rows, map(self._percepts, rows)), order)
 
     def _native(self, rows: Sequence[int], heads: Any) -> dict[str, Any]:
         return {

@@ -14,15 +14,14 @@ import select
 import signal
 import socket
 import sys
-import threading
 import time
 from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from itertools import accumulate
 from pathlib import Path
-from queue import SimpleQueue
 from typing import Any, NamedTuple
 from weakref import finalize
 
@@ -529,42 +528,22 @@ def _shared(size: int) -> tuple[mmap.mmap, int]:
     return mmap.mmap(file, size), file
 
 
-class _Spawner(threading.Thread):
-    """The thread that starts all players: they end when it does, which is with this process."""
-
-    def __init__(self) -> None:
-        super().__init__(daemon=True, name="starts players")
-        self.pid = os.getpid()
-        self._asked: SimpleQueue[tuple[Callable[[], int], SimpleQueue[Any]]] = SimpleQueue()
-        self.start()
-
-    def run(self) -> None:
-        """Serve for ever."""
-        linux.adopt()
-        while True:
-            act, answer = self._asked.get()
-            try:
-                answer.put(act())
-            except OSError as error:
-                answer.put(error)
-
-    def done(self, act: Callable[[], int]) -> int:
-        """The result of a function that is called in that thread."""
-        answer: SimpleQueue[Any] = SimpleQueue()
-        self._asked.put((act, answer))
-        came = answer.get()
-        if isinstance(came, OSError):
-            raise HarnessError(f"no process could be started: {came.strerror}")
-        return int(came)
+_spawners: list[tuple[int, ThreadPoolExecutor]] = []
+"""This process, and the thread that starts all players: they end when it does."""
 
 
-_spawners: list[_Spawner] = []
+def _in_thread(act: Callable[[], int]) -> int:
+    """The result of a function that is called in that thread."""
+    if not _spawners or _spawners[0][0] != os.getpid():
+        _spawners[:] = [(os.getpid(), ThreadPoolExecutor(1, initializer=linux.adopt))]
+    try:
+        return _spawners[0][1].submit(act).result()
+    except OSError as error:
+        raise HarnessError(f"no process could be started: {error.strerror}") from None
 
 
 def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
     """The number of a new process."""
-    if not _spawners or _spawners[0].pid != os.getpid():
-        _spawners[:] = [_Spawner()]
     environment = {**os.environ, HASH_SEED: str(seed), _TOKEN: token}
     nothing = (os.POSIX_SPAWN_OPEN, 0, os.devnull, os.O_RDONLY, 0)
     # Whatever these descriptors are here, they are copied out of the way first.
@@ -577,7 +556,7 @@ def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
     moved = [(os.POSIX_SPAWN_DUP2, *each) for each in places]
     closed = [(os.POSIX_SPAWN_CLOSE, each) for each in high]
     command = [sys.executable, "-P", "-c", _BOOT.format(os.getpid()), *child_path()]
-    return _spawners[0].done(
+    return _in_thread(
         lambda: os.posix_spawn(
             sys.executable,
             command,

@@ -37,7 +37,6 @@ from allworlds.reports.tellings.scope import (
     places_told,
     trust_told,
 )
-from allworlds.reports.tellings.single_run import cost_words, run_section
 from allworlds.studies.check.known_findings import UserCorpus
 from allworlds.studies.check.report import CheckReport, most_expensive_runs
 from allworlds.studies.check.time_estimate import Guess, TimeEstimate
@@ -51,6 +50,8 @@ def most_expensive_sections(
     """Cost against bound, then the runs; empty if there are no cells."""
     if not cells:
         return
+    from allworlds.reports.tellings.single_run import cost_words, run_section  # for files alone
+
     yield Section("costs", "Cost against bound", [Costs(cells)])
     sections = []
     for count, run in enumerate(runs, 1):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from allworlds.explorers.names import is_program
 from allworlds.judging.explanations.story import Belief, Story
@@ -26,9 +26,11 @@ from allworlds.reports.telling import (
     View,
     fact,
 )
-from allworlds.studies.explain import Explanation, explain
 from allworlds.words import listed, number, plural, size
 from allworlds.world.world import World
+
+if TYPE_CHECKING:
+    from allworlds.studies.explain import Explanation
 
 LONGEST_LIST = 60
 """The choices of a longer list are told from both ends."""
@@ -58,6 +60,8 @@ def finding_section(
         title: in place of its number, its explorer and its law.
         checked: it comes from a check, which has confirmed it, or tried to.
     """
+    from allworlds.studies.explain import explain  # which a check that holds does not need
+
     story, told = Story(finding), explain(finding)
     title = title or f"Finding {number}: {headline_of(finding)}"
     detail = _detail(finding)

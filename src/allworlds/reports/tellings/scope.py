@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from allworlds.document.struct import replace
 from allworlds.engines.swept_report import SweptReport, tried_places
@@ -11,8 +11,10 @@ from allworlds.engines.units import Shard
 from allworlds.inputs.requests import given_again
 from allworlds.maps.classes import Extent
 from allworlds.studies.check.report import CheckReport
-from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.words import counted, plural
+
+if TYPE_CHECKING:
+    from allworlds.studies.compare.contest_report import ContestReport
 
 OfWorlds: TypeAlias = SweptReport | CheckReport
 """A report about the worlds of an extent."""
