@@ -321,7 +321,9 @@ def looked(monkeypatch):
             if scheduler.now > seconds:
                 raise Stop
 
-        monkeypatch.setattr(asyncio, "sleep", sleep)
+        # Not of asyncio itself: a cluster of this process sleeps, too.
+        waits = SimpleNamespace(sleep=sleep, wait_for=asyncio.wait_for)
+        monkeypatch.setattr(cluster, "asyncio", waits)
         transport = Dask(DaskCluster("tcp://127.0.0.1:1", 5.0))
         transport._client = scheduler
         with suppress(Stop):
