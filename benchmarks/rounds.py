@@ -19,10 +19,9 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from statistics import median
 from typing import Any
-
-from effort import commit
 
 from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import ENGINES, Job
@@ -46,6 +45,15 @@ from allworlds.world import Directional, World
 
 PYTHON_EDGES = 4
 JUDGED_EDGES = 6
+
+
+def commit() -> str:
+    """The commit of the sources; ``unknown`` in a copy without its history, or without git."""
+    line = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"]
+    try:
+        return subprocess.run(line, check=True, capture_output=True, text=True).stdout.strip()
+    except (FileNotFoundError, subprocess.CalledProcessError):
+        return "unknown"
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Algorithm 1 that never forgets: the common part of its variants.
 
-S are the settled vertices of the folded log (:class:`allworlds.claims.FoldedLog`), U
+S are the settled vertices of the folded log (``settled_log.py``), U
 their darts without a settled vertex at the other end, as in Algorithm 1.  A pass takes a dart from
 U, goes through it, and asks which vertex lies behind it:
 
@@ -24,10 +24,7 @@ from typing import TypeAlias, TypeVar
 from msgspec import Struct
 
 from allworlds import Checkpoint, CombinatorialMap, Estimate, Move, Percept
-from allworlds.claims import FoldedLog
-
-OPEN = -1
-"""The other end of a dart of the log that the robot has not gone through."""
+from settled_log import OPEN, SettledLog
 
 R = TypeVar("R")
 Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]
@@ -81,7 +78,7 @@ class Spread:
         distance: that distance.
     """
 
-    def __init__(self, log: FoldedLog, start: int) -> None:
+    def __init__(self, log: SettledLog, start: int) -> None:
         self._log = log
         self._by: dict[int, int] = {start: OPEN}
         self.layer = [start]
@@ -131,7 +128,7 @@ class Unforgetting(ABC):
     def __init__(
         self, first: Percept, notice: Callable[[str], None], settled: Settled = unseen
     ) -> None:
-        self.log = FoldedLog(first)
+        self.log = SettledLog(first)
         self.here = self._start = -(first.bearing or 0) % first.degree
         self.rank = {0: 0}
         self.entry = {0: self.here}

@@ -7,11 +7,12 @@ import pytest
 from hypothesis import given, strategies as st
 
 from allworlds import Checkpoint, Choices, Percept
-from allworlds.claims import Algorithm1, FoldedLog
+from allworlds.claims import Algorithm1
 from allworlds.maps import from_cycles, rooted_code, rooted_maps
 from allworlds.maps.build import dense, lattice
 from allworlds.protocol.choices import policy_named
 from explorers import greedy, prudent, remembering
+from settled_log import SettledLog
 from small import long, maps, slow
 from testers import paper_bound
 from unforgetting import Spread
@@ -243,7 +244,7 @@ def supposed(log, one, another):
 @pytest.fixture
 def compared(monkeypatch):
     """How often two darts could be one or not, wherever an explorer asks of any two."""
-    found, contradicts = Counter(), FoldedLog.contradicts
+    found, contradicts = Counter(), SettledLog.contradicts
 
     def ask(log, one, another):
         canonical = [d for d in range(len(log.node)) if log.canonical(d) == d]
@@ -255,7 +256,7 @@ def compared(monkeypatch):
                 found[told] += 1
         return contradicts(log, one, another)
 
-    monkeypatch.setattr(FoldedLog, "contradicts", ask)
+    monkeypatch.setattr(SettledLog, "contradicts", ask)
     return found
 
 
@@ -276,7 +277,7 @@ def test_a_contradiction_is_found_in_larger_worlds_too(world, compared):
 
 
 def test_a_spread_reaches_nodes_by_shortest_ways():
-    log = FoldedLog(Percept(2, 1, 0))
+    log = SettledLog(Percept(2, 1, 0))
     middle = log.arrive(0, Percept(2))
     end = log.arrive(log.turn(middle, 1), Percept(1))
     spread = Spread(log, 0)
