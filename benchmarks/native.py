@@ -31,7 +31,7 @@ from allworlds.engines.judge import PythonJudge, Work
 from allworlds.engines.kernel.batches import load_native
 from allworlds.engines.kernel.library_player import LibraryPlayer
 from allworlds.engines.kernel.records import LONGEST_STRETCH, RUN_TOLD
-from allworlds.engines.players import logs_of
+from allworlds.engines.players import Logs
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.explorers.loading import load
@@ -116,22 +116,22 @@ class Measured:
         while batch := timed("laid out", lambda: next(batches, None)):
             rows = range(len(batch))
             first = timed("first play", lambda b=batch, r=rows: self.played(0, b.worlds(r)))
-            batch.logs[0].update(enumerate(first))
+            batch.logs[0] = first
             good = timed("judged", lambda b=batch: self.judge.judge(b))
             second = timed("second play", lambda b=batch, r=rows: self.played(1, b.records(r, r)))
-            if not good or batch.broken or first != second:
+            if not good or batch.broken or first.message != second.message:
                 raise SystemExit("a law is broken: this measures nothing")
-            timed("compared", lambda a=first, b=second: a == b)
+            timed("compared", lambda a=first, b=second: a.message == b.message)
             walked += timed("bare", lambda b=batch: self.bare.play(b))
             self.runs += len(batch)
         assert walked == sum(row.traversals for row in work.tally.rows.values())
 
-    def played(self, which: int, message: dict[str, Any]) -> list[bytes]:
+    def played(self, which: int, message: dict[str, Any]) -> Logs:
         """The logs that answer a message."""
         content = self.players[which].play(message)
         if content is None:
             raise SystemExit("logs do not fit: this measures nothing")
-        return logs_of(content, message["runs"])
+        return Logs(b"".join(map(bytes, content)), message["runs"])
 
     def cost(self, *parts: str) -> float:
         """Microseconds a run of these parts."""
