@@ -64,9 +64,7 @@ class Bare:
         self._play = ctypes.CDLL(str(loop)).play
         self._play.restype = ctypes.c_long
         library = Library(path)
-        addresses = library.addresses()
-        names = ("start", "step", "answer", "choose")
-        self._explorer = (ctypes.c_void_p * 5)(*(addresses[name] for name in names), library.new())
+        self._explorer = (ctypes.c_void_p * 5)(*library.addresses(), library.new())
         self._room = [(ctypes.c_int32 * ROOM)() for _ in range(2)]
 
     def play(self, batch: CompiledBatch) -> int:
