@@ -6,8 +6,6 @@ others, so their darts keep their numbers.
 
 from __future__ import annotations
 
-from bisect import insort
-
 from allworlds import Percept
 from allworlds.claims import FoldedLog
 
@@ -32,35 +30,13 @@ class SettledLog(FoldedLog):
         self.settled.append(False)
         return super()._add_node(degree)
 
-    def _merge(self, one: int, another: int) -> None:
-        """Merge two darts, and all darts that are equal in consequence."""
-        node, base, degree, settled, link = (
-            self.node,
-            self.base,
-            self.degree,
-            self.settled,
-            self._link,
-        )
-        equal = [(one, another)]
-        while equal:
-            a, b = map(self.canonical, equal.pop())
-            v, w = node[a], node[b]
-            if v == w and a == b:
-                continue
-            if v == w or degree[v] != degree[w] or (settled[v] and settled[w]):
-                raise ValueError("the percepts contradict each other: no world shows them all")
-            if (settled[w], -w) > (settled[v], -v):
-                a, b, v, w = b, a, w, v
-            self.merges += 1
-            self.stands[w] = self.turn(a, base[w] - b)
-            for x in self.known[w]:
-                y = self.turn(a, x - b)
-                if link[y] == OPEN:
-                    link[y] = link[x]
-                    insort(self.known[v], y)
-                else:
-                    equal.append((link[y], link[x]))
-            self.known[w] = []
+    def _differ(self, v: int, w: int) -> bool:
+        """Whether two nodes of the same degree are known to be two vertices."""
+        return self.settled[v] and self.settled[w]
+
+    def _stays(self, v: int, w: int) -> bool:
+        """Whether the first of two nodes stays when they are merged: the settled or older one."""
+        return (self.settled[v], -v) > (self.settled[w], -w)
 
     def contradicts(self, one: int, another: int) -> bool:
         """Whether two canonical darts cannot be one: all consequences are checked.

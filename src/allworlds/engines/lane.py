@@ -526,17 +526,19 @@ class Lane:
         for player in players:
             order = drawn_order(self._random, len(runs))
             player.give(None, self.judge.records_message(runs, order))
-        for seed, player in zip(seeds, players, strict=True):
-            try:
-                logs = logs_from(player)
-            except Lost:
-                player.close()  # what is lost is tried in the other players, too
-                continue
-            if rows[0][0].work is work:  # there may be more
-                self._others[seed] = player
-            else:
-                player.close()
-            self._compare_under(seed, rows, logs, work)
+        try:
+            for seed, player in zip(seeds, players, strict=True):
+                try:
+                    logs = logs_from(player)
+                except Lost:  # what is lost is tried in the other players, too
+                    continue
+                if rows[0][0].work is work:  # there may be more
+                    self._others[seed] = player
+                self._compare_under(seed, rows, logs, work)
+        finally:
+            for player in players:
+                if player not in self._others.values():
+                    player.close()
 
     def _compare_under(
         self, seed: int, rows: Sequence[tuple[RunBatch, int]], logs: Sequence[bytes], work: Work

@@ -476,11 +476,9 @@ def keep(player: PlayerProcess, subject: Subject) -> None:
 
 def fresh(setup: Setup, seed: int) -> PlayerProcess:
     """A player that has played nothing: one that was kept, or a new one."""
+    wanted = os.getpid(), seed, setup.told()
     for player in [*_spare]:
-        if player.owner == os.getpid() and (player.setup.told(), player.seed) == (
-            setup.told(),
-            seed,
-        ):
+        if (player.owner, player.seed, player.setup.told()) == wanted:
             _spare.remove(player)
             if player.lives:
                 return player

@@ -209,8 +209,8 @@ DEPTHS = ((6, 1), (9, 2), (inf, 3))
 milliseconds of the compiled engine, so that keeping its result costs little."""
 
 SIMPLE_DEPTHS = ((4, 1), (7, 2), (inf, 5))
-"""Such numbers for the simple classes: weights are upper bounds there, with smaller errors for
-smaller units, and the errors of many units make up for each other."""
+"""Numbers of decisions for the simple classes: weights are upper bounds there, with smaller errors
+for smaller units, and the errors of many units make up for each other."""
 
 
 def units_of_level(extent: Extent, edges: int, portion: Portion = WHOLE) -> Iterator[LevelUnit]:

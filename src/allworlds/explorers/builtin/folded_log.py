@@ -100,6 +100,14 @@ class FoldedLog:
                 self._merge(0, self.turn(other, percept.bearing))
         return self.canonical(other)
 
+    def _differ(self, _v: int, _w: int) -> bool:
+        """Whether two nodes of the same degree are known to be two vertices."""
+        return False
+
+    def _stays(self, v: int, w: int) -> bool:
+        """Whether the first of two nodes stays when they are merged: the older one does."""
+        return v < w
+
     def _merge(self, one: int, another: int) -> None:
         """Merge two darts, and all darts that are equal in consequence."""
         node, base, degree, link = self.node, self.base, self.degree, self._link
@@ -109,9 +117,9 @@ class FoldedLog:
             v, w = node[a], node[b]
             if v == w and a == b:
                 continue
-            if v == w or degree[v] != degree[w]:
+            if v == w or degree[v] != degree[w] or self._differ(v, w):
                 raise ValueError("the percepts contradict each other: no world shows them all")
-            if w < v:
+            if not self._stays(v, w):
                 a, b, v, w = b, a, w, v
             self.merges += 1
             self.stands[w] = self.turn(a, base[w] - b)
