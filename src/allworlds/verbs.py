@@ -244,7 +244,7 @@ VERBS = (
     ),
     Verb(
         "ambiguity search",
-        "studies.ambiguity.smt.twin_search:search",
+        "studies.ambiguity.twin_search:search",
         "search",
         "Search for worlds that no motion tells apart, by SMT.",
         telling="reports.tellings.search:search_telling",

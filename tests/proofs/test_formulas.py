@@ -7,7 +7,7 @@ from itertools import product
 
 import pytest
 
-from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
+from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
 from searches import question
 
 solvers = pytest.importorskip("pysat.solvers", reason="python-sat is not installed")

@@ -17,11 +17,13 @@ from allworlds.document.struct import (
     Edges,
     IfAny,
     Natural,
+    Text,
     Vertices,
     WhichShard,
     about,
     computed,
 )
+from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import here_or
 from allworlds.engines.kept_form import from_kept
@@ -34,25 +36,43 @@ from allworlds.engines.swept_report import (
     told_scope,
     tried_places,
 )
-from allworlds.engines.units import WHOLE, LevelUnit, SweptLevel
-from allworlds.inputs.checks import InputError
-from allworlds.inputs.requests import answers
+from allworlds.engines.units import WHOLE, AskedShard, LevelUnit, SweptLevel
+from allworlds.inputs.checks import InputError, one_of
+from allworlds.inputs.requests import SCOPE, Option, Taken, answers
 from allworlds.maps.canonical import numbering, rooted_code
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.classes import AskedExtent, Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.quotient import Quotient, class_size, is_ambiguous, project
 from allworlds.outcome import Disagreement, Ending
 from allworlds.protocol.actions import Percept
-from allworlds.studies.ambiguity.ambiguity_requests import CensusRequest
 from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
 from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
-from allworlds.world.lighthouses.kinds import LighthouseKind
+from allworlds.world.asked_lighthouse import tried_kind
+from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.lighthouses.options import InvalidWorld
+from allworlds.world.own_condition import AskedWhere
 from allworlds.world.world import World
 
 BATCH = 200
 """Maps after which a part of a unit is handed over."""
+
+
+class CensusRequest(
+    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, AskedWhere, AskedExtent
+):
+    """Request of ``ambiguity census``: a class, its bounds and the effort."""
+
+    lighthouse: Annotated[
+        Taken[GivenLighthouse, LighthouseKind],
+        Option(
+            SCOPE,
+            "KIND",
+            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}.",
+            told=Annotated[Text, about("`KIND[:key=value,...]`")],
+        ),
+    ] = Taken(tried_kind, Position.kind)
+
 
 Size: TypeAlias = tuple[int, int]
 """The numbers of edges and of vertices."""

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import KW_ONLY
 from functools import partial
 from itertools import permutations
 from typing import Annotated, NamedTuple, Self, TypeAlias
 
 from allworlds.document.report import Report
 from allworlds.document.struct import Document, Natural, Positive, Some, Text, about, computed, key
-from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.inputs.requests import answers
+from allworlds.engines.effort import AskedListener
+from allworlds.inputs.checks import InputError, an_integer, integer_of, show
+from allworlds.inputs.requests import EFFORT, Option, answers
 from allworlds.maps.canonical import Code, rooted_code
-from allworlds.maps.classes import MapClass
+from allworlds.maps.classes import AskedClass, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.quotient import (
     Projection,
@@ -24,10 +26,35 @@ from allworlds.maps.quotient import (
 )
 from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Percept
-from allworlds.studies.ambiguity.ambiguity_requests import ClassRequest
+from allworlds.world.lighthouses.kinds import GivenLighthouse
 from allworlds.world.lighthouses.marked import Directional, Position
-from allworlds.world.named import a_world
+from allworlds.world.named import LIGHTHOUSE, WORLD, a_world
 from allworlds.world.world import World
+
+DEFAULT_LIMIT = 1000
+"""The largest class whose members are all made, unless another limit is named."""
+
+
+class MembersOptions(AskedClass):
+    """Options that select members of an ambiguity class."""
+
+    limit: Annotated[
+        int,
+        Option(
+            EFFORT,
+            "L",
+            "List at most L worlds; size and poses are exact all the same.",
+            parse=integer_of,
+        ),
+    ] = DEFAULT_LIMIT
+
+
+class ClassRequest(AskedListener, MembersOptions, kw_only=False):
+    """Request of ``ambiguity class``: a world, and how many members are listed."""
+
+    world: Annotated[World | str, WORLD]
+    _: KW_ONLY
+    lighthouse: Annotated[GivenLighthouse, LIGHTHOUSE] = Position.kind
 
 
 class LeastRooting(NamedTuple):
