@@ -163,12 +163,12 @@ VERBS = (
     ),
     Verb(
         "compare",
-        "studies.compare.contest:compare",
+        "studies.compare.comparison:compare",
         "compare",
         "Compare explorers in the same worlds, or in worlds that grow.",
         telling="reports.tellings.compare:compare_telling",
         panel=COSTS,
-        sweep="studies.compare.contest:SameWorlds",
+        sweep="studies.compare.comparison:SameWorlds",
         example="algorithm1 dudek91 --edges 4",
         help=(
             "Explorers side by side on the same worlds, each under its own lighthouse; the first "
