@@ -44,7 +44,7 @@ def costs():
 RESULTS = {
     "counted": lambda: Counted(Counter({(2, 0): 3}), Counter({(2, 0): 4})),
     "parts": lambda: SensedParts(5, Counter({(2, 1): 3}), {"q": {"code": {"sigma": [0]}}}),
-    "schedules": lambda: ScheduleCostsBySize({1: ScheduleCosts(2, 1, 3, 2, 1, 0, (0, 1), (1, 0))}),
+    "schedules": lambda: ScheduleCostsBySize({2: ScheduleCosts(2, 1, 3, 2, 1, 0, (0, 1), (1, 0))}),
     "tally": tally,
     "costs": costs,
     "side by side": lambda: CostsOfAll({0: costs(), 2: CostTally(1)}),
