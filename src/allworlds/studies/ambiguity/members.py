@@ -84,12 +84,7 @@ def is_least_rooting(map_: CombinatorialMap) -> bool:
     """
     sigma, alpha = map_.sigma, map_.alpha
     code = rooted_code(sigma, alpha, 0)
-    dart = sigma[0]
-    while dart:
-        if rooted_code(sigma, alpha, dart) < code:
-            return False
-        dart = sigma[dart]
-    return True
+    return all(code <= rooted_code(sigma, alpha, dart) for dart in map_.vertices[0])
 
 
 Permutation: TypeAlias = tuple[int, ...]
@@ -349,7 +344,5 @@ def _placed(world: World, code: Code) -> World:
     if isinstance(world.lighthouse, Position):
         return World(map_, Position(0), 0)
     # A directional marker makes all darts different: the member is the world itself.
-    bearing = world.first.bearing
-    assert bearing is not None
-    assert code == rooted_code(world.map.sigma, world.map.alpha, world.start)
-    return World(map_, Directional(map_.turn(0, bearing)), 0)
+    assert world.first.bearing is not None
+    return World(map_, Directional(map_.turn(0, world.first.bearing)), 0)
