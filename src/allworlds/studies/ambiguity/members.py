@@ -34,9 +34,11 @@ DEFAULT_LIMIT = 1000
 """The largest class whose members are all made, unless another limit is named."""
 
 
-class MembersOptions(AskedClass):
-    """Options that select members of an ambiguity class."""
+class ClassRequest(AskedListener, AskedClass, kw_only=False):
+    """Request of ``ambiguity class``: a world, and how many members are listed."""
 
+    world: Annotated[World | str, WORLD]
+    _: KW_ONLY
     limit: Annotated[
         int,
         Option(
@@ -46,13 +48,6 @@ class MembersOptions(AskedClass):
             parse=integer_of,
         ),
     ] = DEFAULT_LIMIT
-
-
-class ClassRequest(AskedListener, MembersOptions, kw_only=False):
-    """Request of ``ambiguity class``: a world, and how many members are listed."""
-
-    world: Annotated[World | str, WORLD]
-    _: KW_ONLY
     lighthouse: Annotated[GivenLighthouse, LIGHTHOUSE] = Position.kind
 
 
@@ -272,13 +267,12 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
     poses = pose_count(quotient)
     if size <= limit:
         _check_complete(quotient, found, own)
-        inside = {
+        found = {
             code: rooting
             for code, rooting in found.items()
             if universe.includes(CombinatorialMap.trusted(*code))
         }
-        size, poses = len(inside), _poses(quotient, inside)
-        found = inside
+        size, poses = len(found), _poses(quotient, found)
     others = sorted(code for code in found if code != own.code)
     listed = tuple(_placed(world, code) for code in (own.code, *others))
     made = AmbiguityClass(

@@ -118,8 +118,7 @@ class SearchResult(EndedReport):
         Classes | None, about("for each of them the class of each dart; null unless `sat`")
     ] = None
     certificate: Annotated[
-        Path | None,
-        about("the path of the certificate; null: see [answers](ambiguity.md#answers)"),
+        Path | None, about("the path of the certificate; null: see [answers](ambiguity.md#answers)")
     ] = None
     vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
     lighthouse: Annotated[str, one_of(*SEARCHED), about("its kind")] = computed(

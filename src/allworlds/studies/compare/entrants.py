@@ -45,14 +45,7 @@ from allworlds.engines.swept_report import (
     tried_places,
 )
 from allworlds.engines.tally import RunCounter, Tally
-from allworlds.engines.units import (
-    WHOLE,
-    AskedShard,
-    PartialResult,
-    Portion,
-    SweptLevel,
-    Transport,
-)
+from allworlds.engines.units import WHOLE, AskedShard, PartialResult, Portion, SweptLevel, Transport
 from allworlds.explorers.asked import ExplorersWords
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
@@ -65,10 +58,7 @@ from allworlds.maps.families import FORMS
 from allworlds.outcome import Completed, Ending, Verdict
 from allworlds.studies.check.confirmation import Confirmation
 from allworlds.studies.check.requests import ManyWorlds, SharedFile
-from allworlds.studies.check.tally_sweep import (
-    record_of,
-    rules_record,
-)
+from allworlds.studies.check.tally_sweep import record_of, rules_record
 from allworlds.world.asked_lighthouse import AskedLighthouse
 from allworlds.world.named import HOLES
 from allworlds.world.own_condition import AskedWhere
