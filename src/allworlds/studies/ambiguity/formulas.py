@@ -384,13 +384,13 @@ class Pair(Struct, frozen=True):
 
     Attributes:
         one, two: the maps, rooted at the starts.
-        pointed: for each world ``[x]``: x is a reference dart; None where there are none.
+        pointed: for each world ``[x]``: x is a reference dart; empty where there are none.
     """
 
     question: Question
     one: OneWorld
     two: OneWorld
-    pointed: tuple[Block, Block] | None
+    pointed: tuple[Block, ...]
 
 
 def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
@@ -401,17 +401,14 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
     formula = Formula(_title(question, sizes))
     one = one_world(formula, "1", sizes.one, question)
     two = one_world(formula, "2", sizes.two, question)
-    pointed = None
+    pointed: tuple[Block, ...] = ()
     if question.sensing.bearing:
+        named = ("1", one), ("2", two)
         where = question.sensing.where
-        pointed = (
-            _reference_darts(formula, "1", where, one),
-            _reference_darts(formula, "2", where, two),
-        )
+        pointed = tuple(_reference_darts(formula, name, where, world) for name, world in named)
         if not question.walk:
             formula.section("turning is free: the starts are reference darts")
-            formula.add(pointed[0][0])
-            formula.add(pointed[1][0])
+            formula.clauses += [(block[0],) for block in pointed]
     pair = Pair(question, one, two, pointed)
     _bisimulation(formula, pair)
     if one.size.edges == two.size.edges:
@@ -497,9 +494,7 @@ def _smaller_code(formula: Formula, pair: Pair) -> None:
     """
     one, two, darts = pair.one, pair.two, pair.one.size.darts
     steps = 2 * darts
-    marks = (
-        list(zip(*[block.variables for block in pair.pointed], strict=True)) if pair.pointed else []
-    )
+    marks = list(zip(*(block.variables for block in pair.pointed), strict=True))
     equal = formula.block(
         "equal", (steps + len(marks) + 1,), "the two codes agree in everything before step t"
     )
@@ -545,7 +540,7 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
             formula.add(*fresh, -image[x, z], carried[y, z])
             formula.add(-breaks[parity, x], -step[x, y], -image[x, z], -carried[y, z])
     for x in darts:
-        if pair.pointed is None:
+        if not pair.pointed:
             formula.add(-breaks[2, x])
             continue
         for y in darts:

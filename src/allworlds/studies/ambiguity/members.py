@@ -100,8 +100,11 @@ def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
     Cost: O(m) a map, and O(m) memory.
     """
     k, cycles = quotient.sheets, [*quotient.cone_indices[1:], *[2] * len(quotient.semi_edges)]
-    kinds: list[_Kind] = [lambda _, b=b: uniform_permutations(k, b) for b in cycles]
-    kinds += [lambda _: permutations(range(k))] * len(quotient.cotree)
+
+    def of_length(b: int) -> _Kind:
+        return lambda _: uniform_permutations(k, b)
+
+    kinds = [*map(of_length, cycles), *[lambda _: permutations(range(k))] * len(quotient.cotree)]
     for choice in _choices(kinds):
         yield _lift(quotient, iter(choice))
 
