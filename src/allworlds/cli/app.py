@@ -21,6 +21,7 @@ from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
 
+from allworlds.cli.defaults import Defaults, defaults_here
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import (
     OutputGroup,
@@ -326,16 +327,19 @@ def main() -> NoReturn:
 
 def call(arguments: list[str]) -> int:
     """Run a verb in this process and return its exit code; no exception leaves it."""
+    defaults = Defaults()
     try:
-        with beginning(arguments):
-            code = _invoked(arguments)
+        if any(not word.startswith("-") for word in arguments):
+            defaults = defaults_here()
+        with beginning(arguments, defaults):
+            code = _invoked(arguments, defaults)
     except InputError as error:
-        return _refuse(str(error))
+        return _refuse(str(error), defaults)
     except NoResult as error:
         complain(str(error))
         return error.exit
     except _ClickError as error:
-        return _refuse(_complaint(error, arguments))
+        return _refuse(_complaint(error, arguments), defaults)
     except KeyboardInterrupt:
         complain("interrupted")
         return Exit.INTERRUPTED
@@ -362,7 +366,7 @@ def _somewhere() -> bool:
     return True
 
 
-def _invoked(arguments: list[str]) -> int:
+def _invoked(arguments: list[str], defaults: Defaults) -> int:
     """The exit code of the verb.
 
     Click's own ``main`` is left out: it makes an exit code of 1 of every broken pipe, which is
@@ -370,8 +374,9 @@ def _invoked(arguments: list[str]) -> int:
     """
     first = next((word for word in arguments if not word.startswith("-")), "")
     verbs = command_line(first)
+    known = defaults.map_for(verbs, arguments, command_line)
     try:
-        with verbs.make_context("allworlds", [*arguments]) as context:
+        with verbs.make_context("allworlds", [*arguments], default_map=known) as context:
             return int(verbs.invoke(context) or 0)
     except typer.Exit as end:
         return end.exit_code
@@ -387,6 +392,10 @@ def _complaint(error: Exception, arguments: list[str]) -> str:
     return said
 
 
-def _refuse(message: str) -> int:
+def _refuse(message: str, defaults: Defaults | None = None) -> int:
+    used = defaults.used.items() if defaults else ()
+    named = [f"{key} = {show(value)}" for key, value in used if show(value) in message]
+    if defaults and named:
+        message += f" ({', '.join(named)} stands in {show(defaults.file)})"
     complain(message)
     return Exit.USAGE

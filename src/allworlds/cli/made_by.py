@@ -8,11 +8,14 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+from msgspec import UNSET
 
 from allworlds.version import __version__
 
 if TYPE_CHECKING:
+    from allworlds.cli.defaults import Defaults
     from allworlds.document.report import MadeBy, Report
 
 
@@ -21,6 +24,7 @@ class _BegunCommand:
     """A command line and the time when it was started."""
 
     command: tuple[str, ...]
+    defaults: Defaults
     started: datetime
     clock: float
 
@@ -29,9 +33,9 @@ _COMMAND: ContextVar[_BegunCommand] = ContextVar("command")
 
 
 @contextmanager
-def beginning(command: Sequence[str]) -> Iterator[None]:
+def beginning(command: Sequence[str], defaults: Defaults) -> Iterator[None]:
     """Context manager that notes the beginning of a command."""
-    begun = _BegunCommand(tuple(command), datetime.now(UTC), perf_counter())
+    begun = _BegunCommand(tuple(command), defaults, datetime.now(UTC), perf_counter())
     token = _COMMAND.set(begun)
     try:
         yield
@@ -43,6 +47,13 @@ def words_of_command() -> tuple[str, ...]:
     """The words of the command that has begun, without the program's name; none without one."""
     begun = _COMMAND.get(None)
     return begun.command if begun else ()
+
+
+def defaults_used() -> dict[str, dict[str, Any]]:
+    """The options that a file gave to the command, by the file; empty if it gave none."""
+    begun = _COMMAND.get(None)
+    used = begun.defaults if begun else None
+    return {used.file: used.used} if used and used.used else {}
 
 
 def made_by(report: Report, workers: int | None = None) -> MadeBy:
@@ -63,6 +74,7 @@ def made_by(report: Report, workers: int | None = None) -> MadeBy:
     return MadeBy(
         version=__version__,
         command=begun.command,
+        defaults=defaults_used() or UNSET,
         workers=workers,
         host=host(),
         started=begun.started.strftime("%Y-%m-%dT%H:%M:%SZ"),

@@ -74,6 +74,10 @@ class MadeBy(Document):
 
     version: Annotated[Text, about("of this program")]
     command: Annotated[tuple[str, ...], about("the words of the command line, as they were given")]
+    defaults: Annotated[
+        dict[str, dict[str, Any]] | UnsetType,
+        about("the options that a file gave, by the file; left out: every option was given so"),
+    ] = UNSET
     workers: Annotated[Positive | None, about("processes or threads; null: the verb takes none")]
     host: Annotated[Host, about("the machine and its software")]
     started: Annotated[
