@@ -58,7 +58,7 @@ class Defaults:
             given = {**self.options, **self.options.get(name, {})}
             if any(word.startswith(("--exec", "--native")) for word in words):
                 given.pop("explorer", None)  # another one is named
-            found = {
+            found: dict[str, Any] = {
                 param.name: partial(self._use, key, _value(key, given[key], param))
                 for key, param in mine.items()
                 if key in given
@@ -101,7 +101,7 @@ def defaults_here() -> Defaults:
 def _table(file: str, text: str, name: str) -> dict[str, Any] | None:
     """The table of that name, with a table for each verb; None if there is none."""
     try:
-        found = tomllib.loads(text)
+        found: Any = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"file {show(file)} is not TOML: {error}") from None
     for part in filter(None, name.split(".")):
