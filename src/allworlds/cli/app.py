@@ -11,11 +11,8 @@ import traceback
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, fields, is_dataclass
 from functools import cache, wraps
-from importlib import import_module
-from importlib.util import find_spec
 from inspect import Parameter, Signature, signature
 from itertools import pairwise
-from keyword import iskeyword
 from pathlib import Path
 from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
@@ -37,7 +34,6 @@ from allworlds.cli.output import (
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.exit_code import keep_exit_code
 from allworlds.inputs.requests import AS_IN_PYTHON, PANELS, Argument, Named, Option, Rare, fields_of
-from allworlds.lazy import loaded
 from allworlds.outcome import Exit, NoResult
 from allworlds.verbs import GROUPS, VERBS, Verb
 
@@ -90,7 +86,7 @@ def _show_as_written(argument: Any) -> None:
 
 def plain_command(verb: Verb) -> Callable[..., int]:
     """The function that runs a verb on the command line: it answers, and writes."""
-    function = loaded(verb.function)
+    function = verb.function
 
     def command(request: Any, *, output: OutputGroup) -> int:
         report = answered(function, request, output)
@@ -274,12 +270,34 @@ def command_line(first: str | None = None) -> Any:
 
 
 def _command(verb: Verb) -> Callable[..., int]:
-    """The function that runs a verb: one in the module of its name or group, else the plain one."""
-    home = f"allworlds.cli.{verb.group or verb.name}"
-    module = import_module(home) if find_spec(home) else None
-    name = verb.name.rpartition(" ")[2]
-    own = getattr(module, f"{name}_" if iskeyword(name) else name, None)
-    return grouped(own or plain_command(verb), verb.name)
+    """The function that runs a verb: its own on the command line, else the plain one."""
+    return grouped(_own_command(verb.name) or plain_command(verb), verb.name)
+
+
+def _own_command(name: str) -> Callable[..., int] | None:
+    """The function of a verb that does more than answer a request, and write."""
+    match name:
+        case "check":
+            from allworlds.cli.check import check
+
+            return check
+        case "run":
+            from allworlds.cli.run import run
+
+            return run
+        case "replay":
+            from allworlds.cli.replay import replay
+
+            return replay
+        case "explain":
+            from allworlds.cli.explain import explain
+
+            return explain
+        case "play":
+            from allworlds.cli.play import play
+
+            return play
+    return None
 
 
 def _unasked() -> None:

@@ -10,8 +10,6 @@ from datetime import UTC, datetime
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from msgspec import UNSET
-
 from allworlds.version import __version__
 
 if TYPE_CHECKING:
@@ -66,15 +64,16 @@ def made_by(report: Report, workers: int | None = None) -> MadeBy:
     from allworlds.document.report import MadeBy
     from allworlds.version import host
 
-    parts = {
+    parts: dict[str, Any] = {
         name: tuple(round(each, 3) for each in seconds)
         for name, seconds in report.seconds_by_part.items()
     }
+    if used := defaults_used():
+        parts["defaults"] = used
     begun = _COMMAND.get()
     return MadeBy(
         version=__version__,
         command=begun.command,
-        defaults=defaults_used() or UNSET,
         workers=workers,
         host=host(),
         started=begun.started.strftime("%Y-%m-%dT%H:%M:%SZ"),
