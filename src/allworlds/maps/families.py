@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from itertools import cycle as repeated, islice, pairwise
 from random import Random
 from typing import TypeAlias
@@ -132,7 +132,7 @@ def cover(sheets: int, random: Random) -> CombinatorialMap:
 
 
 def _matched(darts: list[int], random: Random) -> Ends:
-    """A random matching of darts that are given by their vertices."""
+    """A random matching of darts, or of the vertices at which they are."""
     shuffled = darts[:]
     random.shuffle(shuffled)
     return list(zip(shuffled[::2], shuffled[1::2], strict=True))
@@ -167,7 +167,7 @@ def usual_degree(far: int) -> int:
     return 12 * far + 6
 
 
-def apart(kind: int) -> tuple[int, int]:
+def out_darts(kind: int) -> tuple[int, int]:
     """The out-darts of a hub of some type; classes of different types are disjoint."""
     return -4 * kind, -4 * kind - 2
 
@@ -220,66 +220,32 @@ class CorridorShape(Struct, frozen=True):
         return self.hubs * self.degree // 2 + 1
 
 
-class Corridor(Struct, frozen=True):
-    """A world of the family before its free darts are matched.
+def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
+    """The world with F far hubs of degree R, near loops and far matching drawn.
 
-    Attributes:
-        shape: its numbers.
-        sigma: the rotations; vertex 0 has darts 0 and 1, hub l those from 2 + (l - 1)R on.
-        alpha: the fixed edges; ``alpha[d] == d`` marks a free dart.
-        free: the free darts, in the order in which they are matched in pairs at first.
+    Vertex 0 has darts 0 and 1, hub l those from 2 + (l - 1)R on.
     """
-
-    shape: CorridorShape
-    sigma: tuple[int, ...]
-    alpha: tuple[int, ...]
-    free: tuple[int, ...]
-
-    def matched(self, partners: Sequence[tuple[int, int]]) -> CombinatorialMap:
-        """The map with these edges between the free darts."""
-        alpha = list(self.alpha)
-        for d, e in partners:
-            alpha[d], alpha[e] = e, d
-        return CombinatorialMap(self.sigma, tuple(alpha))
-
-
-def corridor_skeleton(
-    shape: CorridorShape, random: Random, outs: Callable[[int], tuple[int, int]] = apart
-) -> Corridor:
-    """A corridor with drawn near loops, and its free darts in a drawn order.
-
-    Args:
-        shape: its numbers.
-        random: the source of all that is drawn.
-        outs: the out-darts of a hub of some type; others than :func:`apart` break the lemmas.
-    """
-    degree = shape.degree
-    sigma, alpha = [1, 0], list(range(2 + shape.hubs * degree))
-    free: list[int] = []
-
-    def join(d: int, e: int) -> None:
-        alpha[d], alpha[e] = e, d
-
-    join(0, 2)
-    join(1, 3)
+    shape = CorridorShape(far, degree)
+    numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
+    random = Random(f"corridor/{numbers}/{seed}")  # noqa: S311  # reproducible
+    sigma, pairs, free = [1, 0], [(0, 2), (1, 3)], list[int]()
     for hub, kind in enumerate(hub_types(shape), 1):
         base = 2 + (hub - 1) * degree
         sigma += [*range(base + 1, base + degree), base]
-        fixed = {base, base + 1}
+        fixed = [base, base + 1]
         if hub < shape.hubs:
-            for k, out in enumerate(outs(kind)):
-                dart = base + out % degree
-                fixed.add(dart)
-                join(dart, base + degree + k)
+            outs = [base + out % degree for out in out_darts(kind)]
+            pairs += zip(outs, (base + degree, base + degree + 1), strict=True)
+            fixed += outs
         rest = [d for d in range(base, base + degree) if d not in fixed]
         if hub <= shape.near:
-            random.shuffle(rest)
-            for d, e in zip(rest[::2], rest[1::2], strict=True):
-                join(d, e)
+            pairs += _matched(rest, random)
         else:
             free += rest
-    random.shuffle(free)
-    return Corridor(shape, tuple(sigma), tuple(alpha), tuple(free))
+    alpha = [0] * len(sigma)
+    for d, e in pairs + _matched(free, random):
+        alpha[d], alpha[e] = e, d
+    return CombinatorialMap(sigma, alpha)
 
 
 def hub_types(shape: CorridorShape) -> Iterator[int]:
@@ -302,14 +268,6 @@ def _de_bruijn(letters: int, length: int) -> Iterator[int]:
             word.pop()
         if word:
             word[-1] += 1
-
-
-def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
-    """The world with F far hubs of degree R, near loops and far matching drawn."""
-    numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
-    random = Random(f"corridor/{numbers}/{seed}")  # noqa: S311  # reproducible
-    drawn = corridor_skeleton(CorridorShape(far, degree), random)
-    return drawn.matched(list(zip(drawn.free[::2], drawn.free[1::2], strict=True)))
 
 
 def corridor_edges(far: int, degree: int) -> int:
