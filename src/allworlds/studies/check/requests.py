@@ -51,7 +51,7 @@ class ManyWorlds(AskedListener, Limits, AskedRules, AskedLighthouse, AskedClass)
         lighthouse = self.lighthouse or subject.lighthouse
         where = getattr(self, "where", None)
         rules = self.rules_of(
-            subject, lighthouse, promised=self.map_class.promises, among=Among.of(where)
+            subject, lighthouse, promised=self.map_class.planar, among=Among.of(where)
         )
         return replace(rules, shared_file=shared_file(subject.name, rules, where))
 
