@@ -421,7 +421,7 @@ class Extent(Struct, frozen=True):
 # ---------------------------------------------------------------- as requests ask for it
 
 
-class AskedClass(Request):
+class ClassOptions(Request):
     """The part of a request that names a class of maps."""
 
     map_class: Annotated[
@@ -436,7 +436,7 @@ class AskedClass(Request):
     ] = Taken(MapClass.named, MapClass.MAPS.value)
 
 
-class AskedSize(Request):
+class SizeOptions(Request):
     """The part of a request that bounds the size of maps."""
 
     edges: Annotated[
@@ -454,7 +454,7 @@ class AskedSize(Request):
     ] = None
 
 
-class AskedExtent(AskedClass, AskedSize):
+class ExtentOptions(ClassOptions, SizeOptions):
     """The part of a request that names a class of maps and bounds their size."""
 
     @property

@@ -200,7 +200,7 @@ def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:
     return None if given is None else lighthouse_kind(given)
 
 
-class AskedWorld(Request):
+class WorldOptions(Request):
     """The part of a request that says of a WORLD what its text does not, or names a family."""
 
     family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
