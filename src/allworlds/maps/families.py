@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import cycle as repeated, islice, pairwise
 from random import Random
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 
@@ -288,14 +288,14 @@ class Family(Struct, frozen=True):
     Attributes:
         form: how a member is written; a capital letter stands for a number.
         edges: the number of edges of the member with these numbers, without holes.
-        build: the member, from these numbers, the fraction of holes, and a seed.
+        build: the member; of these numbers, the fraction of holes, and a seed.
         has_holes: edges can be removed from it.
         one_map: without holes a seed draws no more than the dart where a robot starts.
     """
 
     form: str
     edges: Callable[..., int]
-    build: Callable[[tuple[int, ...], float, int], CombinatorialMap]
+    build: Callable[..., CombinatorialMap]
     has_holes: bool = False
     one_map: bool = False
 
@@ -324,7 +324,7 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     if holes and not kind.has_holes:
         raise InputError(f"holes are for {_WITH_HOLES}, not for {text}")
     try:
-        return kind.build(sizes, holes, seed)
+        return kind.build(*sizes, holes, seed)
     except ValueError as error:
         raise InputError(f"family {text}: {error}") from None
 
@@ -379,12 +379,6 @@ def random_map(edges: int, random: Random) -> CombinatorialMap:
             continue
 
 
-def _random(sizes: tuple[int, ...], _holes: float, seed: int) -> CombinatorialMap:
-    if sizes[0] < 1:
-        raise InputError("a map has at least 1 edge")
-    return random_map(sizes[0], Random(seed))  # noqa: S311  # reproducible, not secret
-
-
 def _lattice(rows: int, columns: int, holes: float, seed: int) -> CombinatorialMap:
     map_ = lattice(rows, columns, holes, seed)
     if holes or not seed:
@@ -393,12 +387,17 @@ def _lattice(rows: int, columns: int, holes: float, seed: int) -> CombinatorialM
     return CombinatorialMap(*rooted_code(map_.sigma, map_.alpha, start))
 
 
-def _from_seed(
-    draw: Callable[..., CombinatorialMap],
-) -> Callable[[tuple[int, ...], float, int], CombinatorialMap]:
+def _random(edges: int, _holes: float, seed: int) -> CombinatorialMap:
+    if edges < 1:
+        raise ValueError("a map has at least 1 edge")
+    return random_map(edges, Random(seed))  # noqa: S311  # reproducible, not secret
+
+
+def _from_seed(draw: Callable[..., CombinatorialMap]) -> Callable[..., CombinatorialMap]:
     """A family that is drawn; each size is drawn independently."""
 
-    def build(sizes: tuple[int, ...], _holes: float, seed: int) -> CombinatorialMap:
+    def build(*numbers: Any) -> CombinatorialMap:
+        *sizes, _holes, seed = numbers
         name = "x".join(map(str, sizes))
         return draw(*sizes, Random(f"{draw.__name__}/{name}/{seed}"))  # noqa: S311  # as above
 
@@ -409,24 +408,19 @@ FAMILIES = (
     Family(
         "lattice:RxC",
         lambda r, c: r * (c - 1) + c * (r - 1),
-        lambda size, holes, seed: _lattice(size[0], size[1], holes, seed),
+        _lattice,
         has_holes=True,
         one_map=True,
     ),
     Family(
         "strip:C",
         lambda c: 3 * c - 2,
-        lambda size, holes, seed: _lattice(2, size[0], holes, seed),
+        lambda c, holes, seed: _lattice(2, c, holes, seed),
         has_holes=True,
         one_map=True,
     ),
-    Family(
-        "dense:N",
-        lambda n: n * (n - 1) // 2,
-        lambda size, holes, seed: dense(size[0], holes, seed),
-        has_holes=True,
-    ),
-    Family("cycle:N", lambda n: n, lambda size, _holes, _seed: cycle(size[0]), one_map=True),
+    Family("dense:N", lambda n: n * (n - 1) // 2, dense, has_holes=True),
+    Family("cycle:N", lambda n: n, lambda n, _holes, _seed: cycle(n), one_map=True),
     Family("torus:RxC", lambda r, c: 2 * r * c, _from_seed(torus), one_map=True),
     Family("cubic:N", lambda n: 3 * n // 2, _from_seed(cubic)),
     Family("regular:DxN", lambda d, n: d * n // 2, _from_seed(regular)),
@@ -442,13 +436,9 @@ FAMILIES = (
     Family(
         "corridor:F",
         lambda f: corridor_edges(f, usual_degree(f)),
-        lambda size, _holes, seed: corridor(size[0], usual_degree(size[0]), seed),
+        lambda f, _holes, seed: corridor(f, usual_degree(f), seed),
     ),
-    Family(
-        "corridor:FxR",
-        corridor_edges,
-        lambda size, _holes, seed: corridor(size[0], size[1], seed),
-    ),
+    Family("corridor:FxR", corridor_edges, lambda f, r, _holes, seed: corridor(f, r, seed)),
 )
 """Every family."""
 
