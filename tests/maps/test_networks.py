@@ -4,7 +4,6 @@ import networkx as nx
 import pytest
 
 from allworlds.maps import (
-    CombinatorialMap,
     InvalidMap,
     from_cycles,
     from_faces,
@@ -116,14 +115,6 @@ def test_a_graph_with_a_start_that_is_no_dart_is_refused():
     graph.graph["start"] = 6
     with pytest.raises(InvalidWorld, match="start = 6 is no dart"):
         World.from_networkx(graph)
-
-
-def test_a_map_and_a_world_are_made_by_their_classes():
-    faces = ["abc", "acd", "adb", "bdc"]
-    map_ = CombinatorialMap.from_faces(faces)
-    assert map_ == from_faces(faces)
-    assert CombinatorialMap.from_networkx(map_.to_networkx()) == map_
-    assert World.from_faces(faces, "position", 4) == World(map_, "position", 4)
 
 
 def test_a_planar_graph_is_embedded_in_the_plane():

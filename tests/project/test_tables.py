@@ -33,7 +33,7 @@ from allworlds.judging.tasks import task_named
 from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import source_for
+from allworlds.maps.counting.sources import SOURCES
 from allworlds.maps.families import FAMILIES
 from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol.choices import POLICIES, SEEDED, Schedule
@@ -319,7 +319,7 @@ def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monke
 @pytest.mark.parametrize("map_class", MapClass)
 def test_every_class_is_counted_enumerated_drawn_and_told(map_class):
     assert map_class.summary
-    assert source_for(map_class)
+    assert SOURCES[map_class]
     meant = [map_ for map_ in all_rooted_maps(3) if map_class.includes(map_)]
     assert meant == [*all_rooted_maps(3, map_class)]
     name = f"{map_class.value.replace('-', '_')}_maps" if map_class is not MapClass.MAPS else "maps"

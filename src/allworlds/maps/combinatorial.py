@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
@@ -10,7 +10,6 @@ from typing import Annotated, Any, TypeAlias
 from allworlds.document.report import Pictured
 from allworlds.document.struct import Natural, Permutation, WrittenByFields, about
 from allworlds.inputs.checks import InputError, are_plain, integer, parse_json, show
-from allworlds.lazy import loaded
 
 Dart: TypeAlias = Natural
 """A dart: an integer in ``0..2m-1``."""
@@ -251,22 +250,6 @@ class CombinatorialMap(Pictured, WrittenByFields):
         """The dual map: faces become vertices, and the genus stays."""
         sigma, alpha = self.sigma, self.alpha
         return CombinatorialMap.trusted([sigma[alpha[d]] for d in self.darts], alpha)
-
-    def to_networkx(self) -> Any:
-        """The graph of the map; see :func:`allworlds.maps.networks.to_networkx`."""
-        return loaded("maps.networks:to_networkx")(self)
-
-    @classmethod
-    def from_networkx(cls, graph: Any) -> CombinatorialMap:
-        """The map of a graph of networkx; see :func:`allworlds.maps.networks.from_networkx`."""
-        made: CombinatorialMap = loaded("maps.networks:from_networkx")(graph)
-        return made
-
-    @classmethod
-    def from_faces(cls, faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
-        """The map glued of polygons; see :func:`allworlds.maps.networks.from_faces`."""
-        made: CombinatorialMap = loaded("maps.networks:from_faces")(faces)
-        return made
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import TypeAlias
 
 from allworlds.maps.classes import Extent, NamedCondition
-from allworlds.maps.counting.sources import CountSource, source_for, source_under
+from allworlds.maps.counting.sources import NARROWED, SOURCES, CountSource
 from allworlds.maps.enumeration import Gluing
 
 Size: TypeAlias = tuple[int, int]
@@ -74,7 +74,7 @@ def source_of(extent: Extent) -> CountSource | None:
     """The source of the numbers of the maps in an extent; None where a condition has none."""
     where = extent.where
     if where is None:
-        return source_for(extent.map_class)
+        return SOURCES[extent.map_class]
     if isinstance(where, NamedCondition):
-        return source_under(extent.map_class, where.kind, where.number)
+        return NARROWED[where.kind](extent.map_class, where.number)
     return None

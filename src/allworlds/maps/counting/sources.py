@@ -139,14 +139,6 @@ class CountSource(NamedTuple):
     cells: Callable[[int], Cells]
 
 
-def source_for(map_class: str) -> CountSource:
-    """The source of a class, which knows every cell.  Raises: ValueError for an unknown class."""
-    if map_class not in _SOURCES:
-        legal = ", ".join(_SOURCES)
-        raise ValueError(f"unknown class of maps {map_class!r}; the classes are {legal}")
-    return _SOURCES[map_class]
-
-
 def rooted_trees(edges: int) -> Cells:
     """``{vertices: rooted plane trees}``: Catalan numbers."""
     return {n: catalan(edges) if n == edges + 1 else 0 for n in vertex_counts(edges)}
@@ -216,19 +208,19 @@ def _of_genus(map_class: str, genus: int) -> CountSource | None:
     if map_class == "maps":
         return CountSource("Carrell-Chapuy recurrence", lambda m: rooted_of_genus(m, genus))
     if genus == 0:
-        return source_for({"simple": "planar-simple"}.get(map_class, map_class))
+        return SOURCES[{"simple": "planar-simple"}.get(map_class, map_class)]
     return None
 
 
 def _of_girth(map_class: str, least: int) -> CountSource | None:
     if least == 1:
-        return source_for(map_class)
+        return SOURCES[map_class]
     if least > 3 or (least == 2 and "simple" not in map_class):
         return None
-    return source_for({"maps": "simple", "planar": "planar-simple"}.get(map_class, map_class))
+    return SOURCES[{"maps": "simple", "planar": "planar-simple"}.get(map_class, map_class)]
 
 
-_SOURCES = {
+SOURCES: dict[str, CountSource] = {
     "maps": CountSource("log-series of permutations", rooted_maps),
     "planar": CountSource("Carrell-Chapuy recurrence", lambda m: rooted_of_genus(m, 0)),
     "simple": CountSource("degree sequences of labelled graphs", rooted_simple_by_degrees),
@@ -236,8 +228,9 @@ _SOURCES = {
         "substitution into planar maps", rooted_planar_simple_by_substitution
     ),
 }
+"""By a class of maps: it knows every cell."""
 
-_NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
+NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
     "cubic": lambda map_class, _: _of_degrees(map_class, lambda d: d == 3),
     "regular": lambda map_class, degree: _of_degrees(map_class, lambda d: d == degree),
     "eulerian": lambda map_class, _: _of_degrees(map_class, lambda d: d % 2 == 0),
@@ -247,8 +240,4 @@ _NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
     "triangulation": lambda map_class, _: _of_faces(map_class, 3),
     "quadrangulation": lambda map_class, _: _of_faces(map_class, 4),
 }
-
-
-def source_under(map_class: str, kind: str, number: int) -> CountSource | None:
-    """The source for a class under a condition; None where there is none."""
-    return _NARROWED[kind](map_class, number)
+"""By a condition: of the class of maps and the number in its name; None: there is no source."""
