@@ -8,7 +8,7 @@ import pytest
 from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.world import IllegalAction, InvalidWorld, Movable, Nothing, State, World
-from allworlds.world.lighthouses.everywhere import Labels
+from allworlds.world.lighthouses.marked import Labels
 from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
 from small import EDGE, LOLLIPOP, LOOP, PATH, all_maps
 

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cache
 from itertools import islice
+from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 
-from allworlds.document.struct import about
+from allworlds.document.struct import about, plain
 from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Percept, Write
@@ -18,12 +19,14 @@ from allworlds.protocol.player import Told
 from allworlds.protocol.user_code import UserCode
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
+    OptionValue,
     ensure_legal,
     kind_with,
     name_of,
     named_with,
+    options_of,
+    place_keys,
     values_in,
-    written_as,
 )
 from allworlds.world.state import State
 
@@ -130,6 +133,7 @@ class Lighthouse(ABC):
             together only one may.
         leaves_marks: whether the robot can leave marks itself.
         code: where the class comes from, if it is the user's.
+        chosen: the options that were given to the kind.
         every_place_to: the largest number of edges of the maps in which :meth:`places` yields every
             place; None: in all maps.
         beyond: the places that it yields in larger ones, in words.
@@ -143,6 +147,7 @@ class Lighthouse(ABC):
     gives_bearings: ClassVar[bool] = True
     leaves_marks: ClassVar[bool] = False
     code: ClassVar[UserCode | None] = None
+    chosen: ClassVar[Mapping[str, OptionValue]] = MappingProxyType({})
     every_place_to: ClassVar[int | None] = None
     beyond: ClassVar[str] = ""
 
@@ -195,8 +200,21 @@ class Lighthouse(ABC):
         return replace(self, **renamed) if renamed else self  # type: ignore[type-var]
 
     def to_json(self) -> dict[str, Any]:
-        """``{"kind": ...}`` with the options and the place, as :mod:`options` says."""
-        return written_as(self)
+        """``{"kind": ...}`` with the options and the place.
+
+        Of a class of the user's the options stand apart, with the content by which it is known.
+        """
+        kind: Any = type(self)
+        code, where = kind.code, {key: plain(getattr(self, key)) for key in place_keys(kind)}
+        if code is not None:
+            options = code.arguments or values_in(self)
+            return {"kind": code.plain, "options": options, "digest": code.digest, **where}
+        usual = [
+            key
+            for key, option in options_of(kind).items()
+            if not option.always and where[key] == option.default
+        ]
+        return {"kind": self.kind, **{key: where[key] for key in where if key not in usual}}
 
     @classmethod
     def at(cls, **where: Any) -> Lighthouse:

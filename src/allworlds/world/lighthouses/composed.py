@@ -15,7 +15,7 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.player import Told
 from allworlds.world.lighthouses.base import Lighthouse, WalkInAnswer
-from allworlds.world.lighthouses.options import InvalidWorld, value_of
+from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.lighthouses.placeless import Knowledge
 from allworlds.world.state import State
 
@@ -161,7 +161,7 @@ def _adds(kind: type[Lighthouse]) -> set[str]:
     """The kinds of knowledge that a robot has by a lighthouse, besides degrees."""
     found = {name for name in ("marks", "bearings") if getattr(kind, f"gives_{name}")}
     if issubclass(kind, Knowledge):
-        return found | {*value_of(kind, "names")}  # type: ignore[misc]  # words
+        return found | {*kind.names}
     return found | ({"something else"} if _tells(kind) else set())
 
 

@@ -15,8 +15,14 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.composed import PLUS, Composed, composed, composed_from_json
-from allworlds.world.lighthouses.everywhere import Compass, Labels
-from allworlds.world.lighthouses.marked import Cluster, Directional, Natural, Position
+from allworlds.world.lighthouses.marked import (
+    Cluster,
+    Compass,
+    Directional,
+    Labels,
+    Natural,
+    Position,
+)
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
     ensure_options,
@@ -26,7 +32,6 @@ from allworlds.world.lighthouses.options import (
     options_of,
     place_keys,
     refuse_other_keys,
-    value_of,
     with_arguments,
 )
 from allworlds.world.lighthouses.own_kind import own_kind
@@ -119,8 +124,7 @@ def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
     They are known before any world is made.
     """
     parts = kind.as_class.kinds if issubclass(kind.as_class, Composed) else (kind.as_class,)
-    told = [value_of(part, "names") for part in parts if issubclass(part, Knowledge)]
-    return tuple(name for names in told for name in names)  # type: ignore[union-attr]  # words
+    return tuple(name for part in parts if issubclass(part, Knowledge) for name in part.names)
 
 
 def _part(text: str) -> str | UserCode:
