@@ -63,31 +63,6 @@ class Sensing:
         """Whether there are marks at all."""
         return self.marks_v0 or self.where is Where.EVERYWHERE_NUMBERED
 
-    def percepts(
-        self,
-        map_: CombinatorialMap,
-        references: Sequence[Dart],
-        numbers: Sequence[int] | None = None,
-    ) -> tuple[Percept, ...]:
-        """For each dart the percept of a robot that has arrived by it.
-
-        ``references`` holds one dart of each vertex at which more than the degree is sensed.
-        Where there are marks, ``numbers`` says how many lie at each of these vertices; by
-        default one at the first, two at the second.
-        """
-        if numbers is None:
-            numbers = range(1, len(references) + 1)
-        sensed = [_percept(degree) for degree in map_.degree_at]
-        # The first comes last: where a wrong answer takes v1 for v0, what is sensed is v0.
-        for number, reference in reversed([*zip(numbers, references, strict=True)]):
-            marks = number if self.marks else 0
-            degree = map_.degree_at[reference]
-            for back in range(degree):
-                # sigma^back(d) is the reference dart for the dart d that lies back places before.
-                bearing = back if self.bearing else None
-                sensed[map_.turn(reference, -back)] = _percept(degree, marks, bearing)
-        return tuple(sensed)
-
 
 @cache
 def _percept(degree: int, marks: int = 0, bearing: int | None = None) -> Percept:
@@ -296,13 +271,24 @@ class ReferenceLighthouse(Lighthouse):
         cls.gives_marks = cls.sensing.marks or cls.leaves_marks
         cls.gives_bearings = cls.sensing.bearing
 
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # none
-        """One dart of each vertex at which more than the degree is sensed; v0's is the first."""
-        return ()
+    def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:  # noqa: ARG002  # none
+        """One dart of each vertex at which more than the degree is sensed, with the marks there.
+
+        That of v0 is the first.
+        """
+        return {}
 
     def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
         """For each dart the percept of a robot that has arrived by it."""
-        return self.sensing.percepts(map_, self.references(map_))
+        sensed = [_percept(degree) for degree in map_.degree_at]
+        # The first comes last: where a wrong answer takes v1 for v0, what is sensed is v0.
+        for reference, marks in reversed([*self.references(map_).items()]):
+            degree = map_.degree_at[reference]
+            for back in range(degree):
+                # sigma^back(d) is the reference dart for the dart d that lies back places before.
+                bearing = back if self.sensing.bearing else None
+                sensed[map_.turn(reference, -back)] = _percept(degree, marks, bearing)
+        return tuple(sensed)
 
 
 class PlacelessLighthouse(ReferenceLighthouse):

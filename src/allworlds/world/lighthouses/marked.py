@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import islice, product
-from typing import Annotated, ClassVar, Self
+from itertools import count, islice, product
+from typing import Annotated, Any, ClassVar, Self
 
 from typing_extensions import override
 
 from allworlds.document.struct import Aside, IfAny, Some, about
-from allworlds.inputs.checks import integer, show
+from allworlds.inputs.checks import are_plain, show
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.actions import Percept
 from allworlds.world.lighthouses.base import (
     ReferenceLighthouse,
     Sensing,
@@ -27,43 +26,39 @@ from allworlds.world.lighthouses.options import InvalidWorld, ensure_legal, the_
 # ---------------------------------------------------------------- at one or two vertices
 
 
-def check_at_start(what: str, dart: object, map_: CombinatorialMap, start: Dart) -> None:
-    """Raise InvalidWorld unless ``dart`` is a dart of the start's vertex."""
-    found = the_integer("lighthouse.dart", dart)
-    at_start = map_.vertices[map_.vertex_of[start]]
-    if found not in at_start:
-        raise InvalidWorld(
-            f"the lighthouse {what} dart {show(found)}, which is not at the start's vertex; "
-            f"legal are {', '.join(map(str, at_start))}"
-        )
-
-
-def check_leads_away(dart: object, map_: CombinatorialMap, start: Dart) -> None:
-    """Raise InvalidWorld unless ``dart`` leads from the start's vertex to another vertex."""
-    check_at_start("looks along", dart, map_, start)
-    v0 = map_.vertex_of[start]
-    if map_.vertex_of[map_.alpha[integer(dart)]] == v0:
-        legal = [d for d in map_.vertices[v0] if map_.vertex_of[map_.alpha[d]] != v0]
-        raise InvalidWorld(
-            f"lighthouse.dart = {show(dart)} leads back to the start's vertex, not to another one; "
-            f"legal are {', '.join(map(str, legal)) or 'none'}"
-        )
-
-
-class AtOneDart(ReferenceLighthouse):
-    """A lighthouse of which all that is sensed follows from its dart."""
+class AtStart(ReferenceLighthouse):
+    """A lighthouse at the start's vertex v0, of which all that is sensed follows from its dart."""
 
     dart: Dart
 
     @override
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
-        return (self.dart,)
+    def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
+        return {self.dart: 1} if self.sensing.marks else {}
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """Raise InvalidWorld unless its dart is one of the start's vertex."""
+        dart = the_integer("lighthouse.dart", self.dart)
+        at_start = map_.vertices[map_.vertex_of[start]]
+        if dart not in at_start:
+            raise InvalidWorld(
+                f"the lighthouse stands at dart {show(dart)}, which is not at the start's vertex; "
+                f"legal are {', '.join(map(str, at_start))}"
+            )
 
 
-class TowardsNeighbour(ReferenceLighthouse):
+class TowardsNeighbour(AtStart):
     """A lighthouse at v0 and at the vertex v1 to which its dart leads."""
 
-    dart: Dart
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """Raise InvalidWorld unless its dart leads from the start's vertex to another vertex."""
+        super().check(map_, start)
+        at_start = map_.vertices[map_.vertex_of[start]]
+        if map_.alpha[self.dart] in at_start:
+            legal = [d for d in at_start if map_.alpha[d] not in at_start]
+            raise InvalidWorld(
+                f"lighthouse.dart = {show(self.dart)} leads back to the start's vertex, not to "
+                f"another one; legal are {', '.join(map(str, legal)) or 'none'}"
+            )
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Self:
         """The lighthouse in the same direction from the start, even if it may not stand there."""
@@ -72,7 +67,7 @@ class TowardsNeighbour(ReferenceLighthouse):
 
 
 @dataclass(frozen=True, slots=True)
-class Position(AtOneDart):
+class Position(AtStart):
     """One marker at the start vertex v0 that points nowhere.
 
     Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0.  It is
@@ -91,13 +86,9 @@ class Position(AtOneDart):
         """Yield the one place: the start's vertex."""
         yield cls(start)
 
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the marked vertex is the start's."""
-        check_at_start("stands at", self.dart, map_, start)
-
 
 @dataclass(frozen=True, slots=True)
-class Directional(AtOneDart):
+class Directional(AtStart):
     """One marker at the start vertex v0 that points to one of its darts.
 
     Sensed at v0: one mark, and the bearing of ``dart``; elsewhere only the degree.
@@ -116,10 +107,6 @@ class Directional(AtOneDart):
         """One place for each bearing ``0..deg(v0)-1``."""
         for bearing in range(map_.degree_at[start]):
             yield cls(map_.turn(start, bearing))
-
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the pointed dart is one of the start's vertex."""
-        check_at_start("points to", self.dart, map_, start)
 
 
 @dataclass(frozen=True)
@@ -156,16 +143,16 @@ class Cluster(TowardsNeighbour):
         With ``single`` no other edge may lead there.
         """
         ensure_legal(self)
-        check_leads_away(self.dart, map_, start)
+        TowardsNeighbour.check(self, map_, start)
         if self.single and self not in self.as_kind.places(map_, start):
             raise InvalidWorld(
                 f"lighthouse.dart = {show(self.dart)} leads to a vertex that more than one edge "
                 "joins to the start's vertex; single = true asks for exactly one"
             )
 
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
-        """The two ends of the dart's edge."""
-        return (self.dart, map_.alpha[self.dart])
+    @override
+    def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
+        return {self.dart: 1, map_.alpha[self.dart]: 2}
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,7 +184,7 @@ class Natural(TowardsNeighbour):
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Raise InvalidWorld unless the dart leads to another vertex, both of unique degree."""
-        check_leads_away(self.dart, map_, start)
+        TowardsNeighbour.check(self, map_, start)
         vertices = Counter(map_.degrees)
         for name, dart in (("start's vertex", start), ("other vertex", map_.alpha[self.dart])):
             degree = map_.degree_at[dart]
@@ -215,38 +202,29 @@ class Natural(TowardsNeighbour):
 # ---------------------------------------------------------------- at every vertex
 
 
-def the_darts(values: object) -> tuple[Dart, ...]:
-    """The integers of a list; raise InvalidWorld if it is none."""
-    if not isinstance(values, list | tuple):
-        raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
-    return tuple(the_integer(f"lighthouse.darts[{i}]", value) for i, value in enumerate(values))
-
-
-def check_one_of_each_vertex(darts: Sequence[Dart], map_: CombinatorialMap) -> None:
-    """Raise InvalidWorld unless these are darts, one of each vertex."""
-    for dart in darts:
-        if dart not in map_.darts:
-            raise InvalidWorld(
-                f"lighthouse.darts names {show(dart)}, which is no dart; "
-                f"darts are 0..{len(map_.sigma) - 1}"
-            )
-    chosen = [map_.vertex_of[dart] for dart in darts]
-    for v, vertex in enumerate(map_.vertices):
-        if chosen.count(v) != 1:
-            raise InvalidWorld(
-                f"lighthouse.darts = {show(list(darts))} has {chosen.count(v)} darts of the "
-                f"vertex {show(list(vertex))}; it must have one of each vertex"
-            )
-
-
 class AtEveryVertex(ReferenceLighthouse):
     """A lighthouse with a reference dart at every vertex."""
 
     darts: tuple[Dart, ...]
 
-    @override
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
-        return self.darts
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any start
+        """Raise InvalidWorld unless the reference darts are one of each vertex."""
+        values: Any = self.darts
+        if not isinstance(values, list | tuple):
+            raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
+        for i, value in enumerate(values):
+            if the_integer(f"lighthouse.darts[{i}]", value) not in map_.darts:
+                raise InvalidWorld(
+                    f"lighthouse.darts names {show(value)}, which is no dart; "
+                    f"darts are 0..{len(map_.sigma) - 1}"
+                )
+        chosen = Counter(map_.vertex_of[dart] for dart in values)
+        for v, vertex in enumerate(map_.vertices):
+            if chosen[v] != 1:
+                raise InvalidWorld(
+                    f"lighthouse.darts = {show(list(values))} has {chosen[v]} darts of the vertex "
+                    f"{show(list(vertex))}; it must have one of each vertex"
+                )
 
 
 def _first_sensed(walk: WalkInAnswer) -> dict[int, tuple[Dart, int]]:
@@ -293,12 +271,15 @@ class Compass(AtEveryVertex):
         for choice in islice(product(*around.values()), wanted):
             yield cls(tuple(sorted(choice)))
 
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any start
-        """Raise InvalidWorld unless the reference darts are ascending, one at each vertex."""
-        darts = the_darts(self.darts)
-        if list(darts) != sorted(darts):
-            raise InvalidWorld(f"lighthouse.darts = {show(list(darts))} must be ascending")
-        check_one_of_each_vertex(darts, map_)
+    @override
+    def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
+        return dict.fromkeys(self.darts, 0)
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """Raise InvalidWorld unless the reference darts are ascending, one of each vertex."""
+        AtEveryVertex.check(self, map_, start)
+        if list(self.darts) != sorted(self.darts):
+            raise InvalidWorld(f"lighthouse.darts = {show(list(self.darts))} must be ascending")
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
         """The compass with the reference darts sensed at the first visit of each vertex."""
@@ -309,9 +290,10 @@ class Compass(AtEveryVertex):
         return Compass(tuple(sorted(names[dart] for dart in self.darts)))
 
     @classmethod
-    def at(cls, darts: object) -> Compass:  # type: ignore[override]  # its only field
+    def at(cls, darts: Any) -> Compass:  # type: ignore[override]  # its only field
         """The compass with these reference darts, in any order."""
-        return cls(tuple(sorted(the_darts(darts))))
+        integers = isinstance(darts, list) and are_plain(darts)
+        return cls(tuple(sorted(darts)) if integers else darts)
 
     @classmethod
     def usual(cls, map_: CombinatorialMap, start: Dart) -> Compass:  # noqa: ARG003  # any start
@@ -328,21 +310,20 @@ class Labels(AtEveryVertex):
 
     Attributes:
         darts: the reference dart of each vertex, in the order of their numbers.
-        numbers: the numbers of the vertices; 1, 2, 3 ... in every world.
+        numbers: the numbers of the vertices; empty: 1, 2, 3 ..., as in every world.
     """
 
     darts: Annotated[
         Some[Dart], about("the reference dart of each vertex, in the order of their numbers")
     ]
-    numbers: Aside[tuple[int, ...]]
+    numbers: Aside[tuple[int, ...]] = ()
 
     kind: ClassVar[str] = "labels"
     sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE_NUMBERED, bearing=True)
 
-    @classmethod
-    def of(cls, darts: tuple[Dart, ...]) -> Labels:
-        """The labels with these reference darts, numbered in their order from 1 on."""
-        return cls(darts, tuple(range(1, len(darts) + 1)))
+    @override
+    def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
+        return dict(zip(self.darts, self.numbers or count(1), strict=False))
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Labels]:
@@ -350,27 +331,17 @@ class Labels(AtEveryVertex):
         first: dict[int, Dart] = {}
         for dart in numbering(map_.sigma, map_.alpha, start):
             first.setdefault(map_.vertex_of[dart], dart)
-        yield cls.of(tuple(first.values()))
+        yield cls(tuple(first.values()))
 
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any start
-        """Raise InvalidWorld unless the reference darts are integers, one at each vertex."""
-        darts = the_darts(self.darts)
-        check_one_of_each_vertex(darts, map_)
-        if list(self.numbers) != list(range(1, len(darts) + 1)):
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """Raise InvalidWorld unless the reference darts are one of each vertex, numbered from 1."""
+        AtEveryVertex.check(self, map_, start)
+        if self.numbers:
             raise InvalidWorld(
-                f"the labels {show(list(self.numbers))} are not 1 to {len(darts)}, one a vertex"
+                f"the labels {show(list(self.numbers))} are not 1 to {len(self.darts)}"
             )
-
-    @override
-    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
-        return self.sensing.percepts(map_, self.darts, self.numbers)
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
         """The labels sensed at the first visit of each vertex; 0 for vertices never visited."""
         darts, numbers = zip(*_first_sensed(walk).values(), strict=True)
         return Labels(darts, numbers)
-
-    @classmethod
-    def at(cls, darts: object) -> Labels:  # type: ignore[override]  # its only field
-        """The labels with these reference darts, in the order of their numbers."""
-        return cls.of(the_darts(darts))
