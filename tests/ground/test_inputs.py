@@ -89,7 +89,6 @@ FAULTS = {
         ("allworlds.judging.findings.finding.parse_json", json.loads),
         "findings",
     ),
-    "a manifest that is any JSON": (("allworlds.world.corpus.parse_json", json.loads), "manifests"),
     "a corpus of files that are texts": (
         ("allworlds.judging.findings.asked_finding.Finding.from_json", json.loads),
         "corpus",

@@ -24,7 +24,6 @@ from allworlds.explorers import builtin as explorers
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.loading import load
 from allworlds.explorers.skeletons.languages import LANGUAGES
-from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import fields_of
 from allworlds.judging.explanations.by_law import TELLERS
 from allworlds.judging.findings.rules import AskedRules, RecordedRules, Rules
@@ -32,9 +31,9 @@ from allworlds.judging.laws.bounds import bound_named
 from allworlds.judging.laws.law_table import LAWS, PRECEDENCE
 from allworlds.judging.tasks import task_named
 from allworlds.lazy import loaded
-from allworlds.maps import MapClass, classes, rooted_maps
+from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import sources
+from allworlds.maps.counting.sources import SOURCES
 from allworlds.maps.families import FAMILIES
 from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol.choices import POLICIES, SEEDED, Schedule
@@ -317,38 +316,10 @@ def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monke
 # ---------------------------------------------------------------- classes of maps
 
 
-@pytest.fixture
-def trees(monkeypatch):
-    """The class ``planar``, of which something further is true now: these are trees."""
-    kind = replace(
-        classes._KINDS[MapClass.PLANAR], further=lambda map_: map_.vertex_count > map_.edge_count
-    )
-    monkeypatch.setitem(classes._KINDS, MapClass.PLANAR, kind)
-    return MapClass.PLANAR
-
-
-def test_a_class_that_the_compiled_engine_does_not_know_is_left_to_the_other(trees):
-    simple, other = (Scope(Extent(known, 6), Rules()) for known in (MapClass.SIMPLE, trees))
-    assert engine_for("auto", simple, load("algorithm1")).name == "kernel"
-    assert "class planar" in ENGINES["kernel"].obstacle(other, load("algorithm1"))
-    assert engine_for("auto", other, load("algorithm1")).name == "python"
-
-
-def test_a_class_that_the_search_over_schedules_does_not_know_is_refused(trees):
-    with pytest.raises(InputError, match=r"'planar' is none .* maps, simple, planar-simple"):
-        allworlds.worst(edges=2, map_class=trees)
-
-
-def test_of_a_class_the_maps_are_enumerated_of_which_everything_is_true(trees):
-    # Rooted plane trees are counted by the Catalan numbers.
-    assert [sum(1 for _ in rooted_maps(m, trees)) for m in (1, 2, 3, 4)] == [1, 2, 5, 14]
-    assert trees.promises
-
-
 @pytest.mark.parametrize("map_class", MapClass)
 def test_every_class_is_counted_enumerated_drawn_and_told(map_class):
     assert map_class.summary
-    assert len(sources(map_class)) >= 2
+    assert SOURCES[map_class]
     meant = [map_ for map_ in all_rooted_maps(3) if map_class.includes(map_)]
     assert meant == [*all_rooted_maps(3, map_class)]
     name = f"{map_class.value.replace('-', '_')}_maps" if map_class is not MapClass.MAPS else "maps"

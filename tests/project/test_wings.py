@@ -65,7 +65,7 @@ HOMES = {
         *("document", "outcome", "maps", "protocol", "world", "explorers", "judging", "engines"),
         *("reports", "studies"),
     ],
-    "networkx": ["maps.surgery", "maps.networks", "maps.counting.atlas"],
+    "networkx": ["maps.build", "maps.surgery", "maps.networks"],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
     "psutil": ["engines.dask"],

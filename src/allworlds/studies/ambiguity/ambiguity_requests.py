@@ -13,12 +13,12 @@ from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener
 from allworlds.engines.units import AskedShard
 from allworlds.inputs.checks import InputError, integer_of, one_of, seconds_of, show
 from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Argument, Option, Request, Taken
-from allworlds.maps.classes import AskedClass, AskedExtent
+from allworlds.maps.classes import ClassOptions, ExtentOptions
 from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.named import LIGHTHOUSE, WORLD
-from allworlds.world.own_condition import AskedWhere
+from allworlds.world.own_condition import WhereOptions
 from allworlds.world.world import World
 
 DEFAULT_LIMIT = 1000
@@ -26,7 +26,7 @@ DEFAULT_LIMIT = 1000
 
 
 class CensusRequest(
-    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, AskedWhere, AskedExtent
+    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, WhereOptions, ExtentOptions
 ):
     """Request of ``ambiguity census``: a class, its bounds and the effort."""
 
@@ -41,7 +41,7 @@ class CensusRequest(
     ] = Taken(tried_kind, Position.kind)
 
 
-class AskedMembers(AskedClass):
+class AskedMembers(ClassOptions):
     """Options that select members of an ambiguity class."""
 
     limit: Annotated[
@@ -79,7 +79,7 @@ def motion_list(text: str) -> tuple[int, ...]:
     return tuple(int(part) for part in text.split(","))
 
 
-class SearchRequest(AskedListener, AskedClass):
+class SearchRequest(AskedListener, ClassOptions):
     """Request of ``ambiguity search``: the properties of the twins, and the solver."""
 
     lighthouse: Annotated[

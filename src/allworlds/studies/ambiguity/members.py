@@ -26,7 +26,7 @@ from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import ClassRequest
 from allworlds.world.lighthouses.marked import Directional, Position
-from allworlds.world.named import a_world
+from allworlds.world.named import world_named
 from allworlds.world.world import World
 
 
@@ -242,7 +242,7 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
     Cost: O(k m) for each of the at most k ``limit`` lifts.
     """
     limit, universe = request.limit, request.map_class
-    world = a_world(request.world, request.lighthouse)
+    world = world_named(request.world, request.lighthouse)
     _checked(world, limit, universe)
     quotient, classes = projection_of(world)
     size = class_size(quotient)

@@ -18,7 +18,7 @@ from allworlds.protocol.actions import Move, Percept
 from allworlds.studies.ambiguity.ambiguity_requests import TwinsRequest
 from allworlds.world.bisimulation import flaw
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, kind_of
-from allworlds.world.named import a_world
+from allworlds.world.named import world_named
 from allworlds.world.world import World
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
@@ -83,7 +83,7 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
 
     Cost: O(m log m) where no motion can; else as many steps as pairs of darts are met.
     """
-    a, b = (a_world(world, request.lighthouse) for world in (request.a, request.b))
+    a, b = (world_named(world, request.lighthouse) for world in (request.a, request.b))
     kinds = [world.lighthouse.kind for world in (a, b)]
     if kinds[0] != kinds[1]:
         raise InputError(

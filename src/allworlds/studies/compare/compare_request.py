@@ -12,11 +12,11 @@ from allworlds.engines.units import AskedShard
 from allworlds.explorers.asked import ExplorersWords
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Named, Option, Taken
-from allworlds.maps.classes import AskedExtent
+from allworlds.maps.classes import ExtentOptions
 from allworlds.maps.families import FORMS
 from allworlds.studies.check.requests import ManyWorlds
 from allworlds.world.named import HOLES
-from allworlds.world.own_condition import AskedWhere
+from allworlds.world.own_condition import WhereOptions
 
 
 def _families(given: object) -> tuple[str, ...] | None:
@@ -29,7 +29,7 @@ def _families(given: object) -> tuple[str, ...] | None:
     return tuple(dict.fromkeys(a_text("family", name) for name in names))
 
 
-class AskedContestWorlds(AskedWhere, AskedExtent):
+class AskedContestWorlds(WhereOptions, ExtentOptions):
     """The worlds in which explorers are compared.
 
     Without ``to`` these are all worlds of a class, or one of a family.

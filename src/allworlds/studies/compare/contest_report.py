@@ -32,7 +32,7 @@ from allworlds.outcome import Verdict
 from allworlds.studies.check.requests import SharedFile
 from allworlds.studies.compare.compare_request import AskedContestWorlds
 from allworlds.studies.compare.contestants import Contestant
-from allworlds.world.asked_lighthouse import AskedLighthouse
+from allworlds.world.asked_lighthouse import LighthouseOptions
 
 
 class ComparedName(Document):
@@ -41,7 +41,7 @@ class ComparedName(Document):
     name: Annotated[Text, about("the explorer's")]
 
 
-class Compared(ComparedName, of=(AskedLighthouse, AskedRules)):
+class Compared(ComparedName, of=(LighthouseOptions, AskedRules)):
     """An explorer of a comparison, with the rules of its runs."""
 
     places: TriedPlaces

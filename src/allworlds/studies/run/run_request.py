@@ -12,7 +12,7 @@ from allworlds.engines.effort import AskedPatience
 from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.inputs.requests import RULES, Option, Taken
 from allworlds.judging.findings.rules import AskedRules
-from allworlds.world.named import AskedWorld
+from allworlds.world.named import WorldOptions
 from allworlds.world.world import World
 
 
@@ -29,7 +29,7 @@ def _indices(choices: object) -> tuple[int, ...]:
     return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
 
 
-class AskedRun(AskedPatience, AskedRules, AskedWorld):
+class AskedRun(AskedPatience, AskedRules, WorldOptions):
     """Options for one run: the world, how it is played and judged."""
 
     choices: Annotated[

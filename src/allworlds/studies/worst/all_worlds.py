@@ -18,13 +18,13 @@ from allworlds.engines.single import single_run
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.units import WHOLE, Portion, SweptLevel, cells_of_level
 from allworlds.explorers.loading import load
-from allworlds.inputs.checks import InputError, ensure_installed, show
+from allworlds.inputs.checks import ensure_installed
 from allworlds.inputs.requests import answers
 from allworlds.judging.endings import Answered
 from allworlds.judging.episode import default_step_budget, play
 from allworlds.judging.findings.rules import AskedRules
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned
@@ -49,11 +49,6 @@ def worst(request: WorstRequest) -> WorstReport:
         InputError: naming the offending option and what would be legal.
     """
     extent = Extent(request.map_class, request.edges)
-    if not extent.map_class.plain:
-        raise InputError(
-            f"class {show(extent.map_class.value)} is none of those whose maps the compiled search "
-            f"makes: {', '.join(known for known in MapClass if known.plain)}"
-        )
     ensure_installed(*COMPILER, "worst of algorithm1")
     return SchedulesSweep(request, extent).answer(request.run)
 

@@ -38,9 +38,9 @@ from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Option, Request, Taken
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import AskedRules, Rules
-from allworlds.maps.classes import AskedClass
+from allworlds.maps.classes import ClassOptions
 from allworlds.studies.worst.every_schedule import Transit
-from allworlds.world.asked_lighthouse import AskedLighthouse
+from allworlds.world.asked_lighthouse import LighthouseOptions
 from allworlds.world.world import World
 
 DEFAULT_EDGES, MOST_EDGES = 5, 12
@@ -89,7 +89,7 @@ class WorstRequest(
     AskedTime,
     AskedWorkers,
     AskedShard,
-    AskedClass,
+    ClassOptions,
     AskedAlgorithm1,
 ):
     """Request of ``worst``: the worlds and the effort."""
@@ -157,7 +157,7 @@ class WorstRow(Document):
         return bool(self.wrong_tests) or (self.bound is not None and self.worst > self.bound)
 
 
-class WorstScope(Document, of=(AskedClass, AskedLighthouse, WorstRequest, AskedRules)):
+class WorstScope(Document, of=(ClassOptions, LighthouseOptions, WorstRequest, AskedRules)):
     """The scope of a search for the worst case."""
 
     schedules: Annotated[Literal["all"], about("each was searched")]

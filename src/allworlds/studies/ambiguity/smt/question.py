@@ -15,9 +15,8 @@ from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest
 from allworlds.studies.ambiguity.smt.one_world import Degrees, Size
 from allworlds.words import plural
 from allworlds.world.lighthouses.base import Lighthouse, ReferenceLighthouse, Sensing
-from allworlds.world.lighthouses.everywhere import Compass
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES
-from allworlds.world.lighthouses.marked import Directional, Position
+from allworlds.world.lighthouses.marked import Compass, Directional, Position
 from allworlds.world.lighthouses.placeless import Nothing
 
 SEARCHED: Mapping[str, Callable[[Sequence[Dart]], Lighthouse]] = {
