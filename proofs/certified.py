@@ -47,8 +47,7 @@ from allworlds.corpus.explorers import (
 )
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.loading import in_process_subject, load
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import play
+from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.case import Case
 from allworlds.outcome import Verdict

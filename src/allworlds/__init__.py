@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from allworlds.studies.merge import merge as merge
     from allworlds.studies.play import play as play
     from allworlds.studies.replay import replay as replay
-    from allworlds.studies.run.single import run as run
+    from allworlds.studies.run import run as run
     from allworlds.studies.status import status as status
     from allworlds.studies.worst.all_worlds import worst as worst
     from allworlds.version import __version__ as __version__

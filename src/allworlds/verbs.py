@@ -72,7 +72,7 @@ VERBS = (
     ),
     Verb(
         "run",
-        "studies.run.single:run",
+        "studies.run:run",
         "run",
         "Run an explorer in one world, step by step.",
         telling="reports.tellings.single_run:run_telling",

@@ -11,8 +11,7 @@ from hypothesis.strategies import tuples
 from allworlds import strategies
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.inputs.checks import InputError
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import play
+from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.case import Case
 from allworlds.judging.laws.law_table import LAWS, judge

@@ -19,7 +19,7 @@ from allworlds.judging.laws.case import Case
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps import random_map, rooted_maps
 from allworlds.protocol.answers import Checkpoint
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 
 

@@ -9,7 +9,7 @@ from allworlds import Checkpoint, CombinatorialMap, Move
 from allworlds.judging.explanations.by_law import SHOW
 from allworlds.judging.explanations.slips import LONGEST, WAY_BACK, Round, round_at_the_end
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World, world_named
 
 

@@ -12,7 +12,7 @@ from allworlds.maps import contracted, deleted, family, isomorphism, rooted_isom
 from allworlds.protocol.answers import Estimate
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from second_opinion import same_map, same_pose
 from small import slow

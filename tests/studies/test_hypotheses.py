@@ -7,7 +7,7 @@ from allworlds.document.struct import replace
 from allworlds.judging.findings.walks import true_trail
 from allworlds.protocol.actions import Percept
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.run.hypotheses import TELLING, hypotheses_in
+from allworlds.studies.run import TELLING, hypotheses_in
 from small import slow
 
 LIGHTHOUSES = dict(zip(TELLING, ("directional", "cluster:single=true", "natural"), strict=True))

@@ -8,8 +8,7 @@ from msgspec import Struct
 
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import show
-from allworlds.judging.endings import Answered, Ending, Fault, Undecided
-from allworlds.judging.episode import Episode, play
+from allworlds.judging.episode import Answered, Ending, Episode, Fault, Undecided, play
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.case import Case, Violation

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from allworlds.protocol.actions import Percept
     from allworlds.reports.drawing.scene import Scene
     from allworlds.reports.rows import CsvRows
-    from allworlds.studies.run.hypotheses import Hypothesis
+    from allworlds.studies.run import Hypothesis
 
 
 class Shown(Struct, frozen=True):

@@ -24,8 +24,7 @@ from allworlds.corpus.explorers import (
     WrongLearner,
 )
 from allworlds.explorers.loading import in_process_subject
-from allworlds.judging.endings import Answered, Undecided
-from allworlds.judging.episode import default_step_budget, play
+from allworlds.judging.episode import Answered, Undecided, default_step_budget, play
 from allworlds.judging.findings.finding import canonical_world
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.case import Case

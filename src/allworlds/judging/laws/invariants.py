@@ -15,7 +15,7 @@ from msgspec import Struct
 
 from allworlds.inputs.checks import show
 from allworlds.judging.laws.case import Case, Violation
-from allworlds.maps.combinatorial import Dart
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.answers import Checkpoint
 
 
@@ -52,7 +52,7 @@ def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> BrokenInvariant 
 
 
 def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> BrokenInvariant | None:
-    embedding = embed(case, case.trail[steps], checkpoint)
+    embedding = embed(case.map, case.trail[steps], checkpoint)
     if isinstance(embedding, BrokenInvariant):
         return embedding
     for d, e in enumerate(checkpoint.alpha):
@@ -107,7 +107,9 @@ def variant(case: Case) -> Violation | None:
     return None
 
 
-def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | BrokenInvariant:
+def embed(
+    map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint
+) -> list[Dart] | BrokenInvariant:
     """The dart of the world for each dart of S, or the reason why there is none.
 
     A dart in U whose partner claims it (the fault of I-2) is embedded by its partner.
@@ -119,11 +121,11 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
         return BrokenInvariant(
             f"here = {show(here)}, with {size} darts in sigma and {len(alpha)} in alpha"
         )
-    image, free = [-1] * size, [True] * len(case.map.sigma)
+    image, free = [-1] * size, [True] * len(map_.sigma)
     image[here], free[dart] = dart, False
     claims = {e: d for d, e in enumerate(alpha) if e != d and 0 <= e < size and alpha[e] == e}
     partners = [claims.get(d, e) for d, e in enumerate(alpha)] if claims else alpha
-    ways = (("sigma", sigma, case.map.sigma), ("alpha", partners, case.map.alpha))
+    ways = (("sigma", sigma, map_.sigma), ("alpha", partners, map_.alpha))
     for x in (queue := [here]):
         for name, way, true_way in ways:
             y, true = way[x], true_way[image[x]]

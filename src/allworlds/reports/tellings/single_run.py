@@ -6,10 +6,11 @@ import json
 
 from allworlds.document.struct import replace
 from allworlds.engines.single import SingleRun
-from allworlds.judging.endings import Answered, Over, Said, Undecided
+from allworlds.judging.episode import Answered, Over, Said, Undecided
 from allworlds.judging.explanations.story import Walked
 from allworlds.judging.findings.belief import believed_walk
 from allworlds.judging.findings.walks import true_trail
+from allworlds.judging.laws.invariants import BrokenInvariant, embed
 from allworlds.protocol.answers import Ambiguous
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
@@ -33,8 +34,7 @@ from allworlds.reports.tellings.finding import (
     printed,
 )
 from allworlds.studies.replay import Replay
-from allworlds.studies.run.hypotheses import embedded, hypotheses_in
-from allworlds.studies.run.run_request import WorldNames
+from allworlds.studies.run import WorldNames, hypotheses_in
 from allworlds.words import number, plural
 
 
@@ -46,8 +46,8 @@ def known(run: SingleRun) -> ShownMap | None:
     trail = true_trail(world, episode.transcript)
     seen = ShownMap({}, {})
     for step, checkpoint in episode.checkpoints:
-        place = embedded(checkpoint, world, trail[step])
-        if place is None:
+        place = embed(world.map, trail[step], checkpoint)
+        if isinstance(place, BrokenInvariant):
             return None
         for dart, other in enumerate(checkpoint.alpha):
             seen.darts.setdefault(place[dart], step)

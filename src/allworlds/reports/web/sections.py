@@ -31,7 +31,7 @@ from allworlds.reports.telling import (
     Words,
 )
 from allworlds.reports.web.viewer import figure, viewer
-from allworlds.studies.run.hypotheses import Hypothesis
+from allworlds.studies.run import Hypothesis
 from allworlds.words import number, plural, size
 
 

@@ -1,4 +1,4 @@
-"""The hypotheses that Algorithm 1 tests in a run, observed while the run is played once more.
+"""``run``: one world, told step by step; and the hypotheses that Algorithm 1 tests in it.
 
 No explorer says what it supposes: the protocol has no word for it, and none is needed.  The
 built-in ones ask for every choice, and tell a listener how each test ends.  So the same explorer
@@ -8,23 +8,114 @@ takes up is heard where it chooses.  What is heard counts only if it walks as it
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
-from typing import Any, TypeVar
+import os
+import re
+from collections.abc import Callable, Generator, Iterable, Sequence
+from typing import Annotated, Any, TypeVar
 
 from msgspec import Struct
 
-from allworlds.engines.single import SingleRun
+from allworlds.document.report import Report
+from allworlds.document.struct import Text, about
+from allworlds.engines.effort import AskedPatience
+from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.loading import built_in
-from allworlds.judging.episode import AroundExplorer, Environment, Log, followed
+from allworlds.explorers.loading import HASH_SEED, built_in
+from allworlds.inputs.checks import InputError, an_integer, show
+from allworlds.inputs.requests import RULES, Option, Taken, answers
+from allworlds.judging.episode import Log, followed
+from allworlds.judging.findings.rules import AskedRules
 from allworlds.judging.findings.walks import true_trail
+from allworlds.judging.laws.invariants import BrokenInvariant, embed
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.answers import Checkpoint
 from allworlds.protocol.choices import Choices, Kind
 from allworlds.protocol.player import Told
 from allworlds.protocol.playing import play_run
+from allworlds.world.lighthouses.kinds import kind_of
+from allworlds.world.named import AskedWorld
 from allworlds.world.world import World
+
+
+def index_list(text: str) -> tuple[int, ...]:
+    """The indices of a text, integers from 0 on with commas between."""
+    if not re.fullmatch(r"[0-9]{1,9}(,[0-9]{1,9})*", text):
+        raise InputError(f"choices {show(text)} are not indices from 0 on with commas")
+    return tuple(int(part) for part in text.split(","))
+
+
+def _indices(choices: object) -> tuple[int, ...]:
+    if isinstance(choices, str) or not isinstance(choices, Iterable):
+        raise InputError(f"choices = {show(choices)} is not a list of indices")
+    return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
+
+
+class AskedRun(AskedPatience, AskedRules, AskedWorld):
+    """Options for one run: the world, how it is played and judged."""
+
+    choices: Annotated[
+        Taken[Sequence[int], tuple[int, ...]],
+        Option(
+            RULES,
+            "I,I,...",
+            "Answers to the first choices, by index; then the policy goes on.",
+            parse=index_list,
+        ),
+    ] = Taken(_indices, ())
+
+
+class RunRequest(AskedRun, kw_only=False):
+    """Request of ``run``: an explorer, a world and the rules."""
+
+    explore: Annotated[str | Callable[..., Any], "a name or a generator function"]
+    world: Annotated[
+        World | str | None,
+        "map, lighthouse and start; or what :func:`allworlds.world.named.world_named` reads; None: "
+        "the one of ``family``",
+    ] = None
+
+
+class WorldNames(Report):
+    """Report of 'run --list'.
+
+    The names that a WORLD can have; a capital letter stands for a number.
+    """
+
+    maps: Annotated[tuple[Text, ...], about("small maps")]
+    families: Annotated[tuple[Text, ...], about("families of maps, small or large")]
+    corpus: Annotated[tuple[Text, ...], about("worlds of the corpus")]
+
+
+@answers(RunRequest)
+def run(request: RunRequest) -> SingleRun:
+    """Run an explorer once, and judge the run.
+
+    A user's explorer that another process can import is played in a process of its own, as in a
+    check; any other one in this process. Its hash seed is the one in the environment variable
+    ``PYTHONHASHSEED``, if it is set.
+
+    Raises:
+        InputError: naming the offending option and what would be legal, or the first choice
+            that was not taken.
+    """
+    limits = request.patience
+    subject = subject_of(request.explore, limits)
+    world = request.meant(request.world, subject.lighthouse)
+    rules = request.rules_of(subject, kind_of(world.lighthouse))
+    played = single_run(subject, world, rules, request.choices, limits, _asked_hash_seed())
+    if unused := unused_choice(request.choices, played):
+        raise InputError(unused)
+    return played
+
+
+def _asked_hash_seed() -> int | None:
+    """The hash seed that the environment names; None if it names none."""
+    seed = os.environ.get(HASH_SEED, "")
+    return int(seed) if re.fullmatch("[0-9]{1,9}", seed) else None
+
+
+# ---------------------------------------------------------------- hypotheses
 
 T = TypeVar("T")
 
@@ -66,8 +157,8 @@ def hypotheses_in(run: SingleRun) -> tuple[Hypothesis, ...]:
     episode, world = run.outcome.episode, run.world
     if run.explorer not in TELLING:
         return ()
-    stage = _Replayed(world.told, episode.transcript.percepts)
-    heard = _Heard(stage, run.outcome.choices)
+    around = _Replayed(world.told, episode.transcript.percepts)
+    heard = _Heard(around, run.outcome.choices)
     explore, keywords = BUILT_IN[run.explorer].explore, built_in(run.explorer).keywords
 
     def player(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
@@ -77,8 +168,8 @@ def hypotheses_in(run: SingleRun) -> tuple[Hypothesis, ...]:
         return listened
 
     budget = episode.transcript.cost
-    log = play_run(AroundExplorer(stage), player, heard, budget, [0, 0])
-    again = followed(Log.of(log), world, budget)
+    log = Log.of(play_run(around, player, heard, budget, [0, 0]))
+    again = followed(log, world, budget)
     if (again.transcript, again.checkpoints) != (episode.transcript, episode.checkpoints):
         return ()
     trail = true_trail(world, episode.transcript)
@@ -86,50 +177,21 @@ def hypotheses_in(run: SingleRun) -> tuple[Hypothesis, ...]:
     return tuple(test for test in tests if test)
 
 
-def embedded(checkpoint: Checkpoint, world: World, robot: Dart) -> dict[Dart, Dart] | None:
-    """The dart of the world for each dart of S; None if S does not lie so in the world."""
-    sigma, alpha, map_ = checkpoint.sigma, checkpoint.alpha, world.map
-    place = {checkpoint.here: robot}
-    for dart in (queue := [checkpoint.here]):
-        around = [(sigma[dart], map_.sigma[place[dart]])]
-        if alpha[dart] != dart:
-            around.append((alpha[dart], map_.alpha[place[dart]]))
-        for near, true in around:
-            if near not in place:
-                place[near] = true
-                queue.append(near)
-            elif place[near] != true:
-                return None
-    return place if len(place) == len(sigma) else None
+class _Replayed:
+    """The surroundings of a replay: it returns the recorded percepts and counts the steps."""
 
-
-class _Replayed(Environment):
-    """A stand-in for the world: it returns the recorded percepts and counts the steps."""
+    over = False
 
     def __init__(self, told: Told, percepts: Sequence[Percept]) -> None:
-        self._told, self._percepts = told, percepts
+        self.told, self.first, self._percepts = told, percepts[0], percepts
         self.steps = 0
 
-    @property
-    def initial(self) -> None:
-        return None
-
-    @property
-    def first(self) -> Percept:
-        return self._percepts[0]
-
-    @property
-    def over(self) -> bool:
-        """A replay ends where the log does."""
-        return False
-
-    @property
-    def told(self) -> Told:
-        return self._told
-
-    def step(self, _state: None, _action: Action) -> tuple[None, Percept]:
+    def move(self, _k: int) -> Percept:
         self.steps += 1
-        return None, self._percepts[self.steps]
+        return self._percepts[self.steps]
+
+    def act(self, _action: Action) -> Percept:
+        return self.move(0)
 
 
 class _Taken(Struct):
@@ -145,14 +207,14 @@ class _Taken(Struct):
 class _Heard(Choices):
     """A listener that answers with the recorded choices and records the tests."""
 
-    def __init__(self, stage: _Replayed, script: Sequence[int]) -> None:
+    def __init__(self, around: _Replayed, script: Sequence[int]) -> None:
         super().__init__(script=script)
-        self._stage, self._arrived = stage, -1
+        self._around, self._arrived = around, -1
         self.tests: list[_Taken] = []
 
     def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
         picked = super().pick(options, of, cost)
-        steps = self._stage.steps
+        steps = self._around.steps
         if of == "edge":
             self._arrived = -1
         elif of == "hypothesis":
@@ -166,7 +228,7 @@ class _Heard(Choices):
         """Record how the test ended that was begun last."""
         if event in DECIDED:
             test = self.tests[-1]
-            test.last, test.right = self._stage.steps, DECIDED[event]
+            test.last, test.right = self._around.steps, DECIDED[event]
 
 
 def _test(
@@ -198,11 +260,11 @@ def _test(
 
 def _darts_of_s(
     world: World, trail: Sequence[Dart], checkpoints: Sequence[tuple[int, Checkpoint]], step: int
-) -> dict[Dart, Dart] | None:
+) -> Sequence[Dart] | None:
     """The dart of the world for each dart that S has at a step; at first it has those of v0."""
     shown = [(at, checkpoint) for at, checkpoint in checkpoints if at < step]
     if not shown:
-        start = world.start
-        return {k: world.map.turn(start, k) for k in range(world.map.degree_at[start])}
+        return [world.map.turn(world.start, k) for k in range(world.map.degree_at[world.start])]
     at, checkpoint = shown[-1]
-    return embedded(checkpoint, world, trail[at])
+    place = embed(world.map, trail[at], checkpoint)
+    return None if isinstance(place, BrokenInvariant) else place
