@@ -17,9 +17,8 @@ from allworlds.judging.explanations.slips import (
     the_slip,
 )
 from allworlds.judging.explanations.story import Belief, Story, Teller, Telling, spending
-from allworlds.judging.findings.belief import Parting
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import true_walk
+from allworlds.judging.findings.walks import Parting, true_walk
 from allworlds.judging.laws.bounds import paper_terms
 from allworlds.judging.laws.folding import Folded, fold
 from allworlds.maps.canonical import carries, numbering, rooted_isomorphism
@@ -123,7 +122,7 @@ NAMED = 3
 
 def tell_parting(belief: Belief) -> list[str]:
     """Tell where the walk and its image in the answer diverge, and how that could be sensed."""
-    parting, misfits = belief.parting, belief.misfits
+    parting, misfits = belief.walk.parting, belief.walk.misfits
     if parting is None:
         fits = (
             "The answer is another world that fits the whole log: nothing that the robot sensed "
@@ -148,7 +147,7 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
     story = belief.story
     step, robot, taken_for = parting.step, parting.robot, parting.taken_for
     vertex = story.vertex(robot)
-    misfit = _say_misfit(belief, step) if step in belief.misfits else ""
+    misfit = _say_misfit(belief, step) if step in belief.walk.misfits else ""
     if step == 0:
         return f"They part at the start, at {vertex}: {misfit}."
     if parting.fresh:
@@ -168,7 +167,7 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
 
 
 def _say_misfit(belief: Belief, step: int) -> str:
-    expected, sensed = belief.expected[step], belief.story.sensed[step]
+    expected, sensed = belief.walk.expected[step], belief.story.sensed[step]
     return f"it sensed '{sensed}', where the answer predicts '{expected}'"
 
 
@@ -304,7 +303,7 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
     story = belief.story
     map_, robot = story.map, story.walked[-1]
     stands = f"the robot stands at {story.place(robot)}, and the answer says"
-    parting = belief.parting
+    parting = belief.walk.parting
     meant = parting.taken_for if parting and parting.step == len(story.walked) - 1 else None
     near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
     if not near:
@@ -498,7 +497,7 @@ def tell_map(story: Story) -> Telling:
     name = slip.name if slip else ""
     if slip:
         told = [slip.sentence, *parting]
-    elif belief.parting is None:
+    elif belief.walk.parting is None:
         told, name = parting, GUESSED
     else:
         told = [_say_sizes(story.map, belief.answer.map), *parting]

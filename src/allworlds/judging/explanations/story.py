@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import cached_property
+from collections.abc import Callable
 from typing import TypeAlias
 
 from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.findings.belief import Parting, believed_walk
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import recorded_trail
+from allworlds.judging.findings.walks import believed_walk, recorded_trail
 from allworlds.maps.combinatorial import Dart
-from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
@@ -132,7 +130,7 @@ class Belief:
     Attributes:
         story: the finding with its walk in the world.
         answer: the wrong answer.
-        believed: the robot's darts in the answer at the start and after each step.
+        walk: the walk in it.
 
     Raises:
         InputError: if the observation is no answer.
@@ -141,34 +139,13 @@ class Belief:
     def __init__(self, story: Story) -> None:
         self.story = story
         self.answer = _answer(story.finding.seen)
-        self._walk = believed_walk(story.world, self.answer, story.transcript)
-        self.believed = self._walk.trail
-
-    @cached_property
-    def expected(self) -> Sequence[Percept]:
-        """The percepts that the answer predicts at each step, as far as they are determined."""
-        return self._walk.expected(self.answer.map)
-
-    @cached_property
-    def misfits(self) -> list[int]:
-        """The steps at which the percept was not the one that the answer predicts."""
-        pairs = zip(self.expected, self.story.sensed, strict=True)
-        return [step for step, (expected, sensed) in enumerate(pairs) if expected != sensed]
-
-    @property
-    def parting(self) -> Parting | None:
-        """The step where the walk and its image in the answer diverge; None if they never do."""
-        return self._walk.parting
-
-    @property
-    def agreement(self) -> int:
-        """The number of steps, the start included, in which both agree."""
-        return self._walk.agreement
+        self.walk = believed_walk(story.world, self.answer, story.transcript)
 
     @property
     def step(self) -> int | None:
         """The first step at which belief and truth diverge."""
-        return self.parting.step if self.parting else None
+        parting = self.walk.parting
+        return parting.step if parting else None
 
 
 def _answer(seen: object) -> Estimate:

@@ -8,8 +8,7 @@ from allworlds.document.struct import replace
 from allworlds.engines.single import SingleRun
 from allworlds.judging.episode import Answered, Over, Said, Undecided
 from allworlds.judging.explanations.story import Walked
-from allworlds.judging.findings.belief import believed_walk
-from allworlds.judging.findings.walks import true_trail
+from allworlds.judging.findings.walks import believed_walk, true_trail
 from allworlds.judging.laws.invariants import BrokenInvariant, embed
 from allworlds.protocol.answers import Ambiguous
 from allworlds.reports.rows import CsvRows, rows_of_walk

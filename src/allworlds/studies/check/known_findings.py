@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Annotated
@@ -15,10 +16,11 @@ from allworlds.engines.scope import GivenWorlds, Scope
 from allworlds.engines.single import played_again
 from allworlds.engines.tally import RunCounter
 from allworlds.explorers.loading import Subject
-from allworlds.judging.findings.asked_finding import file_name, kept_findings, write_finding
-from allworlds.judging.findings.finding import Finding
+from allworlds.inputs.checks import InputError, show
+from allworlds.judging.findings.finding import DIGITS, Finding, digest_of
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import Extent, MapClass
+from allworlds.protocol.user_code import OtherText
 
 
 class UserCorpus(Struct):
@@ -46,18 +48,42 @@ class UserCorpus(Struct):
 
         Each finding is tried by itself, so that one that is lost does no harm to others.
         """
-        past = kept_findings(self.directory)
-        self.stale = past.stale
-        for kept in past.kept:
-            found = _retry(kept.finding, subject, limits)
+        for name, finding in self._past():
+            found = _retry(finding, subject, limits)
             if found is None:
-                self.fixed.append(kept.name)
+                self.fixed.append(name)
             elif is_inside(found, scope):
-                self.reproduced.append(kept.name)
+                self.reproduced.append(name)
                 self._standing.append(found)
             else:
-                self.beyond.append(kept.name)
+                self.beyond.append(name)
         return self._standing
+
+    def _past(self) -> list[tuple[str, Finding]]:
+        """The findings of the directory with the names of their files, smallest first.
+
+        Raises:
+            InputError: naming the file that cannot be read, is no finding, or has been changed
+                since it was written.
+        """
+        past = list[tuple[str, Finding]]()
+        for file in sorted(self.directory.glob("*.json")):
+            said = f"corpus file {show(file.name)}"
+            try:
+                text = file.read_text(encoding="utf-8")
+            except (OSError, UnicodeDecodeError) as error:
+                reason = error.strerror if isinstance(error, OSError) else "it is no text"
+                raise InputError(f"{said} cannot be read: {reason}") from None
+            written = re.search(rf"-([0-9a-f]{{{DIGITS}}})\.json$", file.name)
+            if written and written[1] != digest_of(text):
+                raise InputError(f"{said} has been changed since it was written")
+            try:
+                past.append((file.name, Finding.from_json(text)))
+            except OtherText:
+                self.stale.append(file.name)
+            except ValueError as error:
+                raise InputError(f"{said}: {error}") from None
+        return sorted(past, key=lambda each: (each[1].key, each[0]))
 
     @property
     def report(self) -> CorpusReport:
@@ -80,9 +106,25 @@ class UserCorpus(Struct):
         for finding in findings:
             if not self.holds(finding):
                 try:
-                    self.written.append(write_finding(self.directory, finding))
+                    self._write(finding)
                 except OSError as error:
-                    yield f"the corpus could not take {file_name(finding)}: {error.strerror}"
+                    yield f"the corpus could not take {finding.file_name}: {error.strerror}"
+                else:
+                    self.written.append(finding.file_name)
+
+    def _write(self, finding: Finding) -> None:
+        """Write a finding, unless it is there already: whole or not at all."""
+        self.directory.mkdir(parents=True, exist_ok=True)
+        path = self.directory / finding.file_name
+        if path.exists():
+            return
+        draft = path.with_suffix(".tmp")
+        try:
+            draft.write_text(finding.text, encoding="utf-8")
+            draft.replace(path)
+        except OSError:
+            draft.unlink(missing_ok=True)
+            raise
 
 
 class CorpusReport(Document):
