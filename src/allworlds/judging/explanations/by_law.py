@@ -9,115 +9,300 @@ from collections.abc import Iterator
 from allworlds.explorers.names import is_program
 from allworlds.inputs.checks import InputError, an_integer
 from allworlds.judging.episode import default_step_budget
-from allworlds.judging.explanations.slips import (
-    bearings_anticlockwise,
-    mirror_image,
-    tell_rounds,
-    telling_line,
-    the_slip,
+from allworlds.judging.explanations.slips import bearings_anticlockwise, mirror_image, the_slip
+from allworlds.judging.explanations.story import (
+    Belief,
+    Story,
+    Teller,
+    Telling,
+    Walked,
+    round_at_the_end,
+    spending,
 )
-from allworlds.judging.explanations.story import Belief, Story, Teller, Telling, spending
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import Parting, true_walk
+from allworlds.judging.findings.walks import Parting
 from allworlds.judging.laws.bounds import paper_terms
 from allworlds.judging.laws.folding import Folded, fold
 from allworlds.maps.canonical import carries, numbering, rooted_isomorphism
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
-from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol.actions import Move
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.protocol.transcript import Transcript
 from allworlds.words import listed, plural, size
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.world import World
 
+# ---------------------------------------------------------------- the run ended too early
 
-def another_world(world: World, transcript: Transcript) -> World | None:
-    """A world that is not this one, and agrees with the log; None if the log determines it.
+PYTHON = "Traceback (most recent call last):"
 
-    The other world extends the folded log: its open darts are joined with each other, or lead to
-    new vertices.  Of these worlds it is one with the fewest edges, and simple if the world is.
+TELLING = re.compile(
+    r"""(\b\w*(Error|Exception)\b.*:)  # Node, Java, Ruby, C#
+    |(^panic:)                         # Go
+    |(\bpanicked\ at\b)                # Rust
+    |(^\s*what\(\):)                   # C++
+    |(\bAssertion\b.*\bfailed\b)        # C
+    |(^(fatal|Segmentation\ fault|Aborted|Killed)\b)
+    """,
+    re.VERBOSE | re.IGNORECASE,
+)
+"""The words at the beginning of that line, or in it."""
 
-    Cost: exponential in the number of these darts at the worst; the first try is nearly always
-    another world.
+FRAME = re.compile(r"^\s+at\s|^\s*File \"|^note: ")
+"""The words in a line about the place of an error, not about the error."""
+
+
+def telling_line(text: str) -> str:
+    """The line of a traceback, or of a text on stderr, that names the error.
+
+    Python writes this line last, other languages first, followed by places, or a version.  If no
+    line looks like one, it is the last line; empty if there is none.
     """
-    folded = fold(transcript)
-    if not folded.open_darts:
-        return None
-    return next(
-        other
-        for map_ in _completions(folded)
-        if (map_.is_simple or not world.map.is_simple)
-        and (other := _agreeing(map_, transcript))
-        and not rooted_isomorphism(other.map, other.start, world.map, world.start)
+    lines = [line for line in text.split("\n") if line.strip()]
+    if not lines:
+        return ""
+    if any(line.startswith(PYTHON) for line in lines):
+        return next((line for line in reversed(lines) if line[0] != " "), lines[-1]).strip()
+    for i in reversed(range(len(lines))):
+        if TELLING.search(lines[i]) and not FRAME.search(lines[i]):
+            # Rust tells where on this line, and what on the next.
+            after = lines[i + 1 : i + 2] if lines[i].endswith(":") else []
+            return " ".join(line.strip() for line in [lines[i], *after])
+    return lines[-1].strip()
+
+
+PANIC = "panicked at"
+"""Words by which a program in Rust says itself why and where it ends."""
+
+OUTSIDE = re.compile(r"\(signal (6|7|8|11)\)")
+"""The end of a process by what it does to memory: SIGABRT, SIGBUS, SIGFPE, SIGSEGV."""
+
+SANITIZER = (
+    "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
+    "come long before: compile with -g -fsanitize=address,undefined to see the line."
+)
+"""The advice for such an end."""
+
+STDOUT = "The program's stdout is for its actions alone: output for debugging goes to stderr."
+"""The advice for a program that prints anything else, or when it is not its turn."""
+
+OF_PROGRAMS = (
+    (
+        "illegal-action",
+        # So JavaScript writes an undefined value.
+        r"^the line \{\}:",
+        "Was a value undefined: a return that was forgotten, or an ended generator?",
+    ),
+    (
+        "illegal-action",
+        "a line that is no JSON|a line that is no object|it has none of the keys",
+        STDOUT,
+    ),
+    ("nondeterministic", "a line before it was asked|a line after its answer", STDOUT),
+    (
+        "timeout",
+        r"of one\)",
+        "Does every line of the program end in a newline? Until it does, it is not read.",
+    ),
+    (
+        "timeout",
+        "",
+        "Does the program flush its output after every line? A line in a buffer is silence.",
+    ),
+)
+"""The advice for programs: the broken law, a pattern of what was seen, and the words."""
+
+KEPT = (
+    "Does it keep something from an earlier run: a global or static variable, or a field that is "
+    "not reset when an episode begins? Does it go by chance, by time or by addresses?"
+)
+"""The questions about an explorer that does not repeat itself."""
+
+
+def _advice(finding: Finding) -> list[str]:
+    """The cause that the kind of the fault makes likely; no sentence where there is none."""
+    seen = str(finding.seen)
+    if finding.law == "crash" and OUTSIDE.search(seen):
+        said = f"{finding.detail}\n{finding.output}"
+        return [f"It said: {telling_line(said)}" if PANIC in said else SANITIZER]
+    for law, pattern, words in OF_PROGRAMS:
+        if law == finding.law and is_program(finding.explorer) and re.search(pattern, seen):
+            return [words]
+    return [KEPT] if finding.law == "nondeterministic" else []
+
+
+def ending(how: str) -> Teller:
+    """Tell how the run ended, in that sentence, then its last step and the last percept."""
+
+    def tell(story: Story) -> Telling:
+        finding = story.finding
+        line = telling_line(finding.detail)
+        told = [how.format(seen=finding.seen), *_advice(finding)]
+        told += [*_tell_first_wrong(story), _say_last_step(story)]
+        if line not in str(finding.seen):
+            told.append(f"Its last message: {line}")
+        return Telling(told, story.checkpoint)
+
+    return tell
+
+
+ANTICLOCKWISE = (
+    "A frequent cause is a bearing, a motion or a way back that is counted anticlockwise; all of "
+    "them count darts clockwise."
+)
+"""The advice for an answer that is no map."""
+
+
+def tell_no_estimate(story: Story) -> Telling:
+    """Tell the ending, and for a map that could not be built the law of maps that it breaks."""
+    seen = str(story.finding.seen)
+    if not seen.startswith(NO_MAP):
+        return ending("The explorer ended without an answer that could be judged.")(story)
+    built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
+    message = seen.removeprefix(NO_MAP)
+    told = [f"The answer is no map: {message}."]
+    if built:
+        told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
+        told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
+        if "must be a permutation" in message:
+            told.append(ANTICLOCKWISE)
+    return Telling([*told, *_tell_first_wrong(story), _say_last_step(story)], story.checkpoint)
+
+
+def tell_nondeterministic(story: Story) -> Telling:
+    """Tell that two plays differ, and what is mostly the cause."""
+    told = "In a second run of the same world the explorer acted differently."
+    return Telling([told, *_advice(story.finding), _say_last_step(story)])
+
+
+SHOW = (
+    "A checkpoint after each edge would show the first wrong S; where the explorer shows them, all "
+    "of them fit the world."
+)
+"""The advice for a walk without an end and without a wrong checkpoint."""
+
+
+def tell_budget(story: Story) -> Telling:
+    """Tell whose the budget is, and whether the robot went round, or found no new edge."""
+    how = "The explorer did not end within its step budget, so the run was stopped."
+    wrong = _tell_first_wrong(story)
+    if wrong:  # that is the cause
+        return Telling([*wrong, how], story.checkpoint)
+    if str(story.finding.seen).startswith("checkpoint "):
+        why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
+    else:
+        why = tell_rounds(story) or [_say_last_step(story)]
+        why += [SHOW] if story.finding.rules.task.is_map else []
+    return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
+
+
+def tell_whose_budget(finding: Finding) -> str:
+    """Tell where the step budget comes from, and how to get another one."""
+    rules, map_ = finding.rules, finding.world.map
+    if rules.step_budget is not None:
+        return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
+    value = rules.budget(map_)
+    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    world = size(map_.edge_count, map_.vertex_count)
+    told = "the bound that the explorer names"
+    if value == default_step_budget(new + closing):
+        told = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
+    return (
+        f"In a world with {world} the budget is {plural(value, 'traversal')}, {told}. An explorer "
+        "that is right and walks more needs a larger budget: --step-budget N."
     )
 
 
-def _agreeing(map_: CombinatorialMap, transcript: Transcript) -> World | None:
-    """The world of this map with the marker of the log; None if it does not have this log."""
-    bearing = transcript.first.bearing
-    assert bearing is not None
-    other = World(map_, Directional(map_.turn(0, bearing)), 0)
-    try:
-        sensed = [percept for _, percept in true_walk(other, transcript)]
-    except IllegalAction:
-        return None
-    return other if sensed == transcript.percepts else None
+WAY_BACK = (
+    "Look at its ways back: motions a, b, c are undone by 0, -c, -b, and then the robot stands at "
+    "the dart by which it left, a darts clockwise of the one where it stood before."
+)
+"""The rule of ways back: a wrong one is a likely cause of a walk without an end."""
 
 
-def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
-    """The folded log with every open dart joined or led to a new vertex, fewest edges first."""
-    unsettled = [dart for dart, end in enumerate(folded.alpha) if dart == end]
-    for leaves in range(len(unsettled) % 2, len(unsettled) + 1, 2):
-        for pairs in _matchings(unsettled, leaves):
-            yield _completed(folded, pairs, [1] * leaves)
-    # Leaves everywhere may be the world itself; then one of them goes on.
-    yield _completed(folded, [], [2, *[1] * (len(unsettled) - 1)])
+LOST = (
+    "Either it takes a vertex or an edge that it knows for a new one, or the robot is not where "
+    "the explorer believes."
+)
+"""The cause of a walk that goes on in a known world."""
 
 
-def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart]]]:
-    """Every way to pair the darts with ``leaves`` of them left over."""
-    if not darts:
-        yield []
-        return
-    first, *others = darts
-    for other in others if len(darts) > leaves else ():
-        for pairs in _matchings([dart for dart in others if dart != other], leaves):
-            yield [(first, other), *pairs]
-    if leaves:
-        yield from _matchings(others, leaves - 1)
+def tell_rounds(story: Walked) -> list[str]:
+    """Tell that the robot went round, or since when no edge was new; skip short walks."""
+    actions = story.transcript.actions
+    found = round_at_the_end([*zip(actions, story.walked[1:], strict=True)])
+    if found:
+        steps = plural(found.length, "step")
+        told = f"From step {found.first} on it repeated {steps} {found.times} times"
+        return [f"{told}, until the end.", *_tell_ways_back(story, found.first + found.length - 1)]
+    found_at = story.discoveries
+    if not found_at:
+        return []
+    left = story.map.edge_count - len(found_at)
+    step = f"After step {found_at[-1]}"
+    if left:
+        told = f"{step} it met no new edge; {plural(left, 'edge')} it never met."
+        return [told, *_tell_ways_back(story, len(actions))]
+    return [
+        f"{step} it had walked every edge of the world, and yet it went on.",
+        LOST,
+        WAY_BACK,
+    ]
 
 
-def _completed(
-    folded: Folded, pairs: list[tuple[Dart, Dart]], degrees: list[int]
-) -> CombinatorialMap:
-    """The folded log with these darts joined; the others lead to new vertices of these degrees.
-
-    From a new vertex of degree 2 an edge leads on to a leaf.
-    """
-    sigma, alpha = [*folded.sigma], [*folded.alpha]
-
-    def join(a: Dart, b: Dart) -> None:
-        alpha[a], alpha[b] = b, a
-
-    def grow(degree: int) -> list[Dart]:
-        new = [*range(len(sigma), len(sigma) + degree)]
-        sigma.extend([*new[1:], new[0]])
-        alpha.extend(new)
-        return new
-
-    for a, b in pairs:
-        join(a, b)
-    unsettled = [dart for dart, end in enumerate(alpha) if dart == end]
-    for dart, degree in zip(unsettled, degrees, strict=True):
-        back, *onward = grow(degree)
-        join(dart, back)
-        for end in onward:
-            join(end, *grow(1))
-    return CombinatorialMap(sigma, alpha)
+def _tell_ways_back(story: Walked, end: int) -> list[str]:
+    """Tell how a way back is walked, where one may begin before that step."""
+    actions = story.transcript.actions[:end]
+    if all(action == Move(0) for action in actions):
+        return []
+    back = (i for i, action in enumerate(actions) if i and action == Move(0))
+    return [WAY_BACK] if any(story.sensed[i].degree > 1 for i in back) else []
 
 
-NAMED = 3
-"""The number of open darts that are named, the others are counted."""
+def _tell_first_wrong(story: Story) -> list[str]:
+    """Tell the first checkpoint with a wrong S; no sentence where there is none."""
+    if story.checkpoint is None:
+        return []
+    what = story.finding.wrong_checkpoint or "it shows another S than the explored part"
+    told = f"The checkpoint after step {story.checkpoint} is wrong already: {what}."
+    return [f"{told} Mend that first: all that followed may be built on it."]
+
+
+def _say_last_step(story: Story) -> str:
+    steps, place = story.transcript.steps, story.place(story.walked[-1])
+    if not steps:
+        return f"It made no step: it stood at the start, {place}, and sensed '{story.sensed[0]}'."
+    action, percept = steps[-1]
+    return (
+        f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{percept}'."
+    )
+
+
+# ---------------------------------------------------------------- the answer is wrong
+
+GUESSED = "guessed"
+"""The cause of a wrong answer that is no slip in drawing the map."""
+
+
+def tell_map(story: Story) -> Telling:
+    """Tell the sizes of both maps, and the step where the walks in them diverge."""
+    belief = Belief(story)
+    slip, parting = the_slip(belief), tell_parting(belief)
+    name = slip.name if slip else ""
+    if slip:
+        told = [slip.sentence, *parting]
+    elif belief.walk.parting is None:
+        told, name = parting, GUESSED
+    else:
+        told = [_say_sizes(story.map, belief.answer.map), *parting]
+    return Telling(told, belief.step, belief.answer, slip=name)
+
+
+def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
+    first, second = (size(map_.edge_count, map_.vertex_count) for map_ in (world, answer))
+    if first == second:
+        return f"The answer has {second}, as the world has, but is another map."
+    return f"The world has {first}, the answer {second}."
 
 
 def tell_parting(belief: Belief) -> list[str]:
@@ -169,94 +354,6 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
 def _say_misfit(belief: Belief, step: int) -> str:
     expected, sensed = belief.walk.expected[step], belief.story.sensed[step]
     return f"it sensed '{sensed}', where the answer predicts '{expected}'"
-
-
-def tell_open_darts(story: Story) -> list[str]:
-    """Tell the open darts of the folded log, and the vertices that it has several times.
-
-    No sentence if no dart is open, or if the lighthouse allows no folding.
-    """
-    if not story.world.lighthouse.as_kind.folds:
-        return []
-    folded, map_ = fold(story.transcript), story.map
-    image = {0: story.world.start}
-    for x in (queue := [0]):
-        for y, true in ((folded.sigma[x], map_.sigma), (folded.alpha[x], map_.alpha)):
-            if y not in image:
-                image[y] = true[image[x]]
-                queue.append(y)
-    unsettled = {image[x] for x, y in enumerate(folded.alpha) if x == y}
-    if not unsettled:
-        return []
-    named = [f"dart {dart} of {story.vertex(dart)}" for dart in sorted(unsettled)]
-    if len(named) > NAMED:
-        named[NAMED:] = [plural(len(named) - NAMED, "other dart")]
-    open_ = f"where {listed(named)} {'lead' if len(named) > 1 else 'leads'}"
-    copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
-    twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
-    told = [f"After this walk it is not known {open_}."]
-    if twice:
-        one = "each of these" if len(twice) > 1 else "this"
-        told.append(
-            f"The robot came to {listed(twice)}, and the log does not show that {one} is one "
-            "vertex."
-        )
-    return told
-
-
-def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell that the answer is right, whose bound it is, and how to check without it."""
-    others = [law for law in finding.rules.applying if law != "bound"]
-    rest = f"every other law that was checked holds: {listed(others)}" if others else ""
-    if {"map", "pose"} <= {*others}:
-        right = "The map and the pose are right; the walk is longer than the bound allows."
-    else:
-        right = f"The walk is longer than the bound allows{'; ' if rest else ''}{rest}."
-    other = "4*m" if finding.rules.the_bound.name == "2*m" else "2*m"
-    without = (
-        "The option --bound none checks the other laws alone; --bound EXPR checks another cost, "
-        f"such as --bound '{other}'."
-    )
-    return [right, _whose(finding), without]
-
-
-def tell_whose_budget(finding: Finding) -> str:
-    """Tell where the step budget comes from, and how to get another one."""
-    rules, map_ = finding.rules, finding.world.map
-    if rules.step_budget is not None:
-        return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
-    value = rules.budget(map_)
-    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
-    world = size(map_.edge_count, map_.vertex_count)
-    told = "the bound that the explorer names"
-    if value == default_step_budget(new + closing):
-        told = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
-    return (
-        f"In a world with {world} the budget is {plural(value, 'traversal')}, {told}. An explorer "
-        "that is right and walks more needs a larger budget: --step-budget N."
-    )
-
-
-def _whose(finding: Finding) -> str:
-    rules, map_ = finding.rules, finding.world.map
-    name, value = rules.the_bound.name, finding.expected
-    world = size(map_.edge_count, map_.vertex_count)
-    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
-    paper = (
-        "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
-        "find a new vertex, and (2), the passes that close an edge between known ones"
-    )
-    sums = f"In a world with {world} that is {new} + {closing}"
-    if name == "paper":
-        return f"The bound 'paper' is {paper}. {sums} = {value}."
-    if name == "two-vertices":
-        return (
-            f"The bound 'two-vertices' is {paper}; with two traversals for each test of a "
-            f"hypothesis, and the search among the darts of the start. {sums}, with those {value}."
-        )
-    own = rules.the_bound == rules.own_bound
-    owner = "the explorer's own" if own else "the one that was asked for"
-    return f"The bound is {owner}: {name}, which is {value} in a world with {world}."
 
 
 TURNED, ELSEWHERE = "off by a turn", "another vertex"
@@ -320,200 +417,6 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
     return f"{told}; dart {said} is the other end of the edge by which the robot came"
 
 
-GUESSED = "guessed"
-"""The cause of a wrong answer that is no slip in drawing the map."""
-
-FLUSH = (
-    "Does the program flush its output after every line? A line in a buffer is silence, and so is "
-    "an endless loop."
-)
-"""The question about a program that was silent for too long."""
-
-NEWLINE = "Does every line of the program end in a newline? Until it does, it is not read."
-"""The question about one that has begun a line."""
-
-NO_ACTION = ("a line that is no JSON", "a line that is no object", "it has none of the keys")
-"""Words of the observation of a program that prints anything else than actions."""
-
-LATE = ("a line before it was asked", "a line after its answer")
-"""Words of the observation of a program that prints when it is not its turn."""
-
-STDOUT = "The program's stdout is for its actions alone: output for debugging goes to stderr."
-"""The advice for it."""
-
-PANIC = "panicked at"
-"""Words by which a program in Rust says itself why and where it ends."""
-
-OUTSIDE = re.compile(r"\(signal (6|7|8|11)\)")
-"""The end of a process by what it does to memory: SIGABRT, SIGBUS, SIGFPE, SIGSEGV."""
-
-SHOW = (
-    "A checkpoint after each edge would show the first wrong S; where the explorer shows them, all "
-    "of them fit the world."
-)
-"""The advice for a walk without an end and without a wrong checkpoint."""
-
-UNDEFINED = (
-    "Was a value undefined: a return that was forgotten, or a generator that had ended already?"
-)
-"""The question about an empty object, which is how JavaScript writes such a value."""
-
-ANTICLOCKWISE = (
-    "A frequent cause is a bearing, a motion or a way back that is counted anticlockwise; all of "
-    "them count darts clockwise."
-)
-"""The advice for an answer that is no map."""
-
-SANITIZER = (
-    "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
-    "come long before: compile with -g -fsanitize=address,undefined to see the line."
-)
-"""The advice for such an end."""
-
-KEPT = (
-    "Does it keep something from an earlier run: a global or static variable, or a field that is "
-    "not reset when an episode begins? Does it go by chance, by time or by addresses?"
-)
-"""The questions about an explorer that does not repeat itself."""
-
-# ---------------------------------------------------------------- the run ended too early
-
-
-def ending(how: str) -> Teller:
-    """Tell how the run ended, in that sentence, then its last step and the last percept."""
-
-    def tell(story: Story) -> Telling:
-        line = telling_line(story.finding.detail)
-        why = [f"Its last message: {line}"] if line not in str(story.finding.seen) else []
-        wrong = _tell_first_wrong(story)
-        return Telling([how, *wrong, _say_last_step(story), *why], story.checkpoint)
-
-    return tell
-
-
-def tell_crash(story: Story) -> Telling:
-    """Tell the error, then the last step; for damaged memory how its place is found."""
-    told = ending(f"The explorer crashed: {story.finding.seen}.")(story)
-    if OUTSIDE.search(str(story.finding.seen)):
-        said = f"{story.finding.detail}\n{story.finding.output}"
-        panic = PANIC in said
-        told.sentences.insert(1, f"It said: {telling_line(said)}" if panic else SANITIZER)
-    return told
-
-
-def tell_no_estimate(story: Story) -> Telling:
-    """Tell the ending, and for a map that could not be built the law of maps that it breaks."""
-    seen = str(story.finding.seen)
-    if not seen.startswith(NO_MAP):
-        return ending("The explorer ended without an answer that could be judged.")(story)
-    built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
-    message = seen.removeprefix(NO_MAP)
-    told = [f"The answer is no map: {message}."]
-    if built:
-        told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
-        told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
-    if built and "must be a permutation" in message:
-        told.append(ANTICLOCKWISE)
-    told += _tell_first_wrong(story)
-    return Telling([*told, _say_last_step(story)], story.checkpoint)
-
-
-def tell_illegal_action(story: Story) -> Telling:
-    """Tell the ending, and for a line that is no action what stdout is for."""
-    told = ending("The explorer did what no robot can do here.")(story)
-    seen = str(story.finding.seen)
-    if is_program(story.finding.explorer) and seen.startswith("the line {}:"):
-        told.sentences.insert(1, UNDEFINED)
-    elif is_program(story.finding.explorer) and any(words in seen for words in NO_ACTION):
-        told.sentences.insert(1, STDOUT)
-    return told
-
-
-def tell_nondeterministic(story: Story) -> Telling:
-    """Tell that two plays differ, and what is mostly the cause."""
-    told = ["In a second run of the same world the explorer acted differently."]
-    seen = str(story.finding.seen)
-    if is_program(story.finding.explorer) and any(words in seen for words in LATE):
-        told.append(STDOUT)
-    else:
-        told.append(KEPT)
-    return Telling([*told, _say_last_step(story)])
-
-
-def tell_timeout(story: Story) -> Telling:
-    """Tell the ending, and that a program may be waiting with its line in a buffer."""
-    told = ending("The explorer was silent for too long.")(story)
-    if is_program(story.finding.explorer):
-        begun = "of one)" in str(story.finding.seen)
-        told.sentences.insert(1, NEWLINE if begun else FLUSH)
-    return told
-
-
-def tell_budget(story: Story) -> Telling:
-    """Tell whose the budget is, and whether the robot went round, or found no new edge."""
-    how = "The explorer did not end within its step budget, so the run was stopped."
-    wrong = _tell_first_wrong(story)
-    if wrong:  # that is the cause
-        return Telling([*wrong, how], story.checkpoint)
-    if str(story.finding.seen).startswith("checkpoint "):
-        why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
-    else:
-        why = tell_rounds(story) or [_say_last_step(story)]
-        if story.finding.rules.task.is_map:
-            why = [*why, SHOW]
-    return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
-
-
-def _tell_first_wrong(story: Story) -> list[str]:
-    """Tell the first checkpoint with a wrong S; no sentence where there is none."""
-    if story.checkpoint is None:
-        return []
-    step = story.checkpoint
-    what = story.finding.wrong_checkpoint or "it shows another S than the explored part"
-    told = (
-        f"The checkpoint after step {step} is wrong already: {what}. Mend that first: all that "
-        "followed may be built on it."
-    )
-    return [told]
-
-
-def _say_last_step(story: Story) -> str:
-    steps, place = story.transcript.steps, story.place(story.walked[-1])
-    if not steps:
-        return f"It made no step: it stood at the start, {place}, and sensed '{story.sensed[0]}'."
-    action, percept = steps[-1]
-    return (
-        f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{percept}'."
-    )
-
-
-# ---------------------------------------------------------------- the answer is wrong
-
-
-def tell_map(story: Story) -> Telling:
-    """Tell the sizes of both maps, and the step where the walks in them diverge."""
-    belief = Belief(story)
-    slip, parting = the_slip(belief), tell_parting(belief)
-    name = slip.name if slip else ""
-    if slip:
-        told = [slip.sentence, *parting]
-    elif belief.walk.parting is None:
-        told, name = parting, GUESSED
-    else:
-        told = [_say_sizes(story.map, belief.answer.map), *parting]
-    return Telling(told, belief.step, belief.answer, slip=name)
-
-
-def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
-    if _size(world) == _size(answer):
-        return f"The answer has {_size(answer)}, as the world has, but is another map."
-    return f"The world has {_size(world)}, the answer {_size(answer)}."
-
-
-def _size(map_: CombinatorialMap) -> str:
-    return size(map_.edge_count, map_.vertex_count)
-
-
 def tell_ambiguity(story: Story) -> Telling:
     """Tell the quotient that the answer should have been, or that it should have been a map."""
     broken = (
@@ -527,39 +430,133 @@ def tell_ambiguity(story: Story) -> Telling:
 # ---------------------------------------------------------------- a checkpoint is wrong
 
 
-def tell_invariant_1(story: Story) -> Telling:
-    """Tell the checkpoint that shows a wrong S."""
-    broken = "What was published as S, the explored part, does not lie so in the world."
-    return Telling(_tell_checkpoint(broken, story), story.checkpoint)
+def checkpoint(broken: str) -> Teller:
+    """Tell in that sentence what is broken, and the checkpoint that shows it."""
 
+    def tell(story: Story) -> Telling:
+        told, step = [broken], story.checkpoint
+        if step is not None:
+            told.append(
+                f"The checkpoint came after step {step}, where the robot stood at "
+                f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
+            )
+        # Where a pass brings no progress S may be right: there the walks do not diverge.
+        return Telling(told, None if story.finding.law == "variant" else step)
 
-def tell_invariant_2(story: Story) -> Telling:
-    """Tell the checkpoint that shows a wrong U."""
-    broken = "What was published as U, the unexplored darts, holds one that is explored."
-    return Telling(_tell_checkpoint(broken, story), story.checkpoint)
-
-
-def tell_variant(story: Story) -> Telling:
-    """Tell the checkpoint without progress; its S may be right, so no step of divergence."""
-    broken = (
-        "A pass brought no progress: from one checkpoint to the next S, the explored part, must "
-        "gain an edge, and at the last one it must have them all."
-    )
-    return Telling(_tell_checkpoint(broken, story))
-
-
-def _tell_checkpoint(broken: str, story: Story) -> list[str]:
-    sentences = [broken]
-    step = story.checkpoint
-    if step is not None:
-        sentences.append(
-            f"The checkpoint came after step {step}, where the robot stood at "
-            f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
-        )
-    return sentences
+    return tell
 
 
 # ---------------------------------------------------------------- the answer was guessed, or dear
+
+
+NAMED = 3
+"""The number of open darts that are named, the others are counted."""
+
+
+def tell_open_darts(story: Story) -> list[str]:
+    """Tell the open darts of the folded log, and the vertices that it has several times.
+
+    No sentence if no dart is open, or if the lighthouse allows no folding.
+    """
+    if not story.world.lighthouse.as_kind.folds:
+        return []
+    folded, map_ = fold(story.transcript), story.map
+    image = {0: story.world.start}
+    for x in (queue := [0]):
+        for y, true in ((folded.sigma[x], map_.sigma), (folded.alpha[x], map_.alpha)):
+            if y not in image:
+                image[y] = true[image[x]]
+                queue.append(y)
+    unsettled = {image[x] for x, y in enumerate(folded.alpha) if x == y}
+    if not unsettled:
+        return []
+    named = [f"dart {dart} of {story.vertex(dart)}" for dart in sorted(unsettled)]
+    if len(named) > NAMED:
+        named[NAMED:] = [plural(len(named) - NAMED, "other dart")]
+    open_ = f"where {listed(named)} {'lead' if len(named) > 1 else 'leads'}"
+    copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
+    twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
+    told = [f"After this walk it is not known {open_}."]
+    if twice:
+        one = "each of these" if len(twice) > 1 else "this"
+        told.append(
+            f"The robot came to {listed(twice)}, and the log does not show that {one} is one "
+            "vertex."
+        )
+    return told
+
+
+def another_world(world: World, transcript: Transcript) -> World | None:
+    """A world that is not this one, and agrees with the log; None if the log determines it.
+
+    The other world extends the folded log: its open darts are joined with each other, or lead to
+    new vertices.  Of these worlds it is one with the fewest edges, and simple if the world is.
+
+    Cost: exponential in the number of these darts at the worst; the first try is nearly always
+    another world.
+    """
+    folded, bearing = fold(transcript), transcript.first.bearing
+    if not folded.open_darts:
+        return None
+    assert bearing is not None
+    return next(
+        World(map_, Directional(map_.turn(0, bearing)), 0)
+        for map_ in _completions(folded)
+        if (map_.is_simple or not world.map.is_simple)
+        and not rooted_isomorphism(map_, 0, world.map, world.start)
+    )
+
+
+def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
+    """The folded log with every open dart joined or led to a new vertex, fewest edges first."""
+    unsettled = [dart for dart, end in enumerate(folded.alpha) if dart == end]
+    for leaves in range(len(unsettled) % 2, len(unsettled) + 1, 2):
+        for pairs in _matchings(unsettled, leaves):
+            yield _completed(folded, pairs, [1] * leaves)
+    # Leaves everywhere may be the world itself; then one of them goes on.
+    yield _completed(folded, [], [2, *[1] * (len(unsettled) - 1)])
+
+
+def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart]]]:
+    """Every way to pair the darts with ``leaves`` of them left over."""
+    if not darts:
+        yield []
+        return
+    first, *others = darts
+    for other in others if len(darts) > leaves else ():
+        for pairs in _matchings([dart for dart in others if dart != other], leaves):
+            yield [(first, other), *pairs]
+    if leaves:
+        yield from _matchings(others, leaves - 1)
+
+
+def _completed(
+    folded: Folded, pairs: list[tuple[Dart, Dart]], degrees: list[int]
+) -> CombinatorialMap:
+    """The folded log with these darts joined; the others lead to new vertices of these degrees.
+
+    From a new vertex of degree 2 an edge leads on to a leaf.
+    """
+    sigma, alpha = [*folded.sigma], [*folded.alpha]
+
+    def join(a: Dart, b: Dart) -> None:
+        alpha[a], alpha[b] = b, a
+
+    def grow(degree: int) -> list[Dart]:
+        new = [*range(len(sigma), len(sigma) + degree)]
+        sigma.extend([*new[1:], new[0]])
+        alpha.extend(new)
+        return new
+
+    for a, b in pairs:
+        join(a, b)
+    unsettled = [dart for dart, end in enumerate(alpha) if dart == end]
+    for dart, degree in zip(unsettled, degrees, strict=True):
+        back, *onward = grow(degree)
+        join(dart, back)
+        for end in onward:
+            join(end, *grow(1))
+    return CombinatorialMap(sigma, alpha)
 
 
 def tell_folding(story: Story) -> Telling:
@@ -588,13 +585,51 @@ def tell_bound(story: Story) -> Telling:
     return Telling(told, spent=spent)
 
 
+def tell_whose_bound(finding: Finding) -> list[str]:
+    """Tell that the answer is right, whose bound it is, and how to check without it."""
+    others = [law for law in finding.rules.applying if law != "bound"]
+    rest = f"every other law that was checked holds: {listed(others)}" if others else ""
+    if {"map", "pose"} <= {*others}:
+        right = "The map and the pose are right; the walk is longer than the bound allows."
+    else:
+        right = f"The walk is longer than the bound allows{'; ' if rest else ''}{rest}."
+    other = "4*m" if finding.rules.the_bound.name == "2*m" else "2*m"
+    without = (
+        "The option --bound none checks the other laws alone; --bound EXPR checks another cost, "
+        f"such as --bound '{other}'."
+    )
+    return [right, _whose(finding), without]
+
+
+def _whose(finding: Finding) -> str:
+    rules, map_ = finding.rules, finding.world.map
+    name, value = rules.the_bound.name, finding.expected
+    world = size(map_.edge_count, map_.vertex_count)
+    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    paper = (
+        "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
+        "find a new vertex, and (2), the passes that close an edge between known ones"
+    )
+    sums = f"In a world with {world} that is {new} + {closing}"
+    if name == "paper":
+        return f"The bound 'paper' is {paper}. {sums} = {value}."
+    if name == "two-vertices":
+        return (
+            f"The bound 'two-vertices' is {paper}; with two traversals for each test of a "
+            f"hypothesis, and the search among the darts of the start. {sums}, with those {value}."
+        )
+    own = rules.the_bound == rules.own_bound
+    owner = "the explorer's own" if own else "the one that was asked for"
+    return f"The bound is {owner}: {name}, which is {value} in a world with {world}."
+
+
 # ---------------------------------------------------------------- the table
 
 
 TELLERS: dict[str, Teller] = {
-    "crash": tell_crash,
-    "timeout": tell_timeout,
-    "illegal-action": tell_illegal_action,
+    "crash": ending("The explorer crashed: {seen}."),
+    "timeout": ending("The explorer was silent for too long."),
+    "illegal-action": ending("The explorer did what no robot can do here."),
     "no-estimate": tell_no_estimate,
     "budget": tell_budget,
     "nondeterministic": tell_nondeterministic,
@@ -602,9 +637,16 @@ TELLERS: dict[str, Teller] = {
     "pose": tell_pose,
     "ambiguity": tell_ambiguity,
     "task": ending("The explorer did not do what the task asks for."),
-    "invariant-1": tell_invariant_1,
-    "invariant-2": tell_invariant_2,
-    "variant": tell_variant,
+    "invariant-1": checkpoint(
+        "What was published as S, the explored part, does not lie so in the world."
+    ),
+    "invariant-2": checkpoint(
+        "What was published as U, the unexplored darts, holds one that is explored."
+    ),
+    "variant": checkpoint(
+        "A pass brought no progress: from one checkpoint to the next S, the explored part, must "
+        "gain an edge, and at the last one it must have them all."
+    ),
     "folding": tell_folding,
     "bound": tell_bound,
 }
