@@ -33,7 +33,7 @@ from allworlds.reports.tellings.finding import (
     printed,
 )
 from allworlds.studies.replay import Replay
-from allworlds.studies.run import WorldNames, hypotheses_in
+from allworlds.studies.run import WorldNames
 from allworlds.words import number, plural
 
 
@@ -154,8 +154,7 @@ def run_section(run: SingleRun, name: str, title: str = "") -> Section:
         blocks.append(fact("answer", json.dumps(ending.value)))
     if isinstance(ending, Over):
         blocks.append(fact("over", f"all is done: {run.rules.task.asks}"))
-    tests = hypotheses_in(run) if seen is not None else ()
-    walk = ToldWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement, tests=tests)
+    walk = ToldWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
     return Section(name, title, [walk, *blocks])
 
 
