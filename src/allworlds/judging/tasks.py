@@ -99,10 +99,8 @@ class WalkLog(Struct):
 
 
 Judge: TypeAlias = Callable[[World, WalkLog, Any], str | None]
-"""A judge: the fault of a finished run, or None."""
-
-Ends: TypeAlias = Callable[[World, WalkLog], bool]
-"""Whether the run is over, after each step."""
+"""A judge: the fault of a finished run, or None.  One of the user's that ends runs has an attribute
+``over``, a function of the world and the walk."""
 
 MAP = "map"
 
@@ -113,26 +111,12 @@ class TaskKind(Struct, frozen=True):
     Attributes:
         asks: what it asks for, in a sentence.
         judge: what is wrong with a run; None of the task ``map``.
+        ends: whether the run ends as soon as nothing is wrong.
     """
 
     asks: str
     judge: Judge | None
-
-
-class EndingJudge(Struct, frozen=True):
-    """A judge that ends the run, too; one of the user's has such an attribute ``over``.
-
-    Attributes:
-        judge: what is wrong with a run.
-        over: whether it ends here.
-    """
-
-    judge: Judge
-    over: Ends
-
-    def __call__(self, world: World, walk: WalkLog, answer: object) -> str | None:
-        """Judge a run."""
-        return self.judge(world, walk, answer)
+    ends: bool = False
 
 
 def visits_everything(world: World, walk: WalkLog, _answer: object) -> str | None:
@@ -170,15 +154,9 @@ def _face(world: World) -> int:
 
 TASKS: dict[str, TaskKind] = {
     MAP: TaskKind("an Estimate: the map, and where the robot is in it", None),
-    "cover": TaskKind(
-        "every vertex visited; then the run ends",
-        EndingJudge(
-            visits_everything, lambda world, walk: len(walk.visited) == world.map.vertex_count
-        ),
-    ),
+    "cover": TaskKind("every vertex visited; then the run ends", visits_everything, ends=True),
     "cover:edges": TaskKind(
-        "every edge walked along; then the run ends",
-        EndingJudge(walks_everything, lambda world, walk: len(walk.walked) == world.map.edge_count),
+        "every edge walked along; then the run ends", walks_everything, ends=True
     ),
     "stop": TaskKind(
         "every vertex visited when the explorer ends, with any answer", visits_everything
@@ -242,7 +220,7 @@ class Task(Struct, frozen=True):
     @property
     def ends_runs(self) -> bool:
         """Whether the judge ends runs, too."""
-        return hasattr(self._judge, "over")
+        return TASKS[self.name].ends if self.code is None else hasattr(self._judge, "over")
 
     def environment(self, world: World) -> World:
         """The world as an explorer is run in it: it may end the run."""
@@ -255,6 +233,8 @@ class Task(Struct, frozen=True):
             InputError: if the user's judge raises, says neither True nor False, or is not the same
                 twice.
         """
+        if self.code is None:
+            return self._judge(walk.world, walk, None) is None
         over = self._asked("over of ", self._judge.over, walk.world, walk)
         if type(over) is not bool:
             raise InputError(f"over of task {show(self.name)} returns {show(over)}, no boolean")
