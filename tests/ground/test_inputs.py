@@ -91,7 +91,7 @@ FAULTS = {
     ),
     "a manifest that is any JSON": (("allworlds.world.corpus.parse_json", json.loads), "manifests"),
     "a corpus of files that are texts": (
-        ("allworlds.studies.check.known_findings.Finding.from_json", json.loads),
+        ("allworlds.studies.check.tally_sweep.Finding.from_json", json.loads),
         "corpus",
     ),
     "lines as long as what is in them": (("allworlds.cli.output.LONGEST", 10**9), "options"),
