@@ -35,7 +35,7 @@ from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import most_expensive_runs
 from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, Position, World
 from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
 from processes import PATIENCE, SOON

@@ -18,7 +18,7 @@ from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate
 from allworlds.studies.check import exhaustive as checker
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
 from bruteforce import rooted_maps_by_permutations as every_rooted_map
 from small import long, slow

@@ -28,8 +28,8 @@ from allworlds.judging.findings.rules import Rules
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Completed, Ending
-from allworlds.studies.check.confirmation import Confirmation
 from allworlds.studies.check.tally_sweep import (
+    Confirmation,
     record_of,
     rules_known,
     rules_record,

@@ -20,8 +20,7 @@ from allworlds.engines.units import WHOLE, Portion, SweptLevel, cells_of_level
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import ensure_installed
 from allworlds.inputs.requests import answers
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import default_step_budget, play
+from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.rules import AskedRules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps.classes import Extent
