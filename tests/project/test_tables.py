@@ -40,9 +40,9 @@ from allworlds.protocol.choices import POLICIES, SEEDED, Schedule
 from allworlds.reports import schemas
 from allworlds.reports.format_table import FORMATS, formats_of
 from allworlds.reports.rendering import text
-from allworlds.studies.ambiguity.smt.question import SEARCHED
+from allworlds.studies.ambiguity.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
-from allworlds.studies.compare.growing_families import GROWING
+from allworlds.studies.compare.growth import GROWING
 from allworlds.studies.fuzz.sample import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, VERBS

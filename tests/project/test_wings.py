@@ -70,10 +70,10 @@ HOMES = {
     "numpy": ["engines.kernel", "studies.compare"],
     "psutil": ["engines.dask"],
     "pyarrow": ["reports.formats.csv"],
-    "pysat": ["studies.ambiguity.smt"],
+    "pysat": ["studies.ambiguity.solvers"],
     "rich": ["cli", "reports"],
     "typer": ["cli", "reports"],
-    "z3": ["studies.ambiguity.smt"],
+    "z3": ["studies.ambiguity.solvers"],
 }
 # What comes with Python, or will.
 EVERYWHERE = {*sys.stdlib_module_names, "typing_extensions"}
@@ -110,7 +110,7 @@ COMPARED = [
     ),
     # Twins are found by formulas, and by quotients; one checker serves both, and knows neither.
     (
-        "studies.ambiguity.smt",
+        "studies.ambiguity.twin_search",
         "maps.quotient",
         {"maps.canonical", "maps.combinatorial", *INPUTS, *DOORS},
     ),
