@@ -8,12 +8,12 @@ from array import array
 
 import pytest
 
-import allworlds.explorers.shared_library.library as abi
+import allworlds.explorers.shared_library as abi
 import small
 from allworlds.engines.players import NATIVE_MEMORY
 from allworlds.explorers import shared_library as libraries
 from allworlds.explorers.loading import load
-from allworlds.explorers.shared_library.library import (
+from allworlds.explorers.shared_library import (
     INTERFACE_VERSION,
     ROOM,
     CAction,

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import allworlds
-from allworlds.explorers.skeletons.languages import LANGUAGES, templates
+from allworlds.explorers.languages import LANGUAGES, templates
 from allworlds.inputs.checks import InputError
 from allworlds.studies.init import init
 from shells import shell_in

@@ -11,8 +11,8 @@ from typing import Annotated, Literal, overload
 
 from allworlds.document.report import Report
 from allworlds.document.struct import Positive, Text, about, computed, one_of
-from allworlds.explorers.shared_library.library import INTERFACE_VERSION, header_text
-from allworlds.explorers.skeletons.languages import LANGUAGES, Language, templates, templates_in
+from allworlds.explorers.languages import LANGUAGES, Language, templates, templates_in
+from allworlds.explorers.shared_library import INTERFACE_VERSION, header_text
 from allworlds.inputs.checks import InputError, a_path, one_of as one_of_these, show
 from allworlds.inputs.requests import OUTPUT, Argument, Option, Request, takes_fields
 

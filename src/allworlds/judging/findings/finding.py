@@ -20,8 +20,7 @@ from allworlds.document.struct import (
     computed,
     read_by,
 )
-from allworlds.explorers.loading import HASH_SEED
-from allworlds.explorers.names import named_on_command_line, own_bound
+from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs.checks import InputError, parse_json, show
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.case import Value

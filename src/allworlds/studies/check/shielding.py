@@ -6,7 +6,7 @@ from collections.abc import Callable, Generator
 from typing import Any, overload
 
 from allworlds.explorers.builtin.shield import Shield
-from allworlds.explorers.names import SHIELD
+from allworlds.explorers.loading import SHIELD
 from allworlds.inputs.checks import InputError, show
 
 

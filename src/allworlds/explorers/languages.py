@@ -1,4 +1,8 @@
-"""The languages of skeletons: the files of each, and the commands that try an explorer."""
+"""The languages of skeletons: the files of each, and the commands that try an explorer.
+
+A skeleton is files that build and run, and are still wrong.  Those of a language lie in the folder
+of its name in ``skeletons``, each with ``.template`` after its own name.
+"""
 
 from __future__ import annotations
 
