@@ -26,13 +26,12 @@ from collections.abc import Callable, Generator
 from typing import TypeAlias, TypeVar
 
 from allworlds.explorers.builtin.partial_map import PartialMap, simple_path, walks
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.choices import Choices
 
 R = TypeVar("R")
-Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]
+Walk: TypeAlias = Generator[Action | Checkpoint, Percept, R]
 """A part of the exploration that ends with a value of type R."""
 
 
@@ -192,10 +191,19 @@ class Algorithm1:
 
     def answer(self) -> Estimate:
         """Line 22: S, and the robot's place in it."""
-        return Estimate(CombinatorialMap(self.s.sigma, self.s.alpha), self.here)
+        return self.s.estimate(self.here)
 
 
 # ---------------------------------------------------------------- without a direction
+#
+# Two vertices can be recognised, v0 and v1, and one edge joins them; the dart of v0 that leads to
+# v1 stands for the pointed dart of a directional lighthouse.  It is searched first.  Where
+# Algorithm 1 compares a bearing, at the end of a test that has come to v0, the robot leaves by the
+# dart that should lead to v1, looks, and comes back: the *query*, two traversals.  A hypothesis at
+# v0 is tested by the query alone.
+#
+# Source: Sections IV and VIII of the paper; that it is right if exactly one edge joins v0 and v1
+# is proved in proofs/coq (TwoVertices).
 
 Recognised: TypeAlias = Callable[[Percept], bool]
 """Whether a percept is that of one certain vertex."""
@@ -213,13 +221,8 @@ def algorithm1_cluster(
 
     Cost: at most (1) + (2), 2 traversals a test, and 2 deg(v0) for the search.
     """
-    explorer = TwoVertices(
-        first,
-        lambda seen: seen.marks == 1,
-        lambda seen: seen.marks == 2,
-        choices or Choices(),
-        notice,
-    )
+    is_v0, is_v1 = (lambda seen: seen.marks == 1), (lambda seen: seen.marks == 2)
+    explorer = TwoVertices(first, is_v0, is_v1, choices or Choices(), notice)
     return (yield from explorer.explore())
 
 
@@ -236,13 +239,8 @@ def algorithm1_natural(
 
     Cost: as for :func:`algorithm1_cluster`.
     """
-    explorer = TwoVertices(
-        first,
-        lambda seen: seen.degree == first.degree,
-        lambda seen: seen.degree == told,
-        choices or Choices(),
-        notice,
-    )
+    is_v0, is_v1 = (lambda seen: seen.degree == first.degree), (lambda seen: seen.degree == told)
+    explorer = TwoVertices(first, is_v0, is_v1, choices or Choices(), notice)
     return (yield from explorer.explore())
 
 

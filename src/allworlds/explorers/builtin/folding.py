@@ -68,18 +68,15 @@ class FoldedLog:
 
     def canonical(self, dart: int) -> int:
         """The dart of a canonical node that this dart is."""
-        node, base, stands = self.node, self.base, self.stands
-        v = node[dart]
-        if stands[v] == base[v]:
-            return dart
-        merged = []
+        base, stands = self.base, self.stands
+        v = self.node[dart]
         while stands[v] != base[v]:
-            merged.append(v)
-            v = node[stands[v]]
-        for w in reversed(merged[:-1]):
-            stands[w] = self.turn(stands[node[stands[w]]], stands[w] - base[node[stands[w]]])
-        w = merged[0]
-        return self.turn(stands[w], dart - base[w])
+            w = self.node[stands[v]]
+            if stands[w] != base[w]:  # path halving
+                stands[v] = self.turn(stands[w], stands[v] - base[w])
+            dart = self.turn(stands[v], dart - base[v])
+            v = self.node[dart]
+        return dart
 
     def turn(self, dart: int, offset: int) -> int:
         """The dart ``sigma^offset(dart)``."""

@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cache, cached_property
 from typing import Any
 
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Percept
-from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.choices import Choices, Kind
 
 
@@ -41,12 +42,9 @@ class PartialMap:
         self.expected: list[Percept] = []
         self.unexplored: list[int] = []
         self._add_vertex(first)
-        bearing = first.bearing
-        if bearing is not None:
-            self.expected = [
-                Percept(first.degree, first.marks, (bearing - d) % first.degree)
-                for d in range(first.degree)
-            ]
+        if (bearing := first.bearing) is not None:
+            degree, marks = first.degree, first.marks
+            self.expected = [Percept(degree, marks, (bearing - d) % degree) for d in range(degree)]
 
     def offset(self, start: int, end: int) -> int:
         """The motion from dart ``start`` to dart ``end`` of the same vertex."""
@@ -97,6 +95,10 @@ class PartialMap:
     def checkpoint(self, here: int) -> Checkpoint:
         """S and U as a checkpoint, with the robot's dart."""
         return Checkpoint(tuple(self.sigma), tuple(self.alpha), here)
+
+    def estimate(self, here: int) -> Estimate:
+        """S as the answer, with the robot's dart; no dart may be open."""
+        return Estimate(CombinatorialMap(self.sigma, self.alpha), here)
 
     def _add_vertex(self, percept: Percept) -> int:
         start, degree = len(self.sigma), percept.degree
