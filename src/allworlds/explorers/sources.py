@@ -243,27 +243,15 @@ def _place(name: str) -> tuple[str, list[str]]:
 
 
 def _line(tree: ast.Module, names: list[str]) -> int:
-    """The line where a dotted name is defined; of its last part that is found, or else 1."""
+    """The line of the function or class of a dotted name; 1 if there is none."""
     body: list[ast.stmt] = tree.body
     line = 1
     for name in names:
-        found = next((node for node in body if name in _defined(node)), None)
+        found = next((node for node in body if getattr(node, "name", "") == name), None)
         if found is None:
             break
         line, body = found.lineno, getattr(found, "body", [])
     return line
-
-
-def _defined(node: ast.stmt) -> set[str]:
-    match node:
-        case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
-            return {name}
-        case ast.Assign(targets=targets):
-            return {target.id for target in targets if isinstance(target, ast.Name)}
-        case ast.ImportFrom(names=names):
-            return {alias.asname or alias.name for alias in names}
-        case _:
-            return set()
 
 
 # ---------------------------------------------------------------- the same text elsewhere
