@@ -292,7 +292,7 @@ class DropsMarkers(Algorithm1):
     """Written for a robot with markers in hand."""
 
     def follow(self, goal: int) -> Walk[Percept]:
-        yield Drop()  # type: ignore[misc]
+        yield Drop()
         return (yield from super().follow(goal))
 
 

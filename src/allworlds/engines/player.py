@@ -64,7 +64,7 @@ def main(parent: int) -> None:
         return
     if os.getpid() != own:
         os._exit(0)  # a copy that the explorer has forked when it was imported
-    if program := subject.innermost.program:  # here is no user's code, and it must end, too
+    if program := subject.program:  # here is no user's code, and it must end, too
         signal.signal(signal.SIGTERM, lambda *_: _leave(program))
         end_with_parent(parent, signal.SIGTERM)
     _flush()
@@ -97,7 +97,7 @@ def _loaded(setup: dict[str, Any]) -> Subject:
     from allworlds.explorers.loading import load
 
     subject = load(setup["name"], setup["answer_timeout"], source)
-    native = subject.innermost.native
+    native = subject.native
     if native is not None:
         native.library.print_line_by_line()
         if setup["memory"] is None:

@@ -139,9 +139,8 @@ class Subject(Struct, frozen=True, weakref=True):
         explore: the generator function; None where another process finds it by its name, so
             that its code never gets into this one.
         source: the text of its file, if it stands in a file.
-        program: the user's program behind it, if there is one that is run here.
-        native: the shared library behind it, if there is one that is run here.
-        inside: the explorer inside a shield, if it is run here.
+        program: the user's program behind it, if there is one that is run here; also in a shield.
+        native: the shared library behind it, likewise.
     """
 
     name: str
@@ -150,7 +149,6 @@ class Subject(Struct, frozen=True, weakref=True):
     source: SourceText | None = None
     program: Program | None = None
     native: NativeExplorer | None = None
-    inside: Subject | None = None
 
     @property
     def own(self) -> BuiltIn | None:
@@ -163,19 +161,9 @@ class Subject(Struct, frozen=True, weakref=True):
         return self.own is None
 
     @property
-    def is_program(self) -> bool:
-        """Whether it is a program behind a pipe, here and in other processes; also in a shield."""
-        return is_program(self.name)
-
-    @property
     def compiled(self) -> bool:
         """Whether it is a shared library; in a shield Python calls it, as any other explorer."""
         return self.name.startswith(NATIVE)
-
-    @property
-    def innermost(self) -> Subject:
-        """The explorer without a shield, if it is run here; else itself."""
-        return self.inside or self
 
     @property
     def importable(self) -> bool:
@@ -215,7 +203,7 @@ class Subject(Struct, frozen=True, weakref=True):
 
     def running(self) -> AbstractContextManager[object]:
         """A context at whose end the program or library behind the explorer is stopped."""
-        behind = self.innermost.program or self.innermost.native
+        behind = self.program or self.native
         return closing(behind) if behind else nullcontext()
 
 
@@ -231,11 +219,11 @@ def with_shield(inside: Subject) -> Subject:
 
     if has_shield(inside.name):
         return inside
+    explore = inside.explore
+    if explore is not None and not isinstance(explore, Shield):
+        explore = Shield(explore)
     name, keywords = SHIELD + inside.name, inside.keywords - {"notice"}
-    if inside.explore is None:
-        return Subject(name, keywords, source=inside.source)
-    explore = inside.explore if isinstance(inside.explore, Shield) else Shield(inside.explore)
-    return Subject(name, keywords, explore, source=inside.source, inside=inside)
+    return replace(inside, name=name, keywords=keywords, explore=explore)
 
 
 def in_process_subject(explore: Callable[..., Any]) -> Subject:

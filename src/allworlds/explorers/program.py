@@ -16,13 +16,13 @@ import time
 from collections.abc import Generator, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.faults import ExplorerFault, FaultLaw
 from allworlds.protocol.player import Told
 from allworlds.protocol.transcript import action_from_json
 from allworlds.words import ended_by, plural
@@ -127,9 +127,6 @@ def obstacle(name: str) -> str:
     return f"there is no program {show(name)}{hint}"
 
 
-RunLaw: TypeAlias = Literal["crash", "timeout", "illegal-action", "no-estimate"]
-"""The laws that a program breaks by what it writes."""
-
 SAYINGS = ("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer")
 """A line of the program has exactly one of these keys."""
 
@@ -214,7 +211,7 @@ def _estimate(value: object) -> Estimate:
         raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
 
-def _values(value: object, what: str, law: RunLaw, *keys: str) -> list[Any]:
+def _values(value: object, what: str, law: FaultLaw, *keys: str) -> list[Any]:
     """The values of a checkpoint or an answer under these keys."""
     if not isinstance(value, dict):
         raise ExplorerFault(law, f"{what} that is no object: {_short(value)}")
@@ -260,10 +257,9 @@ class Program:
             ) from None
         if not self._arguments:
             raise InputError("--exec needs a command, not an empty string")
-        if shutil.which(self._arguments[0]) is None:
-            raise InputError(f"--exec {show(command)}: {obstacle(self._arguments[0])}")
-        if missing := missing_script(self._arguments):
-            raise InputError(f"--exec {show(command)}: {missing}")
+        there = shutil.which(self._arguments[0])
+        if fault := missing_script(self._arguments) if there else obstacle(self._arguments[0]):
+            raise InputError(f"--exec {show(command)}: {fault}")
         self._timeout = answer_timeout
         self._process: subprocess.Popen[bytes] | None = None
         self._heard = False
@@ -435,7 +431,7 @@ class Program:
             sys.stderr.flush()
 
     def _fault(
-        self, law: RunLaw, seen: str, detail: str = "", *, machine: bool = False
+        self, law: FaultLaw, seen: str, detail: str = "", *, machine: bool = False
     ) -> ExplorerFault:
         self._read(0)
         said = self._err.decode(errors="replace")

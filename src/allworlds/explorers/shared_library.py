@@ -9,14 +9,14 @@ import time
 from collections.abc import Generator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, Literal, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from allworlds.inputs.checks import InputError, existing_file, is_loop_of_links, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick as PickUp
 from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
 from allworlds.protocol.choices import KINDS, Choices
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.faults import ExplorerFault, FaultLaw
 from allworlds.protocol.player import Told
 
 
@@ -41,17 +41,13 @@ NOTHING = -1
 class CPercept(ctypes.Structure):
     """The C type ``struct allworlds_percept``."""
 
-    _fields_ = (
-        ("degree", ctypes.c_int32),
-        ("marks", ctypes.c_int32),
-        ("bearing", ctypes.c_int32),
-    )
+    _fields_ = tuple((name, ctypes.c_int32) for name in ("degree", "marks", "bearing"))
 
 
 class CAction(ctypes.Structure):
     """The C type ``struct allworlds_action``."""
 
-    _fields_ = (("kind", ctypes.c_int32), ("motion", ctypes.c_int32))
+    _fields_ = tuple((name, ctypes.c_int32) for name in ("kind", "motion"))
 
 
 _INTEGER, _ADDRESS = ctypes.c_int32, ctypes.c_void_p
@@ -258,9 +254,7 @@ class NativeExplorer:
         ours.degree, ours.marks = percept.degree, percept.marks
         ours.bearing = NOTHING if percept.bearing is None else percept.bearing
 
-    def _said(
-        self, function: Any, lists: int, law: Literal["illegal-action", "no-estimate"]
-    ) -> list[tuple[int, ...]]:
+    def _said(self, function: Any, lists: int, law: FaultLaw) -> list[tuple[int, ...]]:
         """Lists of integers, each with one entry for each dart, as the library fills them now."""
         if self._sensed > len(self._rooms[0]):
             self._rooms = [_integers(2 * self._sensed) for _ in range(4)]

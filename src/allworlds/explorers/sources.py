@@ -311,7 +311,7 @@ def with_content(subject: Subject) -> Subject:
 def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
     """The reason why the explorer is not the one of that digest here; empty if it is."""
     try:
-        if subject.is_program:
+        if is_program(subject.name):
             Program(command_or_path(subject.name), answer_timeout)
         same = content_digest(subject) == digest
     except InputError as error:
