@@ -483,14 +483,15 @@ def test_what_explorers_need_loads_maps_and_protocol_alone():
 def test_a_process_that_only_plays_loads_neither_judges_nor_worlds():
     loaded = loaded_by(
         "import allworlds.engines.player; "
-        "from allworlds.explorers.functions import Function; "
+        "from allworlds.explorers.loading import Subject; "
         "from allworlds.protocol.playing import Record, TableWorld, play_run"
     )
     assert not {"numpy", "numba", "z3", "networkx", "subprocess", "pickle", "socket"} & loaded
     own = {inner(name) for name in loaded if inner(name)}
     assert not {name for name in own if wing(name) in ("judging", "world", "studies")}
     assert {name for name in own if wing(name) == "explorers"} == {
-        *("explorers", "explorers.functions"),
+        *("explorers", "explorers.loading"),
+        *("explorers.builtin", "explorers.builtin.explorer_table"),
     }
 
 

@@ -35,7 +35,7 @@ from allworlds.engines.tally import (
     finding_to_record,
 )
 from allworlds.engines.units import SweptLevel
-from allworlds.explorers.loading import Subject, subject_known
+from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import as_json, meant
@@ -332,7 +332,7 @@ def record_of(subject: Subject) -> dict[str, Any]:
 
 def subject_of_record(told: Mapping[str, Any]) -> Subject:
     """The explorer of such a record. Its code is not loaded, because its results are known."""
-    return subject_known(told["name"], told["keywords"])
+    return Subject(told["name"], frozenset(told["keywords"]))
 
 
 Answer = TypeVar("Answer")
