@@ -80,9 +80,6 @@ ANSWER = _record(
     # Addresses of 32-bit integers.
     (int64, "sigma alpha"),
     (int32, "darts here"),
-    # The same as bytes: the address of sigma, and behind it alpha; 0 if there are none.  If
-    # there are, the integers need not have been written yet.
-    (int64, "bytes"),
 )
 """An answer, or the S that is shown."""
 
@@ -147,14 +144,6 @@ JUDGED = _record(
     # Of the checkpoints so far: the laws that they break, as a set; whether there was one,
     # and t at the last.
     (int64, "broken shown t"),
-    # The S that was shown last, if it is known how it is embedded: its darts (0: it is not),
-    # how many of them lead somewhere, sigma and alpha, and the darts of the world, as a set.
-    # The embedding stands in ``to``.
-    (int64, "known explored"),
-    (uint8, "sigma alpha", DARTS),
-    (int64, "taken"),
-    # Room for one that is shown as integers.
-    (uint8, "bytes", 3 * DARTS),
     # Room for images, for what is still to be looked at, and for claims.
     (int64, "to queue", LONG),
     (int64, "claim", DARTS),
@@ -178,10 +167,8 @@ JOB = _record(
 LIBRARY = _record(
     # Addresses: of its functions, its state, what is exchanged, and what answers its choices.
     (int64, "start step answer choose state percept action here pick"),
-    # Two rooms for sigma and alpha, which take turns: who reads what has just been written, in
-    # other portions, waits for it to get to memory.  How many darts they hold.
-    (int64, "sigma alpha", 2),
-    (int64, "room"),
+    # Sigma and alpha, and how many darts they hold.
+    (int64, "sigma alpha room"),
     # How choices are answered, and whether one was illegal.
     (int64, "policy wrong"),
 )

@@ -218,8 +218,8 @@ class NativeExplorer:
         return self._state
 
     def handed(self) -> tuple[Any, ...]:
-        """Memory for percept, action and ``here``, and twice for sigma and alpha."""
-        sizes = (3, 2, 1, *(ROOM,) * 4)
+        """Memory for percept, action, ``here``, sigma and alpha."""
+        sizes = (3, 2, 1, ROOM, ROOM)
         return tuple(Guarded(4 * size).as_a(ctypes.c_int32 * size) for size in sizes)
 
     def close(self) -> None:
