@@ -50,16 +50,6 @@ GLUING = _record(
 )
 """The enumeration: a partial map that grows by decisions and takes them back."""
 
-COUNTING = _record(
-    (int64, "edges limit"),
-    # By depth: how many vertices, darts, and faces that have closed; the open darts; what
-    # is to be tried: partners as a set, then degrees.
-    (int64, "vertices darts faces opened untried degrees", DEPTHS),
-    # By depth: the open darts behind and before each one round its face.
-    (uint8, "after before", (DEPTHS, DARTS)),
-)
-"""A count: the boundaries of a partial map."""
-
 WORLD = _record(
     # The lighthouse: the number of its place, its dart at v0, what it tells.
     (int64, "darts vertices place pointed told"),
@@ -212,16 +202,15 @@ CHOICE = _record((int64, "untried degree"), (NOW, "now"))
 
 WALK = _record(
     (NOW, "now"),
-    (int64, "edges limit policy fuel back_weight"),
+    (int64, "edges limit policy fuel"),
     (int64, "bound", DARTS),
     (uint8, "viable", (DARTS, 2 * DARTS)),
-    (uint8, "sensed", DARTS),
     # What has been met: worlds, and by vertices what they have shown.
     (int64, "worlds"),
     (int64, "counts", (DARTS, DEPTHS)),
-    # W, by darts: the partner, the vertex, the degree there as it is and as it is sensed,
-    # and the dart behind the last one of the vertex.  The degrees of the vertices.
-    (uint8, "partner owner degree felt end degrees", WALKED),
+    # W, by darts: the partner, the vertex, the degree there, and the dart behind the last one of
+    # the vertex.  The degrees of the vertices.
+    (uint8, "partner owner degree end degrees", WALKED),
     # S, by darts: the partner, the vertex, the degree that is expected there, the image in
     # W.  By vertices: the darts, and the vertices joined to each.  By degrees: the darts.
     (uint8, "s_partner s_owner s_degree image", WALKED),

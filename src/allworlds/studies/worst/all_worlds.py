@@ -10,9 +10,8 @@ from typing_extensions import override
 from allworlds.engines.dask import Dask
 from allworlds.engines.database import Identity
 from allworlds.engines.effort import Limits
-from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.engine_table import COMPILER, ReadyEngine
 from allworlds.engines.here import Threads
-from allworlds.engines.obstacles import COMPILER
 from allworlds.engines.progress import Listener
 from allworlds.engines.single import single_run
 from allworlds.engines.sweep import Sweep
