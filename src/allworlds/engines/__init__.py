@@ -31,8 +31,8 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
 ``compiled_engine``, ``kernel``
     the engine in compiled code, for built-in explorers, and what it is asked; the code itself, the
     only importer of numba;
-``run_directory``, ``database``, ``kept_form``
-    the finished units of a job, kept on disk; their file, with the identity of the job; as JSON;
+``job_records``, ``run_directory``
+    the identity of a job, and its results as JSON; its finished units, kept on disk;
 ``engine_table``
     **the** table of the engines, what the compiled one cannot do, and the job that they get;
 ``sweep``, ``progress``, ``swept_report``

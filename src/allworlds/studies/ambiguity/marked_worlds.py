@@ -24,7 +24,7 @@ from allworlds.document.struct import (
 )
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import here_or
-from allworlds.engines.kept_form import from_kept
+from allworlds.engines.job_records import from_kept
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import (
     GATE,

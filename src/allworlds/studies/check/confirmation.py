@@ -11,10 +11,9 @@ from msgspec import Struct
 
 from allworlds.document.struct import replace
 from allworlds.engines.comparison import nondeterministic
-from allworlds.engines.database import canonical
 from allworlds.engines.effort import Limits
 from allworlds.engines.examiner import LOST
-from allworlds.engines.run_directory import Records
+from allworlds.engines.job_records import Records, canonical
 from allworlds.engines.scope import Scope
 from allworlds.engines.single import played_again
 from allworlds.engines.tally import Tally, finding_from_record, finding_to_record

@@ -9,7 +9,6 @@ from typing import Any
 from typing_extensions import override
 
 from allworlds.document.struct import replace
-from allworlds.engines.database import Identity
 from allworlds.engines.engine_table import (
     ENGINES,
     EngineKind,
@@ -18,6 +17,7 @@ from allworlds.engines.engine_table import (
     engine_for,
     why_not_compiled,
 )
+from allworlds.engines.job_records import Identity
 from allworlds.engines.progress import Listener, Once, Silent
 from allworlds.engines.scope import Given, Scope
 from allworlds.engines.single import subject_of

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from typing_extensions import override
 
 from allworlds.engines.engine_table import Job
-from allworlds.engines.kept_form import from_kept
+from allworlds.engines.job_records import from_kept
 from allworlds.engines.scope import Scope
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.tally import Tally

@@ -11,7 +11,7 @@ from msgspec import Struct
 from typing_extensions import override
 
 from allworlds.document.struct import replace
-from allworlds.engines.database import Identity
+from allworlds.engines.job_records import Identity
 from allworlds.engines.progress import Listener
 from allworlds.engines.scope import GivenWorlds, UnitOfRuns
 from allworlds.engines.units import WHOLE, Portion, Shard, SweptLevel, level_size

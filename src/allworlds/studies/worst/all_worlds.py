@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 from typing_extensions import override
 
 from allworlds.engines.dask import Dask
-from allworlds.engines.database import Identity
 from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import COMPILER, ReadyEngine
 from allworlds.engines.here import Threads
+from allworlds.engines.job_records import Identity
 from allworlds.engines.progress import Listener
 from allworlds.engines.single import single_run
 from allworlds.engines.sweep import Sweep
