@@ -25,8 +25,8 @@ import os, sys
 
 import allworlds
 
-from allworlds.engines.obstacles import WALKED_FROM
-from allworlds.engines.kernel.counting import by_vertices_and_faces
+from allworlds.engines.engine_table import WALKED_FROM
+from allworlds.engines.kernel.gluing import by_vertices_and_faces
 from allworlds.engines.kernel.batches import load_native
 
 allworlds.worst(edges=1)

@@ -15,12 +15,12 @@ from allworlds.engines.compiled_engine import (
     AGREED,
     compare_engines,
     compared_to,
+    level_of,
     rotation,
     walk_costs,
 )
 from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.questions import level_of
 from allworlds.engines.scope import LevelRuns, Scope, numbered_runs
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import AskedRules, Rules

@@ -29,9 +29,8 @@ from allworlds.engines.effort import (
     AskedWorkers,
     Limits,
 )
-from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.engine_table import COMPILER, ReadyEngine
 from allworlds.engines.here import Threads
-from allworlds.engines.obstacles import COMPILER
 from allworlds.engines.single import SingleRun, single_run
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import GATE, SweptExit, SweptReport, ToldGate, told_scope
