@@ -111,7 +111,7 @@ def changed(node: ast.AST) -> Iterator[tuple[Any, str]]:
             yield from ((node, str(value + 1)), (node, str(value - 1)))
         case ast.Slice(lower=lower, upper=upper):
             yield from ((bound, "None") for bound in (lower, upper) if bound)
-        case ast.Return(value=ast.expr() as value) if ast.unparse(value) != "None":
+        case ast.Return(value=ast.expr() as value) if ast.unparse(value) not in ("None", "False"):
             yield value, "None"
         case (
             ast.Expr(value=ast.Call())
@@ -166,6 +166,8 @@ def mutants_of(file: str, text: bytes) -> Iterator[Mutant]:
         if isinstance(node, ast.stmt) and early:
             name = next(_names(node), name)
         for part, after in changed(node):
+            if early and "|" in ast.unparse(part):  # of types
+                continue
             start = starts[part.lineno - 1] + part.col_offset
             end = starts[part.end_lineno - 1] + part.end_col_offset
             before = ast.unparse(part)
@@ -343,7 +345,8 @@ class Copy:
         for number, _, _ in to_try:
             killer = killers.get(number) or ended.get(number, "the collection of tests")
             mutants[number].killed_by = killer
-            print(f"{mutants[number].file}:{mutants[number].line}: {killer or 'SURVIVES'}")
+            name = f"{mutants[number].file}:{mutants[number].line}"
+            print(f"{name}: {killer or 'SURVIVES'}", flush=True)
 
 
 def table(mutants: Sequence[Mutant], known: dict[tuple[str, str, str], str]) -> str:

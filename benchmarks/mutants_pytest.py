@@ -17,12 +17,15 @@ from typing import Any
 ACTIVE = int(os.environ.get("MUTANT", "0"))
 """The number of the active mutant; 0: none."""
 
+TRYING = "MUTANTS_TO_TRY" in os.environ
+"""Whether mutants are tried; else the tests that meet them are noted."""
+
 _seen = set[int]()
 
 
 def mutated(number: int) -> bool:
-    """Whether a mutant is active; note the test by which its place is met."""
-    if number not in _seen:
+    """Whether a mutant is active; note the test that meets its place first."""
+    if number not in _seen and not TRYING:
         _seen.add(number)
         note("met", number, os.environ.get("PYTEST_CURRENT_TEST", "").rpartition(" (")[0])
     return number == ACTIVE
@@ -46,8 +49,8 @@ def pytest_runtest_logstart(nodeid: str) -> None:
 
 def pytest_runtest_setup(item: Any) -> None:
     """Note the fixtures that the test shares with others."""
-    for name, definitions in item._fixtureinfo.name2fixturedefs.items():  # noqa: SLF001
-        if definitions[-1].scope != "function" and name not in ("temporary", "compiler"):
+    for definitions in item._fixtureinfo.name2fixturedefs.values():  # noqa: SLF001
+        if definitions[-1].scope != "function" and not TRYING:
             note("uses", item.nodeid, _owner(definitions[-1]))
 
 
@@ -64,13 +67,13 @@ def _owner(fixture: Any) -> str:
 
 def pytest_runtest_logreport(report: Any) -> None:
     """Note how long the test took, and whether it failed."""
-    if "PYTEST_XDIST_WORKER" not in os.environ:
+    if "PYTEST_XDIST_WORKER" not in os.environ and not TRYING:
         note("took", report.nodeid, report.duration, report.failed)
 
 
 def pytest_runtestloop(session: Any) -> bool | None:
     """Try mutants, where there are any to try: each in a fork, with its tests."""
-    if "MUTANTS_TO_TRY" not in os.environ:
+    if not TRYING:
         return None
     with open(os.environ["MUTANTS_TO_TRY"]) as file:  # noqa: PTH123
         to_try = json.load(file)
@@ -87,6 +90,7 @@ def pytest_runtestloop(session: Any) -> bool | None:
 def _try(session: Any, number: int, items: list[Any]) -> None:
     """Run tests with a mutant until one fails; the exit code says whether one has."""
     import resource
+    from itertools import zip_longest
 
     global ACTIVE  # noqa: PLW0603  # the one thing that a mutant changes
     code = 2
@@ -96,7 +100,7 @@ def _try(session: Any, number: int, items: list[Any]) -> None:
         ACTIVE = number
         os.environ["MUTANT"] = str(number)
         session.items = items
-        for item, following in zip(items, [*items[1:], None], strict=True):
+        for item, following in zip_longest(items, items[1:]):
             item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
             if session.shouldfail or session.shouldstop:
                 note("killed", number, item.nodeid)
