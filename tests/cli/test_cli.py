@@ -14,6 +14,7 @@ import pytest
 import processes
 from allworlds.cli.app import call, command_line
 from processes import PATIENCE
+from small import slow
 
 EXPLORERS = Path(__file__).parents[1] / "support" / "explorers_for_tests"
 WRONG = f"{EXPLORERS / 'wrong.py'}"
@@ -265,7 +266,7 @@ def test_counts(cli):
         *(pytest.param(other, marks=pytest.mark.slow) for other in (signal.SIGTERM, signal.SIGHUP)),
     ],
 )
-@pytest.mark.parametrize(("explorer", "edges"), [("hang", "3"), ("right", "9")])
+@pytest.mark.parametrize(("explorer", "edges"), [("hang", "3"), slow("right", "9")])
 def test_an_interrupt_leaves_a_report_and_no_worker(start, tmp_path, number, explorer, edges):
     hung = tmp_path / "hung"
     process = start(
@@ -339,8 +340,6 @@ def test_help_begins_with_an_example(cli, verb):
 @pytest.mark.parametrize(
     ("words", "shown"),
     [
-        ("allworlds c", "check"),
-        ("allworlds ambiguity t", "twins"),
         ("allworlds check --ed", "--edges"),
     ],
 )
