@@ -9,7 +9,6 @@ import signal
 import subprocess
 import sys
 from contextlib import ExitStack, contextmanager
-from pathlib import Path
 
 import pytest
 from coverage import Coverage
@@ -45,9 +44,6 @@ settings.register_profile(
 )
 settings.load_profile("same-every-time")
 
-
-SLOW = Path(__file__).parent / "slow"
-"""The folder of the tests that are not collected unless it is named."""
 
 PATIENCE = 600
 """Seconds after which a slow test hangs."""
@@ -172,7 +168,7 @@ def without_workers_unless_the_test_is_about_them(request):
 
 def is_slow(item):
     """Whether a test is left out of the quick run."""
-    return SLOW in item.path.parents or item.get_closest_marker("slow") is not None
+    return "/slow/" in item.nodeid or item.get_closest_marker("slow") is not None
 
 
 def needs_kernel(item):
