@@ -100,7 +100,7 @@ def assert_finished_rows(told, whole):
 
 def test_every_verb_with_a_sweep_is_tried():
     words = {" ".join(name.split()[:2]) for name in SWEEPS} | {name.split()[0] for name in SWEEPS}
-    assert {verb.name for verb in VERBS if verb.sweep} <= words
+    assert {verb.name for verb in VERBS if verb.swept} <= words
 
 
 @pytest.mark.no_cover

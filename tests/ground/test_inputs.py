@@ -107,7 +107,7 @@ FAULTS = {
         "lines",
     ),
     "an exit code that stands nowhere": (
-        ("allworlds.cli.app._refuse", lambda _: 75),
+        ("allworlds.cli.app._refuse", lambda *_: 75),
         "findings",
     ),
 }

@@ -81,7 +81,7 @@ VERDICTS = page("docs/verdicts.md")
 
 
 def function_of(verb):
-    return loaded(verb.function)
+    return verb.function
 
 
 # Documents of verbs that have more than one.
@@ -99,7 +99,7 @@ def command_of(verb):
 @pytest.mark.parametrize("name", BY_NAME)
 def test_a_verb_is_a_function_of_the_package(name):
     verb = BY_NAME[name]
-    _, first, *rest = verb.python.split(".")
+    _, first, *rest = verb.path.split(".")
     assert first in allworlds.__all__
     assert attrgetter(".".join([first, *rest]))(allworlds) is function_of(verb)
     assert first == name or verb.group
