@@ -135,11 +135,6 @@ def test_a_verb_has_its_module_of_the_command_line_its_telling_and_its_document(
         assert {*others} <= {*schemas.reports().values()}
 
 
-def test_the_documents_page_has_a_row_for_every_verb_in_their_order():
-    told = rows(docsite("documents").page_text())
-    assert told[: len(VERBS)] == [*BY_NAME]
-
-
 @pytest.mark.parametrize("name", BY_NAME)
 def test_the_help_of_a_verb_begins_with_an_example_of_it(name):
     command = command_of(BY_NAME[name])
