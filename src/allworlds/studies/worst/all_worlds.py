@@ -44,7 +44,7 @@ from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import AskedRules, Rules
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.maps.classes import ClassOptions, Extent, MapClass
+from allworlds.maps.classes import ClassOptions, Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
@@ -229,11 +229,6 @@ def worst(request: WorstRequest) -> WorstReport:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    if not request.map_class.plain:
-        raise InputError(
-            f"class {show(request.map_class.value)} is none of those whose maps the compiled "
-            f"search makes: {', '.join(known for known in MapClass if known.plain)}"
-        )
     ensure_installed(*COMPILER, "worst of algorithm1")
     return SchedulesSweep(request).answer(request.run)
 
