@@ -25,7 +25,7 @@ from allworlds.studies.ledger.checked_claims import ledger
 from allworlds.studies.merge import merge
 from allworlds.studies.play import play
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.studies.status import status
 from allworlds.studies.worst.all_worlds import worst
 from allworlds.verbs import VERBS

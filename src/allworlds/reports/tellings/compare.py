@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from allworlds.explorers.names import short_names
+from allworlds.explorers.sources import short_names
 from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,

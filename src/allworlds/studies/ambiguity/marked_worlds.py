@@ -39,7 +39,7 @@ from allworlds.engines.units import WHOLE, AskedShard, LevelUnit, SweptLevel
 from allworlds.inputs.checks import InputError, one_of
 from allworlds.inputs.requests import SCOPE, Option, Taken, answers
 from allworlds.maps.canonical import numbering, rooted_code
-from allworlds.maps.classes import AskedExtent, Extent, MapClass
+from allworlds.maps.classes import Extent, ExtentOptions, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.quotient import Quotient, class_size, is_ambiguous
 from allworlds.outcome import Disagreement, Ending
@@ -49,7 +49,7 @@ from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.lighthouses.options import InvalidWorld
-from allworlds.world.own_condition import AskedWhere
+from allworlds.world.own_condition import WhereOptions
 from allworlds.world.world import World
 
 BATCH = 200
@@ -57,7 +57,7 @@ BATCH = 200
 
 
 class CensusRequest(
-    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, AskedWhere, AskedExtent
+    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, WhereOptions, ExtentOptions
 ):
     """Request of ``ambiguity census``: a class, its bounds and the effort."""
 

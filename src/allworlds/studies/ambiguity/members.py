@@ -13,7 +13,7 @@ from allworlds.engines.effort import AskedListener
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import EFFORT, Option, answers
 from allworlds.maps.canonical import Code, rooted_code
-from allworlds.maps.classes import AskedClass, MapClass
+from allworlds.maps.classes import ClassOptions, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.quotient import (
     Projection,
@@ -27,14 +27,14 @@ from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Percept
 from allworlds.world.lighthouses.kinds import GivenLighthouse
 from allworlds.world.lighthouses.marked import Directional, Position
-from allworlds.world.named import LIGHTHOUSE, WORLD, a_world
+from allworlds.world.named import LIGHTHOUSE, WORLD, world_named
 from allworlds.world.world import World
 
 DEFAULT_LIMIT = 1000
 """The largest class whose members are all made, unless another limit is named."""
 
 
-class ClassRequest(AskedListener, AskedClass, kw_only=False):
+class ClassRequest(AskedListener, ClassOptions, kw_only=False):
     """Request of ``ambiguity class``: a world, and how many members are listed."""
 
     world: Annotated[World | str, WORLD]
@@ -254,7 +254,7 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
     Cost: O(k m) for each of the at most k ``limit`` lifts.
     """
     limit, universe = request.limit, request.map_class
-    world = a_world(request.world, request.lighthouse)
+    world = world_named(request.world, request.lighthouse)
     _checked(world, limit, universe)
     quotient, classes = projection_of(world)
     size = class_size(quotient)

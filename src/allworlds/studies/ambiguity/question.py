@@ -21,13 +21,12 @@ from allworlds.inputs.checks import (
     show,
 )
 from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Option
-from allworlds.maps.classes import AskedClass, MapClass
+from allworlds.maps.classes import ClassOptions, MapClass
 from allworlds.maps.combinatorial import Dart
 from allworlds.words import plural
 from allworlds.world.lighthouses.base import Lighthouse, ReferenceLighthouse, Sensing
-from allworlds.world.lighthouses.everywhere import Compass
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES
-from allworlds.world.lighthouses.marked import Directional, Position
+from allworlds.world.lighthouses.marked import Compass, Directional, Position
 from allworlds.world.lighthouses.placeless import Nothing
 
 
@@ -38,7 +37,7 @@ def motion_list(text: str) -> tuple[int, ...]:
     return tuple(int(part) for part in text.split(","))
 
 
-class SearchRequest(AskedListener, AskedClass):
+class SearchRequest(AskedListener, ClassOptions):
     """Request of ``ambiguity search``: the properties of the twins, and the solver."""
 
     lighthouse: Annotated[

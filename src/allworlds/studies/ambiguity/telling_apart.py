@@ -18,7 +18,7 @@ from allworlds.protocol.actions import Percept
 from allworlds.world.bisimulation import flaw, same_world_from, sensed
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, GivenLighthouse, kind_of
 from allworlds.world.lighthouses.marked import Position
-from allworlds.world.named import LIGHTHOUSE, WORLD, a_world
+from allworlds.world.named import LIGHTHOUSE, WORLD, world_named
 from allworlds.world.world import World
 
 
@@ -80,7 +80,7 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
 
     Cost: O(m log m) where no motion can; else as many steps as pairs of darts are met.
     """
-    a, b = (a_world(world, request.lighthouse) for world in (request.a, request.b))
+    a, b = (world_named(world, request.lighthouse) for world in (request.a, request.b))
     kinds = [world.lighthouse.kind for world in (a, b)]
     if kinds[0] != kinds[1]:
         raise InputError(

@@ -30,7 +30,7 @@ from allworlds.document.struct import (
 from allworlds.engines.effort import AskedCluster, AskedDirectory
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
 from allworlds.engines.examiner import Outcome
-from allworlds.engines.kept_form import from_kept
+from allworlds.engines.job_records import from_kept
 from allworlds.engines.scope import Scope, UnitOfRuns
 from allworlds.engines.single import subject_of
 from allworlds.engines.sweep import Sweep
@@ -52,16 +52,15 @@ from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Named, Option, Taken
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import AskedRules, Rules
-from allworlds.maps.classes import AskedExtent, Extent
+from allworlds.maps.classes import Extent, ExtentOptions
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import FORMS
 from allworlds.outcome import Completed, Ending, Verdict
-from allworlds.studies.check.confirmation import Confirmation
 from allworlds.studies.check.requests import ManyWorlds, SharedFile
-from allworlds.studies.check.tally_sweep import record_of, rules_record
-from allworlds.world.asked_lighthouse import AskedLighthouse
+from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
+from allworlds.world.asked_lighthouse import LighthouseOptions
 from allworlds.world.named import HOLES
-from allworlds.world.own_condition import AskedWhere
+from allworlds.world.own_condition import WhereOptions
 from allworlds.world.world import World
 
 
@@ -75,7 +74,7 @@ def _families(given: object) -> tuple[str, ...] | None:
     return tuple(dict.fromkeys(a_text("family", name) for name in names))
 
 
-class ContestWorldsOptions(AskedWhere, AskedExtent):
+class ContestWorldsOptions(WhereOptions, ExtentOptions):
     """The worlds in which explorers are compared.
 
     Without ``to`` these are all worlds of a class, or one of a family.
@@ -341,7 +340,7 @@ class ComparedName(Document):
     name: Annotated[Text, about("the explorer's")]
 
 
-class Compared(ComparedName, of=(AskedLighthouse, AskedRules)):
+class Compared(ComparedName, of=(LighthouseOptions, AskedRules)):
     """An explorer of a comparison, with the rules of its runs."""
 
     places: TriedPlaces

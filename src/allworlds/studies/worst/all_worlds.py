@@ -29,9 +29,8 @@ from allworlds.engines.effort import (
     AskedWorkers,
     Limits,
 )
-from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.engine_table import COMPILER, ReadyEngine
 from allworlds.engines.here import Threads
-from allworlds.engines.obstacles import COMPILER
 from allworlds.engines.single import SingleRun, single_run
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import GATE, SweptExit, SweptReport, ToldGate, told_scope
@@ -41,17 +40,16 @@ from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import Subject, load
 from allworlds.inputs.checks import InputError, an_integer, ensure_installed, integer_of, show
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Option, Request, Taken, answers
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import default_step_budget, play
+from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import AskedRules, Rules
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.maps.classes import AskedClass, Extent, MapClass
+from allworlds.maps.classes import ClassOptions, Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.words import size
-from allworlds.world.asked_lighthouse import AskedLighthouse
+from allworlds.world.asked_lighthouse import LighthouseOptions
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.world import World
 
@@ -105,7 +103,7 @@ class WorstRequest(
     AskedTime,
     AskedWorkers,
     AskedShard,
-    AskedClass,
+    ClassOptions,
     Algorithm1Option,
 ):
     """Request of ``worst``: the worlds and the effort."""
@@ -166,7 +164,7 @@ class WorstRow(Document):
         return bool(self.wrong_tests) or (self.bound is not None and self.worst > self.bound)
 
 
-class WorstScope(Document, of=(AskedClass, AskedLighthouse, WorstRequest, AskedRules)):
+class WorstScope(Document, of=(ClassOptions, LighthouseOptions, WorstRequest, AskedRules)):
     """The scope of a search for the worst case."""
 
     schedules: Annotated[Literal["all"], about("each was searched")]
@@ -230,11 +228,6 @@ def worst(request: WorstRequest) -> WorstReport:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    if not request.map_class.plain:
-        raise InputError(
-            f"class {show(request.map_class.value)} is none of those whose maps the compiled "
-            f"search makes: {', '.join(known for known in MapClass if known.plain)}"
-        )
     ensure_installed(*COMPILER, "worst of algorithm1")
     return SchedulesSweep(request).answer(request.run)
 
