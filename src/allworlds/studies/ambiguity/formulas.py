@@ -167,14 +167,8 @@ def read_dimacs(path: Path, leave_out: str = "") -> tuple[int, list[Clause]]:
 class OneWorld(Struct, frozen=True):
     """The variables of one rooted map; dart 0 is the root, vertex 0 is the root's.
 
-    Attributes:
-        size: the numbers of edges and vertices.
-        sigma, alpha: ``[x][y]``: the permutation takes x to y.
-        given: ``[t][j]``: before step t at least j numbers have been given.
-        vertex: ``[x][v]``: dart x is at vertex v; vertices are numbered by their first darts.
-        used: ``[x][v]``: some dart up to x is at vertex v.
-        first: ``[x]``: x is the first dart of its vertex.
-        degree: ``[x][k]``: the vertex of x has degree k.
+    Their meanings stand where they are made, in :func:`one_world`.  Vertices are numbered by their
+    first darts.
     """
 
     size: Size

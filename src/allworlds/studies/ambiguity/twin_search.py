@@ -436,7 +436,7 @@ class _TwinsSearch(Struct):
     def _prove(self) -> bool:
         """Add LRAT proofs from python-sat's DRAT, checked here; return whether each level has one.
 
-        Each reason why one is missing is told once, with the formulas that have no certificate.
+        Each reason why one is missing stands in one notice, with its formulas.
         """
         missing: dict[str, list[str]] = {}
         for number, searched in enumerate(self.done):

@@ -208,9 +208,12 @@ class SameWorlds(Contest[Comparison]):
     def known(
         cls, identity: Identity, portion: Portion, listener: Listener
     ) -> SameWorlds | GrowingWorlds:
-        request, told = cls.asked_then(identity, portion, listener), identity.explorer["explorers"]
-        entrants = (Entrant(subject_of_record(one), rules_known(request, one)) for one in told)
-        return _contest(tuple(entrants), request)
+        request = cls.asked_then(identity, portion, listener)
+        entrants = tuple(
+            Entrant(subject_of_record(one), rules_known(request, one))
+            for one in identity.explorer["explorers"]
+        )
+        return _contest(entrants, request)
 
     @override
     def levels(self) -> Iterator[SweptLevel]:

@@ -170,7 +170,7 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
         [Member(text, growing.holes, seed + i) for i in range(worlds)] for text in largest if text
     ]
     for first, *_ in sizes:
-        first.map()  # a degree that no member can have is told before anything is walked
+        first.map()  # a degree that no member can have is refused before anything is walked
     return sizes
 
 
