@@ -16,7 +16,7 @@ from allworlds.maps import CombinatorialMap
 from allworlds.reports.drawing.layout import Layout, layout
 from allworlds.reports.drawing.scene import scene_of
 from allworlds.reports.drawing.svg import picture
-from allworlds.reports.rendering import tag
+from allworlds.reports.markup import tag
 from allworlds.world import Directional, World
 
 FILE = Path(__file__).parents[1] / "assets" / "darts.svg"

@@ -35,7 +35,8 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.outcome import Verdict
-from allworlds.reports.rendering import brief, finding_in_words
+from allworlds.reports.formats import brief
+from allworlds.reports.plain_text import finding_in_words
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.fuzz.drive import MapsRequest, fuzz, refuted_in

@@ -36,7 +36,7 @@ class Verb:
     function: str
     document: str
     summary: str
-    telling: str = "reports.tellings.plain:plain_telling"
+    telling: str = "reports.content.plain:plain_content"
     has: tuple[str, ...] = (ROWS,)
     sweep: str = ""
     panel: str = ""
@@ -65,7 +65,7 @@ VERBS = (
         "studies.check.exhaustive:check",
         "check",
         "Run an explorer in every world of a class, for a verdict: the main job.",
-        telling="reports.tellings.check:check_telling",
+        telling="reports.content.check:check_content",
         sweep="studies.check.exhaustive:CheckSweep",
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
@@ -75,7 +75,7 @@ VERBS = (
         "studies.run.single:run",
         "run",
         "Run an explorer in one world, step by step.",
-        telling="reports.tellings.single_run:run_telling",
+        telling="reports.content.single_run:run_content",
         panel=EVERYDAY,
     ),
     Verb(
@@ -83,7 +83,7 @@ VERBS = (
         "studies.fuzz.drive:fuzz",
         "check",
         "Run an explorer in random worlds beyond the exhaustive bound.",
-        telling="reports.tellings.check:check_telling",
+        telling="reports.content.check:check_content",
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
         sweep="studies.fuzz.drive:FuzzSweep",
@@ -98,7 +98,7 @@ VERBS = (
         "studies.replay:replay",
         "replay",
         "Run a finding again: is it reproduced or fixed?",
-        telling="reports.tellings.single_run:replay_telling",
+        telling="reports.content.single_run:replay_content",
         panel=EVERYDAY,
     ),
     Verb(
@@ -106,7 +106,7 @@ VERBS = (
         "studies.explain:explain",
         "explain",
         "Explain a finding in plain words.",
-        telling="reports.tellings.explain:explain_telling",
+        telling="reports.content.single_run:explain_content",
         panel=EVERYDAY,
     ),
     Verb(
@@ -114,7 +114,7 @@ VERBS = (
         "studies.init:init",
         "init",
         "Write a skeleton of an explorer, in one of four languages.",
-        telling="reports.tellings.init:init_telling",
+        telling="reports.content.plain:init_content",
         panel=EVERYDAY,
         has=(),
         example="my-explorer --lang javascript",
@@ -129,7 +129,7 @@ VERBS = (
         "studies.play:play",
         "play",
         "Be the robot, in a web page or in the terminal.",
-        telling="reports.tellings.played:play_telling",
+        telling="reports.web.play:play_content",
         panel=EVERYDAY,
         has=(PAGE,),
     ),
@@ -138,7 +138,7 @@ VERBS = (
         "studies.merge:merge",
         "merge",
         "Join the shards of a job into one report.",
-        telling="reports.tellings.merge:merge_telling",
+        telling="reports.content.plain:merge_content",
         panel=LONG_RUNS,
         example="shard-0 shard-1",
         help=(
@@ -152,7 +152,7 @@ VERBS = (
         "studies.status:status",
         "status",
         "Show the progress of a run directory.",
-        telling="reports.tellings.merge:status_telling",
+        telling="reports.content.plain:status_content",
         panel=LONG_RUNS,
         has=(),
         example="shard-0",
@@ -166,7 +166,7 @@ VERBS = (
         "studies.compare.contest:compare",
         "compare",
         "Compare explorers in the same worlds, or in worlds that grow.",
-        telling="reports.tellings.compare:compare_telling",
+        telling="reports.content.compare:compare_content",
         panel=COSTS,
         sweep="studies.compare.contest:SameWorlds",
         example="algorithm1 dudek91 --edges 4",
@@ -183,7 +183,7 @@ VERBS = (
         "studies.worst.all_worlds:worst",
         "worst",
         "Find the worst and best cost of Algorithm 1, over every schedule.",
-        telling="reports.tellings.worst:worst_telling",
+        telling="reports.content.sizes:worst_content",
         sweep="studies.worst.all_worlds:SchedulesSweep",
         panel=COSTS,
         example="--edges 5",
@@ -199,7 +199,7 @@ VERBS = (
         "studies.count:count",
         "count",
         "Count the maps of a class, in two independent ways.",
-        telling="reports.tellings.count:count_telling",
+        telling="reports.content.sizes:count_content",
         panel=WORLDS,
         sweep="studies.count:CountSweep",
         example="--edges 6",
@@ -213,7 +213,7 @@ VERBS = (
         "studies.ambiguity.telling_apart:twins",
         "twins",
         "Decide whether any motion tells two worlds apart.",
-        telling="reports.tellings.lookalikes:twins_telling",
+        telling="reports.content.ambiguity:twins_content",
         example="fig1-left fig1-right",
         help=(
             "Can any motion tell two worlds apart? The answer comes with the shortest motions that "
@@ -225,7 +225,7 @@ VERBS = (
         "studies.ambiguity.members:class_of",
         "ambiguity-class",
         "List every world that no motion tells from a given one.",
-        telling="reports.tellings.lookalikes:class_telling",
+        telling="reports.content.ambiguity:class_content",
         example="k4 --class simple",
         help=("Build every world that no motion tells from WORLD, and say why."),
     ),
@@ -234,7 +234,7 @@ VERBS = (
         "studies.ambiguity.marked_worlds:census",
         "ambiguity-census",
         "Classify the worlds of a class that no motion tells apart.",
-        telling="reports.tellings.census:census_telling",
+        telling="reports.content.ambiguity:census_content",
         sweep="studies.ambiguity.marked_worlds:CensusSweep",
         example="--edges 5",
         help=(
@@ -247,7 +247,7 @@ VERBS = (
         "studies.ambiguity.smt.twin_search:search",
         "search",
         "Search for worlds that no motion tells apart, by SMT.",
-        telling="reports.tellings.search:search_telling",
+        telling="reports.content.ambiguity:search_content",
         example="--lighthouse position --class simple --edges 6 --vertices 4",
         help=(
             "Find two different worlds that no motion tells apart, or show that there are none. "
@@ -259,7 +259,7 @@ VERBS = (
         "studies.ledger.checked_claims:ledger",
         "ledger",
         "Check the sentences of a paper, each by its own function.",
-        telling="reports.tellings.ledger:ledger_telling",
+        telling="reports.content.ledger:ledger_content",
         panel=PAPERS,
         has=(ROWS, CASES),
         example="papers/minimal_information --only fig1",

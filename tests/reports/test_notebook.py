@@ -11,8 +11,8 @@ import allworlds
 from allworlds import maps
 from allworlds.engines import progress
 from allworlds.inputs.checks import InputError
-from allworlds.reports.drawing.standalone import STYLE, draw
-from allworlds.reports.rendering import text, verb_of
+from allworlds.reports.drawing.svg import STYLE, draw
+from allworlds.reports.formats import text, verb_of
 from allworlds.reports.schemas import reports_of
 from allworlds.verbs import VERBS
 from allworlds.world import Directional, World

@@ -89,20 +89,3 @@ def test_without_a_walk_there_is_no_robot():
     assert "R" not in draw(scene)
     assert in_words(scene).endswith("The start is dart 4.")
     assert "here" not in {g.get("class") for g in picture(scene, "p", "a map").iter("g")}
-
-
-@pytest.mark.parametrize(
-    ("given", "named"),
-    [
-        ({"start": 6}, r"start = 6 is no dart; darts are 0\.\.5"),
-        ({"robot": 6}, r"robot = 6 is no dart; darts are 0\.\.5"),
-        ({"pointed": [0, -1]}, r"pointed = -1 is no dart; darts are 0\.\.5"),
-        ({"walked": {7}}, r"walked = 7 is no dart; darts are 0\.\.5"),
-        ({"marks": {2: 1}}, r"marked vertex 2 does not exist; vertices are 0\.\.1"),
-        ({"marks": {1: -1}}, "vertex 1 cannot have -1 markers"),
-        ({"labels": ["a"]}, "1 labels for 6 darts"),
-    ],
-)
-def test_what_the_map_does_not_have_is_in_no_scene(given, named):
-    with pytest.raises(ValueError, match=named):
-        Scene(named_map("theta"), **given)

@@ -5,7 +5,8 @@ from msgspec import structs
 
 from allworlds.document.struct import replace
 from allworlds.maps import named_map
-from allworlds.reports.rendering import brief, finding_in_words as finding_text, text as text_of
+from allworlds.reports.formats import brief, text as text_of
+from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
 from allworlds.studies.fuzz.drive import fuzz

@@ -24,8 +24,7 @@ from allworlds.maps.families import edges_of
 from allworlds.outcome import Completed, Interrupted
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate
-from allworlds.reports.format_table import file_of
-from allworlds.reports.rendering import text as text_of
+from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.compare.climb import GrowingWorlds
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.contestants import Contestant

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import allworlds
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 
 ATTACK = Path(__file__).parents[1] / "attacks" / "reaching" / "shares_its_file.py"
 

@@ -21,7 +21,7 @@ class Pictured:
 
     def _repr_svg_(self) -> str:
         """The picture that notebooks show."""
-        svg: str = loaded("reports.drawing.standalone:draw")(self).svg
+        svg: str = loaded("reports.drawing.svg:draw")(self).svg
         return svg
 
 

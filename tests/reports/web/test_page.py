@@ -16,8 +16,8 @@ from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document.struct import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import named_map
-from allworlds.reports.format_table import file_of
-from allworlds.reports.rendering import legal
+from allworlds.reports.formats import file_of
+from allworlds.reports.markup import legal
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import GateCell
 from allworlds.studies.explain import explain
@@ -234,7 +234,7 @@ SAME = """
 import sys
 from allworlds import check
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.reports.format_table import file_of
+from allworlds.reports.formats import file_of
 from html_tree import read
 wrong = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")
 report = check(wrong.explorer(), edges=3)

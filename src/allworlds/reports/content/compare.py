@@ -1,45 +1,58 @@
-"""The telling of a comparison."""
+"""Content of comparisons."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
+from allworlds.engines.swept_report import By
 from allworlds.explorers.names import short_names
-from allworlds.reports.rows import CsvRows
-from allworlds.reports.telling import (
+from allworlds.reports.content.scope import SAID, explorer_facts, maps_in_words, option_facts
+from allworlds.reports.content.single_run import finding_section, run_section
+from allworlds.reports.parts import (
     Block,
     Cell,
+    CsvRows,
+    FactList,
     Headline,
+    ReportContent,
+    RightText,
     Section,
-    Shown,
-    ToldFacts,
-    ToldResult,
-    ToldTable,
+    Table,
+    Value,
 )
-from allworlds.reports.tellings.finding import finding_section
-from allworlds.reports.tellings.scope import SAID, explorers_told, maps_words, options_told
-from allworlds.reports.tellings.single_run import run_section
-from allworlds.reports.world_rows import rows_of_worlds
-from allworlds.studies.compare.comparison import ComparedRow, Comparison
+from allworlds.studies.compare.comparison import Comparison
+from allworlds.studies.compare.contestants import InWorld
 from allworlds.studies.compare.growth import CostRatio, GrowRow, Growth
 from allworlds.studies.compare.intervals import LEVEL
 from allworlds.words import number, plural, size
+from allworlds.world.named import code_of
 
 
-def growth_telling(report: Growth) -> ToldResult:
-    """A row for each family, size and explorer."""
+def compare_content(report: Comparison | Growth) -> ReportContent:
+    """The verdict, the findings, the rows, and the world of the largest difference.
+
+    On a page of equal sizes also a walk of each explorer in the world that differs most.
+    """
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
-    blocks: list[Block] = [_growth_table(report)]
-    if report.ratios:
-        blocks.append(_ratios(report))
-    blocks.append(ToldFacts(_growth_facts(report)))
-    return ToldResult(
+    verdict = report.verdict.value
+    if isinstance(report, Growth):
+        ratios = [_ratios(report)] if report.ratios else []
+        blocks: list[Block] = [_growth_table(report), *ratios, FactList(_growth_facts(report))]
+        said, rows = _growth_verdict(report), _growth_rows
+    else:
+        cells = _by_size(report, short_names(report.names))
+        table = Table([*SIZES], cells, "Compared worlds", keys=4)
+        blocks = [table, FactList(_facts(report))]
+        said, rows = _verdict(report), _rows
+    return ReportContent(
         "allworlds compare",
         ", ".join(report.names),
         report,
-        Headline(report.verdict.value.upper(), _growth_verdict(report), report.verdict.value),
+        Headline(verdict.upper(), said, verdict),
         [*findings, Section("seen", "What was compared", blocks)],
-        rows=lambda: _growth_rows(report),
+        more=lambda: () if isinstance(report, Growth) else _walks(report),
+        rows=lambda: rows(report),
+        apart=frozenset({"findings"}),
     )
 
 
@@ -72,42 +85,35 @@ def _growth_rows(report: Growth) -> CsvRows:
         ratio = ratios.get((row.family, row.edges, row.explorer))
         ends = row.interval or (None, None)
         beside = ratio.interval or (None, None) if ratio else (None, None)
-        told = [getattr(row, name) for name in COLUMNS]
-        rows.append([*told, *ends, ratio.ratio if ratio else None, *beside])
+        own = [getattr(row, name) for name in COLUMNS]
+        rows.append([*own, *ends, ratio.ratio if ratio else None, *beside])
     return CsvRows(COLUMNS | ENDS, rows)
 
 
-def _growth_table(report: Growth) -> ToldTable:
+def _growth_table(report: Growth) -> Table:
     header = ["family", "edges", "vertices", "explorer", "worlds", "runs", "mean", "interval"]
     rows = [
         [
-            row.family,
-            row.edges,
-            row.vertices,
-            row.explorer,
-            Shown(row.worlds, number(row.worlds)),
-            Shown(row.runs, f"{number(row.runs)} of {number(row.places)}"),
-            Shown(row.mean, f"{row.mean:,.1f}"),
-            _interval(row, ",.1f"),
-            row.worst,
-            row.bound,
+            *(row.family, row.edges, row.vertices, row.explorer, row.worlds),
+            RightText(f"{number(row.runs)} of {number(row.places)}"),
+            *(row.mean, _interval(row, ",.1f"), row.worst, row.bound),
         ]
         for row in report.rows
     ]
-    return ToldTable([*header, "worst", "bound"], rows, "Costs, in traversals", keys=4)
+    return Table([*header, "worst", "bound"], rows, "Costs, in traversals", keys=4)
 
 
-def _ratios(report: Growth) -> ToldTable:
+def _ratios(report: Growth) -> Table:
     (first, *_) = short_names(report.names)
     rows: list[list[Cell]] = [
         [
             *(one.family, one.edges, one.explorer, one.worlds),
-            *(Shown(one.ratio, f"{one.ratio:.3f}"), _interval(one, ".3f")),
+            *(RightText(f"{one.ratio:.3f}"), _interval(one, ".3f")),
         ]
         for one in report.ratios
     ]
     header = ["family", "edges", "explorer", "worlds", f"cost / {first}", "interval"]
-    return ToldTable(header, rows, "Ratios in the same worlds", keys=3)
+    return Table(header, rows, "Ratios in the same worlds", keys=3)
 
 
 def _interval(found: GrowRow | CostRatio, form: str) -> Cell:
@@ -116,7 +122,7 @@ def _interval(found: GrowRow | CostRatio, form: str) -> Cell:
     if found.interval is None:
         return None
     low, high = (format(end, form) for end in found.interval)
-    return Shown(f"{low}..{high}", f"{low}..{high}")
+    return RightText(f"{low}..{high}")
 
 
 def _growth_verdict(report: Growth) -> str:
@@ -137,7 +143,7 @@ def _growth_facts(report: Growth) -> list[tuple[str, str]]:
         f"{plural(asked.worlds, 'seed')} of each size from seed {asked.seed} on, at most "
         f"{plural(asked.places, 'place')} of the lighthouse in each world{shard}"
     )
-    words = [*explorers_told(report), ("scope", scope), *options_told(report, GROWTH_SAID)]
+    words = [*explorer_facts(report), ("scope", scope), *option_facts(report, GROWTH_SAID)]
     if report.rows:
         drawn = max(row.seeds for row in report.rows)
         words += [
@@ -166,82 +172,52 @@ GROWTH_SAID = (*SAID, "to", "worlds", "places")
 """The fields of the request of which the facts tell."""
 
 
-def compare_telling(report: Comparison | Growth) -> ToldResult:
-    """The verdict, the findings, the rows, and the world of the largest difference.
-
-    On a page also a walk of each explorer in the world that differs most.
-    """
-    if isinstance(report, Growth):
-        return growth_telling(report)
-    findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
-    seen = Section("seen", "What was compared", [_table(report), ToldFacts(_facts(report))])
-    return ToldResult(
-        "allworlds compare",
-        ", ".join(report.names),
-        report,
-        Headline(report.verdict.value.upper(), _verdict(report), report.verdict.value),
-        [*findings, seen],
-        more=lambda: _walks(report),
-        rows=lambda: _rows(report),
-        apart=frozenset({"findings"}),
-    )
-
-
 def _walks(report: Comparison) -> Iterator[Section]:
-    for i, told in enumerate(report.walks(), 1):
-        cost = plural(told.outcome.cost, "traversal")
-        title = f"In the world that differs most: {told.explorer}, {cost}"
-        yield run_section(told, f"walk-{i}", title)
+    """A walk of each explorer in the world that differs most."""
+    for i, run in enumerate(report.walks(), 1):
+        cost = plural(run.outcome.cost, "traversal")
+        title = f"In the world that differs most: {run.explorer}, {cost}"
+        yield run_section(run, f"walk-{i}", title)
 
 
-def _table(report: Comparison) -> ToldTable:
-    """Costs as a table. The first explorer is compared with each other one."""
-    names = short_names(report.names)
-    header = ["edges", "vertices", "worlds"]
-    header += [f"{name} mean" for name in names] + [f"{name} worst" for name in names]
-    header += [f"{name} / {names[0]}" for name in names[1:]]
-    header += [f"{names[0]} < = > {name}" for name in names[1:]]
-    rows = [_cells(report, row) for row in report.rows]
-    return ToldTable(header, rows, "Compared worlds", keys=2)
-
-
-def _cells(report: Comparison, row: ComparedRow) -> list[Cell]:
-    cells: list[Cell] = [row.edges, row.vertices, row.worlds]
-    cells += [_mean(row.mean[name]) for name in report.names]
-    cells += [row.worst[name] for name in report.names]
-    ratios = [row.ratio[name] for name in report.names[1:]]
-    cells += [None if ratio is None else _mean(ratio) for ratio in ratios]
-    for name in report.names[1:]:
-        told = " ".join(number(times[name]) for times in (row.less, row.equal, row.more))
-        cells.append(Shown(told, told))
-    return cells
-
-
-SIZES = {"edges": int, "vertices": int, "worlds": int, "explorer": str}
-COSTS = {"mean": float, "worst": int, "ratio": float}
-TIMES = {"less": int, "equal": int, "more": int}
+SIZES = {
+    "edges": int,
+    "vertices": int,
+    "worlds": int,
+    "explorer": str,
+    "mean": float,
+    "worst": int,
+    "ratio": float,
+    "less": int,
+    "equal": int,
+    "more": int,
+}
 
 
 def _rows(report: Comparison) -> CsvRows:
-    """A row for each size and explorer, or as is asked for.
-
-    The first explorer is compared with each other one.
-    """
+    """A row for each size and explorer, or as is asked for."""
     if report.by in ("world", "run"):
         return rows_of_worlds(report.worlds_kept, report.names[0], report.by)
-    rows = []
-    for row in report.rows:
-        for name in report.names:
-            times = [which.get(name) for which in (row.less, row.equal, row.more)]
-            costs = [row.mean[name], row.worst[name], row.ratio[name]]
-            rows.append([row.edges, row.vertices, row.worlds, name, *costs, *times])
-    return CsvRows({**SIZES, **COSTS, **TIMES}, rows)
+    return CsvRows(SIZES, _by_size(report, report.names))
+
+
+def _by_size(report: Comparison, names: Sequence[str]) -> list[list[Value]]:
+    """A row for each size and explorer under these names, the first compared with the others."""
+    return [
+        [
+            *(row.edges, row.vertices, row.worlds, shown),
+            *(row.mean[name], row.worst[name], row.ratio[name]),
+            *(which.get(name) for which in (row.less, row.equal, row.more)),
+        ]
+        for row in report.rows
+        for name, shown in zip(report.names, names, strict=True)
+    ]
 
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
-    scope = f"one world: {report.member.told}" if report.member else maps_words(report)
-    words = [*explorers_told(report), ("scope", scope), *options_told(report, SAID)]
+    scope = f"one world: {report.member.told}" if report.member else maps_in_words(report)
+    words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))
     first = short_names(report.names)[0]
@@ -256,13 +232,13 @@ def _facts(report: Comparison) -> list[tuple[str, str]]:
         map_ = most.world.map
         where = size(map_.edge_count, map_.vertex_count)
         world = f"sigma={[*map_.sigma]} alpha={[*map_.alpha]}"
-        if map_.edge_count > _SHOWN:
+        if map_.edge_count > LONGEST:
             world = "in the document"
         words.append(("difference", f"most in a world with {where}: {costs}; {world}"))
     return words
 
 
-_SHOWN = 12
+LONGEST = 12
 """The edges of the largest world that a text spells out."""
 
 
@@ -291,5 +267,53 @@ def _in_all(report: Comparison, name: str) -> str:
     )
 
 
-def _mean(value: float) -> Shown:
-    return Shown(round(value, 6), f"{value:,.2f}")
+NAMES = {"code": str, "family": str, "holes": str, "seed": int, "edges": int, "vertices": int}
+RUN = {**NAMES, "explorer": str, "place": int, "cost": int, "bound": int, "finished": bool}
+WORLD = {
+    **NAMES,
+    "drawn_from": int,
+    "explorer": str,
+    "runs": int,
+    "places": int,
+    "mean": float,
+    "worst": int,
+    "bound": int,
+    "ratio": float,
+    "finished": bool,
+}
+
+
+def _names(one: InWorld) -> list[Value]:
+    """The words by which ``run`` finds the world, and its size."""
+    family, _, seed = one.member.partition(" --seed ")
+    family, _, holes = family.partition(" --holes ")
+    words = [family or None, holes or None, int(seed) if seed else None]
+    return [code_of(one.map), *words, one.map.edge_count, one.map.vertex_count]
+
+
+def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
+    """A row for each world and explorer, or for each run.
+
+    Where the job ended early, rows of a size that was begun are not ``finished``.
+
+    Args:
+        worlds: in the order of the rows.
+        first: the explorer with which the others are compared.
+        by: which rows.
+    """
+    if by == "run":
+        runs = [
+            [*_names(one), one.explorer, place, cost, one.bound, one.finished]
+            for one in worlds
+            for place, cost in one.costs.items()
+        ]
+        return CsvRows(RUN, runs)
+    every, rows = [*worlds], []
+    beside = {(one.map, one.member): one.mean for one in every if one.explorer == first}
+    for one in every:
+        with_this = beside.get((one.map, one.member))
+        ratio = round(one.mean / with_this, 6) if with_this else None
+        played = [one.drawn_from, one.explorer, len(one.costs), one.places]
+        costs = [round(one.mean, 6), max(one.costs.values()), one.bound]
+        rows.append([*_names(one), *played, *costs, ratio, one.finished])
+    return CsvRows(WORLD, rows)

@@ -1,4 +1,4 @@
-"""Telling of ``ledger``: each claim, expected beside found."""
+"""Content of ``ledger``: each claim, expected beside found."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from collections import Counter
 from collections.abc import Mapping
 
 from allworlds.reports.drawing.scene import scene_of
-from allworlds.reports.rows import CsvRows
-from allworlds.reports.telling import (
+from allworlds.reports.parts import (
     Block,
+    CsvRows,
+    FactList,
     Headline,
+    MapPicture,
+    Paragraph,
+    ReportContent,
     Section,
     Suite,
-    ToldCase,
-    ToldFacts,
-    ToldPicture,
-    ToldResult,
-    ToldTable,
-    Words,
+    SuiteCase,
+    Table,
     so_far,
 )
 from allworlds.studies.ledger.checked_claims import CheckedClaim, LedgerReport
@@ -40,20 +40,20 @@ VERDICTS = {
 """The word, and the verdict whose colour it has, by the exit code."""
 
 
-def ledger_telling(report: LedgerReport) -> ToldResult:
+def ledger_content(report: LedgerReport) -> ReportContent:
     """A row for each claim; for a single claim, and on a page for each, also the details."""
     facts = []
     for one in report.claims:
         if one.standing in ("unexpected", "vacuous"):
             facts.append(("DIFFERS", f"{one.id}: {'; '.join(one.differences)}"))
     facts += [("REQUIRED", f"{name} was not checked") for name in report.missed]
-    ledger: list[Block] = [ToldFacts(facts)] if facts else []
+    ledger: list[Block] = [FactList(facts)] if facts else []
     header = ["", "claim", "found", "sentence"]
     rows = [[SIGNS[one.standing], one.id, one.verdict, one.statement] for one in report.claims]
-    ledger += [ToldTable(header, rows, "Every claim", keys=2), Words(LEGEND)]
+    ledger += [Table(header, rows, "Every claim", keys=2), Paragraph(LEGEND)]
     sections = [_section(one) for one in report.claims]
     alone = sections if len(sections) == 1 else []
-    return ToldResult(
+    return ReportContent(
         "allworlds ledger",
         f"budget {report.budget}",
         report,
@@ -119,10 +119,10 @@ def _section(one: CheckedClaim) -> Section:
     if one.differences:
         told.append(("differs", "; ".join(one.differences)))
     pictures = [
-        ToldPicture(caption.capitalize(), scene_of(world))
+        MapPicture(caption.capitalize(), scene_of(world))
         for caption, world in zip(one.captions, one.worlds, strict=True)
     ]
-    blocks: list[Block] = [Words(one.statement), *pictures, ToldFacts(told)]
+    blocks: list[Block] = [Paragraph(one.statement), *pictures, FactList(told)]
     return Section(one.id, f"{_heading(one.section)}: {one.id}", blocks)
 
 
@@ -137,16 +137,16 @@ def _suite(report: LedgerReport) -> Suite:
     return Suite("ledger", "ledger", properties, cases)
 
 
-def _case(one: CheckedClaim, *, required: bool) -> ToldCase:
+def _case(one: CheckedClaim, *, required: bool) -> SuiteCase:
     name = f"{_heading(one.section)}: {one.id}: {one.statement}"
-    told = [Section(one.id, "", [ToldFacts(_details(one))])]
+    told = [Section(one.id, "", [FactList(_details(one))])]
     if one.standing == "not-checked":
         if required:
-            return ToldCase(name, "failure", "required", one.told, told)
-        return ToldCase(name, "skipped", message=one.told)
+            return SuiteCase(name, "failure", "required", one.told, told)
+        return SuiteCase(name, "skipped", message=one.told)
     if one.standing == "as-expected":
-        return ToldCase(name)
-    return ToldCase(name, "failure", one.standing, "; ".join(one.differences), told)
+        return SuiteCase(name)
+    return SuiteCase(name, "failure", one.standing, "; ".join(one.differences), told)
 
 
 def _details(one: CheckedClaim) -> list[tuple[str, str]]:
