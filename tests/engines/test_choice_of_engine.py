@@ -17,7 +17,7 @@ from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.outcome import Verdict
-from allworlds.studies.check.time_estimate import is_worth_a_guess
+from allworlds.studies.check.exhaustive import is_worth_a_guess
 from native_libraries import attack, example
 from shared_fixtures import EXPLORERS
 

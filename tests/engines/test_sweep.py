@@ -97,7 +97,7 @@ def assert_finished_rows(told, whole):
 
 def test_every_verb_with_a_sweep_is_tried():
     words = {" ".join(name.split()[:2]) for name in SWEEPS} | {name.split()[0] for name in SWEEPS}
-    assert {verb.name for verb in VERBS if verb.sweep} <= words
+    assert {verb.name for verb in VERBS if verb.swept} <= words
 
 
 @pytest.mark.no_cover
@@ -232,7 +232,7 @@ def test_what_a_shrinker_had_when_the_time_was_up_is_not_the_end(tmp_path, monke
 
         patch.setattr("allworlds.studies.fuzz.drive.smallest_from", shrunk)
         patch.setattr(
-            "allworlds.studies.check.confirmation.Confirmation.is_late",
+            "allworlds.studies.check.tally_sweep.Confirmation.is_late",
             property(lambda _: bool(late)),
         )
         assert job(run=tmp_path, time_limit=1000).findings

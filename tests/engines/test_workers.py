@@ -8,7 +8,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from processes import PATIENCE, SOON
 

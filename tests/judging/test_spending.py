@@ -6,7 +6,7 @@ from allworlds.judging.explanations.story import Spending
 from allworlds.reports.content.single_run import LONGEST_BARS, _bars
 from allworlds.reports.plain_text import bar_lines
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from small import PATH
 

@@ -14,7 +14,7 @@ from allworlds.maps import (
     unrooted_code,
 )
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import source_for
+from allworlds.maps.counting.sources import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes
 from small import slow
 
@@ -40,7 +40,7 @@ def test_gluing_meets_each_map_that_trying_all_permutations_meets_once(map_class
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), [*GATED, *FURTHER])
 def test_every_cell_holds_as_many_maps_as_the_independent_source_says(map_class, edges):
-    cells = source_for(map_class.value).cells(edges)
+    cells = SOURCES[map_class.value].cells(edges)
     met = Counter(map_.vertex_count for map_ in rooted_maps(edges, map_class))
     assert met == {n: count for n, count in cells.items() if count}
 

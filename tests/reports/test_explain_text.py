@@ -9,7 +9,7 @@ from allworlds.reports.drawing.text import draw
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 
 

@@ -5,7 +5,7 @@ import pytest
 from allworlds.reports.formats import text
 from allworlds.reports.plain_text import table
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 
 HEADER = ["edges", "vertices", "worlds", "does"]
 ROWS = [["1", "2", "1,000", "everything there is"], ["2", "10", "7", ""]]

@@ -20,7 +20,7 @@ from allworlds.outcome import Interrupted
 from allworlds.protocol.answers import Estimate
 from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.compare import intervals
-from allworlds.studies.compare.contest import SameWorlds
+from allworlds.studies.compare.comparison import SameWorlds
 from allworlds.world import Directional, World
 from kept_jobs import EXPLORERS
 from native_libraries import example

@@ -13,7 +13,6 @@ from urllib.parse import quote
 from xml.etree import ElementTree as ET
 
 from allworlds.explorers.sources import SourceLine, place_of_explorer
-from allworlds.judging.findings.asked_finding import file_name as name_of_finding
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import ASKED
 from allworlds.outcome import Verdict
@@ -234,7 +233,7 @@ def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str
         "message": {"text": f"{head}\n\n{text}", "markdown": f"{head}\n\n{fenced(text)}"},
         "locations": [{"physicalLocation": {"artifactLocation": where, "region": region}}],
         # The name of the finding's file holds a digest of all of it.
-        "partialFingerprints": {"finding/v1": name_of_finding(finding)},
+        "partialFingerprints": {"finding/v1": finding.file_name},
         "properties": {"finding": finding.to_json()},
     }
 

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from allworlds.outcome import Result
     from allworlds.protocol.actions import Percept
     from allworlds.reports.drawing.scene import Scene
-    from allworlds.studies.run.hypotheses import Hypothesis
 
 Value: TypeAlias = int | float | str | bool | None
 """A value of a row; None where there is none."""
@@ -196,7 +195,6 @@ class ShownWalk(Struct, frozen=True):
         agreement: the number of steps, the start included, for which the first two views show the
             same, which are then drawn alike; None where each is drawn by itself.
         parting: the step at which belief and truth part.
-        tests: the hypotheses that are tested on the way.
         tour: it only leads along every edge: its steps say nothing by themselves.
     """
 
@@ -207,7 +205,6 @@ class ShownWalk(Struct, frozen=True):
     elsewhere: Elsewhere | None = None
     agreement: int | None = None
     parting: int | None = None
-    tests: Sequence[Hypothesis] = ()
     tour: bool = False
 
     @property

@@ -1,7 +1,7 @@
 """Batches of runs played by a shared library, in worlds or against records; for players alone.
 
 A run leaves a log (:mod:`allworlds.log`), which is judged elsewhere.  The twin is
-:mod:`allworlds.explorers.shared_library.library`.
+:mod:`allworlds.explorers.shared_library`.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from allworlds.engines.kernel.instructions import (
     put_word,
 )
 from allworlds.engines.kernel.records import LIBRARY, NONE, Stretch, new
-from allworlds.explorers.shared_library.library import NativeExplorer, threads_left, threads_now
+from allworlds.explorers.shared_library import NativeExplorer, threads_left, threads_now
 
 LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS + LANES
 """The largest number of bytes that are written in one step."""

@@ -33,8 +33,8 @@ from allworlds.reports.parts import (
 )
 from allworlds.studies.ambiguity.marked_worlds import AmbiguityCensus, CensusCell, CensusRow
 from allworlds.studies.ambiguity.members import AmbiguityClass, projection_of
-from allworlds.studies.ambiguity.smt.result import SearchResult
 from allworlds.studies.ambiguity.telling_apart import ComparedWorlds
+from allworlds.studies.ambiguity.twin_search import SearchResult
 from allworlds.words import number, plural
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.world import World

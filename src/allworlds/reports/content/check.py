@@ -36,9 +36,9 @@ from allworlds.reports.parts import (
     Table,
     fact,
 )
-from allworlds.studies.check.known_findings import UserCorpus
+from allworlds.studies.check.exhaustive import Guess, TimeEstimate
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
-from allworlds.studies.check.time_estimate import Guess, TimeEstimate
+from allworlds.studies.check.tally_sweep import UserCorpus
 from allworlds.version import __version__
 from allworlds.words import about, counted, duration, listed, number, plural, size
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from allworlds.engines.swept_report import By
-from allworlds.explorers.names import short_names
+from allworlds.explorers.sources import short_names
 from allworlds.reports.content.scope import SAID, explorer_facts, maps_in_words, option_facts
 from allworlds.reports.content.single_run import finding_section, run_section
 from allworlds.reports.parts import (
@@ -21,7 +21,7 @@ from allworlds.reports.parts import (
     Value,
 )
 from allworlds.studies.compare.comparison import Comparison
-from allworlds.studies.compare.contestants import InWorld
+from allworlds.studies.compare.entrants import InWorld
 from allworlds.studies.compare.growth import CostRatio, GrowRow, Growth
 from allworlds.studies.compare.intervals import LEVEL
 from allworlds.words import number, plural, size
@@ -216,7 +216,7 @@ def _by_size(report: Comparison, names: Sequence[str]) -> list[list[Value]]:
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
-    scope = f"one world: {report.member.told}" if report.member else maps_in_words(report)
+    scope = f"one world: {report.member.described}" if report.member else maps_in_words(report)
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from allworlds.document.struct import replace
 from allworlds.engines.single import SingleRun
-from allworlds.explorers.names import is_program
-from allworlds.judging.endings import Answered, Over, Said, Undecided
+from allworlds.explorers.loading import is_program
+from allworlds.judging.episode import Answered, Over, Said, Undecided
 from allworlds.judging.explanations.story import Belief, Spending, Story, Walked
-from allworlds.judging.findings.belief import believed_walk, find_parting
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
-from allworlds.judging.findings.walks import true_trail
+from allworlds.judging.findings.walks import believed_walk, find_parting, true_trail
+from allworlds.judging.laws.laws import BrokenInvariant, embed
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports.drawing.scene import walk_in_answer, walk_in_world
@@ -38,8 +38,7 @@ from allworlds.reports.parts import (
     rows_of_walk,
 )
 from allworlds.studies.replay import Replay
-from allworlds.studies.run.hypotheses import embedded, hypotheses_in
-from allworlds.studies.run.run_request import WorldNames
+from allworlds.studies.run import WorldNames
 from allworlds.words import listed, number, plural, size
 from allworlds.world.world import World
 
@@ -55,8 +54,8 @@ def known(run: SingleRun) -> ShownMap | None:
     trail = true_trail(world, episode.transcript)
     seen = ShownMap({}, {})
     for step, checkpoint in episode.checkpoints:
-        place = embedded(checkpoint, world, trail[step])
-        if place is None:
+        place = embed(world.map, trail[step], checkpoint)
+        if isinstance(place, BrokenInvariant):
             return None
         for dart, other in enumerate(checkpoint.alpha):
             seen.darts.setdefault(place[dart], step)
@@ -171,8 +170,7 @@ def run_section(run: SingleRun, name: str, title: str = "") -> Section:
         blocks.append(fact("answer", json.dumps(ending.value)))
     if isinstance(ending, Over):
         blocks.append(fact("over", f"all is done: {run.rules.task.asks}"))
-    tests = hypotheses_in(run) if seen is not None else ()
-    walk = ShownWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement, tests=tests)
+    walk = ShownWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
     return Section(name, title, [walk, *blocks])
 
 
@@ -302,9 +300,9 @@ def _walk(story: Story, explanation: Explanation, title: str) -> ShownWalk:
     elsewhere, agreement = None, None
     if explanation.answer:
         belief = Belief(story)
-        views.append(answer_view(world, belief.answer, transcript, belief.believed))
-        elsewhere = Elsewhere("expected by the answer", belief.expected)
-        agreement = belief.agreement
+        views.append(answer_view(world, belief.answer, transcript, belief.walk.trail))
+        elsewhere = Elsewhere("expected by the answer", belief.walk.expected)
+        agreement = belief.walk.agreement
     elif other := explanation.other:
         trail, scene = true_trail(other, transcript), walk_in_world(other, transcript)
         views.append(View("answer", "Another world, with the same percepts", scene, trail))

@@ -17,7 +17,7 @@ from allworlds.reports.parts import (
     so_far,
 )
 from allworlds.studies.count import Census
-from allworlds.studies.worst.worst_report import WorstReport
+from allworlds.studies.worst.all_worlds import WorstReport
 from allworlds.words import number, plural, size
 from allworlds.world.named import code_of
 

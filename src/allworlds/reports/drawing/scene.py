@@ -7,8 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct, field
 
-from allworlds.judging.findings.belief import believed_walk
-from allworlds.judging.findings.walks import true_walk
+from allworlds.judging.findings.walks import believed_walk, true_walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.answers import Estimate

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from xml.etree import ElementTree as ET
 
-from allworlds.judging.explanations.story import Walked
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Move
 from allworlds.reports.drawing.aligned_maps import drawn_beside
@@ -27,14 +26,13 @@ from allworlds.reports.parts import (
 )
 from allworlds.reports.plain_text import bar_lines
 from allworlds.reports.web.frame import figure, viewer
-from allworlds.studies.run.hypotheses import Hypothesis
 from allworlds.words import number, plural
 
 NEVER = 10**9
 """Stands for the step at which something is known that never is."""
 
 
-def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap, *, tested: bool) -> None:
+def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
     """Add to a figure the step at which each part appears, and a legend of the styles."""
     for part in drawn.iter():
         if (darts := part.get("data-darts")) is not None:
@@ -47,11 +45,7 @@ def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap, *, teste
             part.set("class", "stub open" if explored is None else "stub open gone")
             part.set("data-since", str(seen.darts.get(int(stub), NEVER)))
             part.set("data-until", str(NEVER if explored is None else explored))
-    keys = {"known": "open: not explored yet"}
-    if tested:
-        keys["tested"] = "under test: did the robot arrive by this dart?"
-        keys["supposed"] = "the robot's place if it did"
-    drawn[-1].extend(tag("span", said, class_=f"key {key}-key") for key, said in keys.items())
+    drawn[-1].append(tag("span", "open: not explored yet", class_="key known-key"))
 
 
 LONGEST = 1500
@@ -70,7 +64,6 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
     for follows, view in views.items():
         for item, dart in zip(items, view.trail, strict=False):
             item.set(f"data-{follows}", str(dart))
-    _add_tests(items, walk.tests, walk.walked)
     return tag(
         "ol",
         *items,
@@ -101,26 +94,6 @@ def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     if parts:
         item.append(tag("b", "belief and truth diverge here", class_="note"))
     return item
-
-
-def _add_tests(steps: Sequence[ET.Element], tests: Sequence[Hypothesis], story: Walked) -> None:
-    """Add to each step the hypothesis under test, and the result of the test at its end."""
-    said: dict[int, list[str]] = {}
-    for test in tests:
-        for step, dart in enumerate(test.supposed, test.first):
-            if step >= len(steps):
-                break
-            steps[step].set("data-tested", str(test.dart))
-            steps[step].set("data-supposed", str(dart))
-            words = said.setdefault(step, [])
-            if step == test.first:
-                words.append(f"whether it has come by dart {test.dart}")
-            else:
-                words.append(f"if by dart {test.dart}, it is now at {story.place(dart)}")
-            if step == test.last:
-                words[-1] += ": yes" if test.right else ": no"
-    for step, words in said.items():
-        steps[step].append(tag("span", f"test: {'; '.join(words)}", class_="test"))
 
 
 ROOM = 700_000
@@ -257,7 +230,7 @@ def _figures(walk: ShownWalk, name: str, views: Mapping[str, View]) -> Iterator[
         like = first if view.known else drawn
         made = figure(view.title, view.scene, f"{name}-{view.name}", follows, like, moves=moves)
         if view.known:
-            let_grow(made, view.scene.map, view.known, tested=bool(walk.tests))
+            let_grow(made, view.scene.map, view.known)
         yield made
 
 
