@@ -35,10 +35,10 @@ def test_bars_are_as_long_as_the_numbers(spent):
     assert max(map(len, bar_lines(_bars(spent), 40))) <= 40
 
 
-def test_of_many_edges_the_first_and_the_last_are_shown():
+def test_of_many_edges_not_each_has_a_bar():
     entries = _bars(Spending(tuple(range(1, 41)), 0, 40, 30)).entries
-    assert len(entries) == LONGEST_BARS + 2
-    assert (entries[0], entries[LONGEST_BARS - 1]) == (("edge 1", 1), ("edge 40", 40))
+    assert [name for name, _ in entries[:3]] == ["edge 1", "edge 5", "edge 9"]
+    assert LONGEST_BARS - 2 <= len(entries) <= LONGEST_BARS + 2
 
 
 def test_a_bound_below_zero_has_no_bar():

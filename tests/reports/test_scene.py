@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from allworlds.document.struct import replace
 from allworlds.maps import named_map, rooted_maps
 from allworlds.protocol.actions import Percept
 from allworlds.reports.drawing.scene import Scene, scene_of
@@ -60,7 +61,7 @@ def test_what_is_sensed_can_be_read_from_the_scene_and_from_its_text(kind):
     met = worlds(kind)
     assert met
     for world in met:
-        scene = scene_of(world, robot=0)
+        scene = replace(scene_of(world), robot=0)
         assert read(world.map, scene.marks, scene.pointed) == world.percepts
         assert read(world.map, *read_text(world.map, draw(scene, 200))) == world.percepts
 
@@ -73,7 +74,9 @@ def test_two_worlds_that_differ_in_their_norths_have_two_pictures():
 
 
 def test_every_part_of_a_world_is_passed_on():
-    scene = scene_of(World(named_map("theta"), Directional(2), 1), robot=3, labels="abcdef")
+    scene = replace(
+        scene_of(World(named_map("theta"), Directional(2), 1)), robot=3, labels="abcdef"
+    )
     assert (scene.start, scene.robot, "".join(scene.labels)) == (1, 3, "abcdef")
     assert (scene.marks, list(scene.pointed)) == ({0: 1}, [2])
 

@@ -18,7 +18,7 @@ from allworlds.judging.laws.law_table import ASKED
 from allworlds.outcome import Verdict
 from allworlds.reports.parts import (
     FactList,
-    MapPicture,
+    MapPictures,
     ReportContent,
     Section,
     ShownWalk,
@@ -42,7 +42,7 @@ def markdown(content: ReportContent) -> str:
 
 
 def _section(section: Section) -> Iterator[str]:
-    if any(isinstance(block, ShownWalk | MapPicture) for block in section.blocks):
+    if any(isinstance(block, ShownWalk | MapPictures) for block in section.blocks):
         yield from [f"### {_plain(section.title)}"] if section.title else []
         yield fenced(text_of([section], WIDTH))
         return
@@ -118,15 +118,12 @@ def _legal(text: str) -> str:
     return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", escaped(text))
 
 
-KINDS = {
-    Verdict.HOLDS: "notice",
-    Verdict.NOT_REFUTED: "notice",
-    Verdict.INCONCLUSIVE: "warning",
-    Verdict.VACUOUS: "error",
+LEVELS = {
     Verdict.ERROR: "error",
-    Verdict.REFUTED: "error",
+    Verdict.VACUOUS: "error",
+    Verdict.INCONCLUSIVE: "warning",
 }
-"""How loud a verdict is."""
+"""How loud a verdict is that is no finding; the others say nothing that needs a notification."""
 
 
 def runner_commands(content: ReportContent) -> str:
@@ -141,12 +138,12 @@ def runner_commands(content: ReportContent) -> str:
         (headline_of(found), finding_in_words(found, WIDTH, i))
         for i, found in enumerate(report.findings, 1)
     ]
-    commands = []
+    kind, commands = "error" if shown else LEVELS.get(report.verdict, "notice"), []
     for title, said in shown or [(f"allworlds: {head.word}", f"{report.explorer}: {head.text}")]:
         named = (
             f"{name}={_escaped(value, ':,')}" for name, value in {**at, "title": title}.items()
         )
-        commands.append(f"::{KINDS[report.verdict]} {','.join(named)}::{_escaped(said)}\n")
+        commands.append(f"::{kind} {','.join(named)}::{_escaped(said)}\n")
     return "".join(commands)
 
 
@@ -158,13 +155,6 @@ def _escaped(text: str, more: str = "") -> str:
 SCHEMA = (
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 )
-
-LEVELS = {
-    Verdict.ERROR: "error",
-    Verdict.VACUOUS: "error",
-    Verdict.INCONCLUSIVE: "warning",
-}
-"""How loud a verdict is that is no finding; the others say nothing that needs a notification."""
 
 NO_FILE = "no file associated with this alert"
 """The location of a result without a file, as other tools have it: GitHub refuses one without."""

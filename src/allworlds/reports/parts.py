@@ -130,11 +130,10 @@ def _text(cell: Cell) -> str:
             return number(cell)
 
 
-class MapPicture(Struct, frozen=True):
-    """A picture of a map, with a caption."""
+class MapPictures(Struct, frozen=True):
+    """Pictures of maps, each with its caption, side by side."""
 
-    title: str
-    scene: Scene
+    entries: Sequence[tuple[str, Scene]]
 
 
 class ShownMap(Struct, frozen=True):
@@ -210,8 +209,8 @@ class ShownWalk(Struct, frozen=True):
     @property
     def table(self) -> Table:
         """A row for each step."""
-        walked, told = self.walked, self.elsewhere
-        header = ["step", "motion", "arrives at", "sensed", *(["", told.where] if told else [])]
+        walked, elsewhere = self.walked, self.elsewhere
+        header = ["step", "motion", "arrives at", "sensed"]
         motions = ["start", *map(str, walked.transcript.actions)]
         rows: list[list[Cell]] = [
             [i, motion, walked.place(dart), str(percept)]
@@ -219,10 +218,10 @@ class ShownWalk(Struct, frozen=True):
                 zip(motions, walked.walked, walked.sensed, strict=True)
             )
         ]
-        for row, here, there in zip(
-            rows, walked.sensed, told.percepts if told else (), strict=False
-        ):
-            row += ["=" if here == there else "≠", str(there)]
+        if elsewhere:
+            header += ["", elsewhere.where]
+            for row, here, there in zip(rows, walked.sensed, elsewhere.percepts, strict=True):
+                row += ["=" if here == there else "≠", str(there)]
         return Table(header, rows)
 
 
@@ -270,7 +269,9 @@ class DataRecord(Struct, frozen=True):
     log: str
 
 
-Block: TypeAlias = Paragraph | FactList | Table | MapPicture | ShownWalk | Bars | Quote | DataRecord
+Block: TypeAlias = (
+    Paragraph | FactList | Table | MapPictures | ShownWalk | Bars | Quote | DataRecord
+)
 """A part of a section."""
 
 
@@ -281,13 +282,11 @@ class Section(Struct, frozen=True):
         name: a word, which no other section of the telling has.
         title: what it is about; empty where the blocks follow the headline without one.
         blocks: what stands in it.
-        runs: sections that are opened one at a time; the last matters most.
     """
 
     name: str
     title: str
     blocks: Sequence[Block]
-    runs: Sequence[Section] = ()
 
 
 class SuiteCase(Struct, frozen=True):

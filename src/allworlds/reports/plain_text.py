@@ -14,7 +14,7 @@ from allworlds.reports.parts import (
     Block,
     DataRecord,
     FactList,
-    MapPicture,
+    MapPictures,
     Paragraph,
     Quote,
     ReportContent,
@@ -135,8 +135,9 @@ def _block(block: Block, width: int) -> Iterator[str]:
             if block.rows:
                 yield from wrap(block.caption, width)
                 yield from table(block.header, block.texts, block.right, width, block.keys)
-        case MapPicture():
-            yield from [*wrap(block.title, width), "", draw(block.scene, width)]
+        case MapPictures():
+            for i, (title, scene) in enumerate(block.entries):
+                yield from [*([""] if i else []), *wrap(title, width), "", draw(scene, width)]
         case ShownWalk():
             yield from _walk(block, width)
         case Bars():

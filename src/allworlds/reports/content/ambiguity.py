@@ -7,6 +7,7 @@ from string import ascii_lowercase
 
 from msgspec import UNSET
 
+from allworlds.document.struct import replace
 from allworlds.judging.explanations.story import Walked
 from allworlds.judging.findings.walks import true_trail
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
@@ -63,8 +64,7 @@ def twins_content(comparison: ComparedWorlds) -> ReportContent:
         if comparison.told is not UNSET:
             sentence = "The robot knows which world it is in before it moves."
         scenes = [scene_of(world) for world in worlds]
-        transcript = walk_along(worlds[0], comparison.motions or ())
-        blocks = [_walk("AB", worlds, scenes, transcript, [sentence])]
+        blocks = [_walk("AB", worlds, scenes, comparison.motions or (), [sentence])]
     else:
         title = "Darts of one letter look alike"
         blocks = [alike("AB", worlds, classes), *_quotient(projection_of(worlds[0]).quotient)]
@@ -145,7 +145,7 @@ def alike(
 ) -> ShownWalk:
     """Worlds that no motion tells apart, with a walk along every edge of each."""
     scenes = [
-        scene_of(world, labels=[letters(q) for q in of_world])
+        replace(scene_of(world), labels=[letters(q) for q in of_world])
         for world, of_world in zip(worlds, classes, strict=True)
     ]
     sentences = [ALIKE, TOURED] if len(worlds) > 1 else ["The walk goes along every edge."]
@@ -156,11 +156,10 @@ def _walk(
     names: Sequence[str],
     worlds: Sequence[World],
     scenes: Sequence[Scene],
-    transcript: Transcript,
+    motions: Sequence[int],
     sentences: Sequence[str],
 ) -> ShownWalk:
     """One walk in each of the worlds."""
-    motions = [action.k for action in transcript.actions if type(action) is Move]
     logs = [walk_along(world, motions) for world in worlds]
     views = [
         View(
@@ -172,9 +171,9 @@ def _walk(
         )
         for i, (name, world, scene, log) in enumerate(zip(names, worlds, scenes, logs, strict=True))
     ]
-    apart = [log.percepts for log in logs if log.percepts != transcript.percepts]
+    apart = [log.percepts for log in logs if log.percepts != logs[0].percepts]
     elsewhere = Elsewhere("sensed in B", apart[0]) if apart else None
-    walked = Walked(worlds[0], transcript)
+    walked = Walked(worlds[0], logs[0])
     return ShownWalk("One walk", walked, views, sentences, elsewhere, tour=not apart)
 
 
@@ -345,8 +344,8 @@ def walk_along(world: World, motions: Sequence[int]) -> Transcript:
     return Transcript(world.first, tuple(steps))
 
 
-def tour(worlds: Sequence[World]) -> Transcript:
-    """A walk in the first of these worlds that goes along every edge of each of them.
+def tour(worlds: Sequence[World]) -> list[int]:
+    """The motions of a walk in the first of these worlds, along every edge of each of them.
 
     No motion must tell the worlds apart.  It takes the nearest edge that is new in the world at
     hand, among equals the first clockwise, and goes on in the next world where none is left.
@@ -356,15 +355,14 @@ def tour(worlds: Sequence[World]) -> Transcript:
     motions: list[int] = []
     for world in worlds:
         map_, dart, left = world.map, world.start, set(world.map.darts)
-        for k in motions:
-            dart = _along(map_, dart, k)
+        ahead = [*motions]
+        while ahead or left:
+            if not ahead:
+                ahead = _nearest(map_, dart, left)
+                motions += ahead
+            dart = _along(map_, dart, ahead.pop(0))
             left -= {dart, map_.alpha[dart]}
-        while left:
-            for k in _nearest(map_, dart, left):
-                dart = _along(map_, dart, k)
-                left -= {dart, map_.alpha[dart]}
-                motions.append(k)
-    return walk_along(worlds[0], motions)
+    return motions
 
 
 def _along(map_: CombinatorialMap, dart: Dart, k: int) -> Dart:

@@ -19,7 +19,12 @@ from allworlds.reports.content.scope import (
     places_facts,
     trust_facts,
 )
-from allworlds.reports.content.single_run import finding_section, nothing_checked
+from allworlds.reports.content.single_run import (
+    cost_words,
+    finding_section,
+    nothing_checked,
+    run_section,
+)
 from allworlds.reports.parts import (
     Bars,
     Block,
@@ -219,17 +224,15 @@ def _maps(report: CheckReport) -> str:
 
 
 def _corpus(past: UserCorpus) -> str:
-    return "; ".join(
-        said + (f" ({', '.join(names)})" if names else "")
-        for said, names in (
-            (f"{plural(len(past.reproduced), 'past finding')} reproduced", past.reproduced),
-            (f"{len(past.beyond)} still refuted, but beyond the scope", past.beyond),
-            (f"{len(past.fixed)} fixed and kept", past.fixed),
-            (f"{len(past.stale)} stale and not tried", past.stale),
-            (f"{len(past.written)} written", past.written),
-        )
-        if names or (names is not past.beyond and names is not past.stale)
-    )
+    found = {
+        "reproduced": past.reproduced,
+        "still refuted, but beyond the scope": past.beyond,
+        "fixed and kept": past.fixed,
+        "stale and not tried": past.stale,
+        "written": past.written,
+    }
+    counts = (f"{len(names)} {what} ({', '.join(names)})" for what, names in found.items() if names)
+    return "; ".join(counts) or "no finding"
 
 
 def _schedules(report: CheckReport) -> str:
@@ -405,25 +408,20 @@ def _estimate(guess: TimeEstimate) -> ReportContent:
 def most_expensive_sections(
     costs: Iterable[tuple[int, int, int, int | None]], runs: Iterable[SingleRun]
 ) -> Iterator[Section]:
-    """Cost against bound of each size, then the runs; empty if there are no costs.
+    """Cost against bound of each size, then the most expensive run; empty if there are no costs.
 
     Args:
         costs: edges, vertices, the largest cost, and the bound if there is one.
-        runs: the most expensive ones.
+        runs: those of these costs.
     """
-    from allworlds.reports.content.single_run import cost_words, run_section  # for files alone
-
     bars = []
     for edges, vertices, cost, bound in costs:
         bars.append((size(edges, vertices), cost))
         bars += [] if bound is None else [("bound", bound)]
-    if not bars:
-        return
-    yield Section("costs", "Cost against bound", [Bars("size", bars)])
-    sections = []
-    for count, run in enumerate(runs, 1):
-        map_ = run.world.map
-        title = f"{size(map_.edge_count, map_.vertex_count)}: {cost_words(run)}"
-        sections.append(run_section(run, f"most-expensive-{count}", title))
-    if sections:
-        yield Section("most-expensive", "The most expensive run of each size", [], sections)
+    if bars:
+        yield Section("costs", "Cost against bound", [Bars("size", bars)])
+    if most := max(runs, key=lambda run: run.outcome.cost, default=None):
+        map_ = most.world.map
+        where = size(map_.edge_count, map_.vertex_count)
+        title = f"The most expensive run: {where}, {cost_words(most)}"
+        yield run_section(most, "most-expensive", title)

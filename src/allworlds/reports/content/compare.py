@@ -35,43 +35,31 @@ def compare_content(report: Comparison | Growth) -> ReportContent:
     """
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     verdict = report.verdict.value
+    blocks: list[Block]
     if isinstance(report, Growth):
         ratios = [_ratios(report)] if report.ratios else []
-        blocks: list[Block] = [_growth_table(report), *ratios, FactList(_growth_facts(report))]
-        said, rows = _growth_verdict(report), _growth_rows
+        blocks = [_growth_table(report), *ratios, FactList(_growth_facts(report))]
     else:
         cells = _by_size(report, short_names(report.names))
         table = Table([*SIZES], cells, "Compared worlds", keys=4)
         blocks = [table, FactList(_facts(report))]
-        said, rows = _verdict(report), _rows
     return ReportContent(
         "allworlds compare",
         ", ".join(report.names),
         report,
-        Headline(verdict.upper(), said, verdict),
+        Headline(verdict.upper(), _verdict(report), verdict),
         [*findings, Section("seen", "What was compared", blocks)],
         more=lambda: () if isinstance(report, Growth) else _walks(report),
-        rows=lambda: rows(report),
+        rows=lambda: _growth_rows(report) if isinstance(report, Growth) else _rows(report),
         apart=frozenset({"findings"}),
     )
 
 
-COLUMNS = {
-    "family": str,
-    "edges": int,
-    "vertices": int,
-    "explorer": str,
-    "seeds": int,
-    "drawn_from": int,
-    "worlds": int,
-    "places": int,
-    "runs": int,
-    "exact": bool,
-    "mean": float,
-    "least": int,
-    "worst": int,
-    "bound": int,
-}
+COLUMNS = (
+    {"family": str, "edges": int, "vertices": int, "explorer": str}
+    | dict.fromkeys(("seeds", "drawn_from", "worlds", "places", "runs"), int)
+    | {"exact": bool, "mean": float, "least": int, "worst": int, "bound": int}
+)
 ENDS = {"low": float, "high": float, "ratio": float, "ratio_low": float, "ratio_high": float}
 
 
@@ -125,16 +113,6 @@ def _interval(found: GrowRow | CostRatio, form: str) -> Cell:
     return RightText(f"{low}..{high}")
 
 
-def _growth_verdict(report: Growth) -> str:
-    runs = sum(row.runs for row in report.rows)
-    said = f"no law is broken in {plural(runs, 'run')}"
-    if report.findings:
-        said = "a run has broken a law"
-    elif not report.complete:
-        said = f"{report.stopped or 'interrupted'}; {said} of finished sizes"
-    return said
-
-
 def _growth_facts(report: Growth) -> list[tuple[str, str]]:
     shard = "" if report.whole else f", shard {report.portion}"
     asked = report.request
@@ -152,9 +130,8 @@ def _growth_facts(report: Growth) -> list[tuple[str, str]]:
             ("mean", "over the worlds, in each over its runs; ratios: geometric mean"),
             ("interval", f"{LEVEL:.0%}, by a bootstrap over the worlds; -: too few worlds"),
         ]
-    if any(row.exact for row in report.rows):
-        words.append(("exact", "every world that seeds draw was run, in every place"))
-    if report.rows:
+        if any(row.exact for row in report.rows):
+            words.append(("exact", "every world that seeds draw was run, in every place"))
         member = report.rows[-1].members[-1].name
         words.append(("again", f"allworlds run {report.names[0]} --family {member}"))
     if report.begun:
@@ -180,18 +157,11 @@ def _walks(report: Comparison) -> Iterator[Section]:
         yield run_section(run, f"walk-{i}", title)
 
 
-SIZES = {
-    "edges": int,
-    "vertices": int,
-    "worlds": int,
-    "explorer": str,
-    "mean": float,
-    "worst": int,
-    "ratio": float,
-    "less": int,
-    "equal": int,
-    "more": int,
-}
+SIZES = (
+    {"edges": int, "vertices": int, "worlds": int, "explorer": str}
+    | {"mean": float, "worst": int, "ratio": float}
+    | dict.fromkeys(("less", "equal", "more"), int)
+)
 
 
 def _rows(report: Comparison) -> CsvRows:
@@ -231,29 +201,23 @@ def _facts(report: Comparison) -> list[tuple[str, str]]:
         costs = ", ".join(f"{name} {cost:,.2f}" for name, cost in most.costs.items())
         map_ = most.world.map
         where = size(map_.edge_count, map_.vertex_count)
-        world = f"sigma={[*map_.sigma]} alpha={[*map_.alpha]}"
-        if map_.edge_count > LONGEST:
-            world = "in the document"
-        words.append(("difference", f"most in a world with {where}: {costs}; {world}"))
+        said = f"most in a world with {where}, which the document has: {costs}"
+        words.append(("difference", said))
     return words
 
 
-LONGEST = 12
-"""The edges of the largest world that a text spells out."""
-
-
-def _verdict(report: Comparison) -> str:
-    runs = sum(row.runs for row in report.rows)
+def _verdict(report: Comparison | Growth) -> str:
+    said = f"no law is broken in {plural(sum(row.runs for row in report.rows), 'run')}"
     if report.findings:
         return "a run has broken a law"
-    if not report.all_counted:
+    if isinstance(report, Comparison) and not report.all_counted:
         return "the enumeration and its count disagree"
     if not report.complete:
-        why = report.stopped or "interrupted"
-        return f"{why}; no law is broken in {plural(runs, 'run')} of finished levels"
+        part = "sizes" if isinstance(report, Growth) else "levels"
+        return f"{report.stopped or 'interrupted'}; {said} of finished {part}"
     if not report.rows:
         return "there is no world in which every explorer has a place"
-    return f"no law is broken in {plural(runs, 'run')}"
+    return said
 
 
 def _in_all(report: Comparison, name: str) -> str:
@@ -269,12 +233,7 @@ def _in_all(report: Comparison, name: str) -> str:
 
 NAMES = {"code": str, "family": str, "holes": str, "seed": int, "edges": int, "vertices": int}
 RUN = {**NAMES, "explorer": str, "place": int, "cost": int, "bound": int, "finished": bool}
-WORLD = {
-    **NAMES,
-    "drawn_from": int,
-    "explorer": str,
-    "runs": int,
-    "places": int,
+WORLD = {**NAMES, "drawn_from": int, "explorer": str, "runs": int, "places": int} | {
     "mean": float,
     "worst": int,
     "bound": int,

@@ -6,13 +6,14 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 
+from allworlds.outcome import Exit
 from allworlds.reports.drawing.scene import scene_of
 from allworlds.reports.parts import (
     Block,
     CsvRows,
     FactList,
     Headline,
-    MapPicture,
+    MapPictures,
     Paragraph,
     ReportContent,
     Section,
@@ -30,22 +31,21 @@ SIGNS = {"as-expected": "=", "unexpected": "≠", "vacuous": "?", "not-checked":
 """Before each claim: whether it is what is expected."""
 
 VERDICTS = {
-    0: ("HOLDS", "holds"),
-    1: ("REFUTED", "refuted"),
-    3: ("INCONCLUSIVE", "inconclusive"),
-    4: ("VACUOUS", "vacuous"),
-    70: ("ERROR", "error"),
-    130: ("INCONCLUSIVE", "inconclusive"),
+    Exit.HOLDS: "holds",
+    Exit.REFUTED: "refuted",
+    Exit.VACUOUS: "vacuous",
+    Exit.INTERNAL: "error",
 }
-"""The word, and the verdict whose colour it has, by the exit code."""
+"""The verdict by the exit code; inconclusive by any other."""
 
 
 def ledger_content(report: LedgerReport) -> ReportContent:
     """A row for each claim; for a single claim, and on a page for each, also the details."""
-    facts = []
-    for one in report.claims:
-        if one.standing in ("unexpected", "vacuous"):
-            facts.append(("DIFFERS", f"{one.id}: {'; '.join(one.differences)}"))
+    facts = [
+        ("DIFFERS", f"{one.id}: {'; '.join(one.differences)}")
+        for one in report.claims
+        if one.standing in ("unexpected", "vacuous")
+    ]
     facts += [("REQUIRED", f"{name} was not checked") for name in report.missed]
     ledger: list[Block] = [FactList(facts)] if facts else []
     header = ["", "claim", "found", "sentence"]
@@ -81,48 +81,40 @@ def _heading(section: str) -> str:
 
 def _headline(report: LedgerReport) -> Headline | None:
     """The verdict, and the number of claims with each outcome."""
+    if not report.claims:
+        return so_far(report, None)
     standings = Counter(one.standing for one in report.claims)
-    checked = [one for one in report.claims if one.standing == "as-expected"]
-    held = sum(one.verdict == "holds" for one in checked)
-    refuted = len(checked) - held
-    parts = []
-    if held:
-        parts.append(f"{number(held)} {'holds' if held == 1 else 'hold'}")
-    if refuted:
-        parts.append(f"{number(refuted)} {'is' if refuted == 1 else 'are'} refuted, as expected")
+    held = sum((one.standing, one.verdict) == ("as-expected", "holds") for one in report.claims)
+    refuted = standings["as-expected"] - held
     errors = sum(one.verdict == "error" for one in report.claims)
-    if unexpected := standings["unexpected"] - errors:
-        parts.append(f"{number(unexpected)} not as expected")
-    if errors:
-        parts.append(f"{number(errors)} ended in an error of this program")
-    if standings["vacuous"]:
-        parts.append(f"{number(standings['vacuous'])} vacuous")
-    if standings["not-checked"]:
-        parts.append(f"{number(standings['not-checked'])} not checked ({_needed(report)})")
-    word, verdict = VERDICTS[int(report.exit_code)]
-    said = f"{plural(len(report.claims), 'claim')}: {', '.join(parts)}"
-    told = Headline(word, said, verdict)
-    return so_far(report, told if report.claims else None)
-
-
-def _needed(report: LedgerReport) -> str:
-    """The reasons why claims were not checked, each with the number of its claims."""
+    # The reasons why claims were not checked, each with the number of its claims.
     reasons = Counter(one.told for one in report.claims if one.standing == "not-checked")
+    needed = "; ".join(f"{number(count)}: {reason}" for reason, count in reasons.items())
     if len(reasons) == 1:
-        return next(iter(reasons))
-    return "; ".join(f"{number(count)}: {reason}" for reason, count in reasons.items())
+        (needed,) = reasons
+    outcomes = (
+        (held, "holds" if held == 1 else "hold"),
+        (refuted, f"{'is' if refuted == 1 else 'are'} refuted, as expected"),
+        (standings["unexpected"] - errors, "not as expected"),
+        (errors, "ended in an error of this program"),
+        (standings["vacuous"], "vacuous"),
+        (standings["not-checked"], f"not checked ({needed})"),
+    )
+    counts = ", ".join(f"{number(count)} {outcome}" for count, outcome in outcomes if count)
+    verdict = VERDICTS.get(report.exit_code, "inconclusive")
+    said = f"{plural(len(report.claims), 'claim')}: {counts}"
+    return so_far(report, Headline(verdict.upper(), said, verdict))
 
 
 def _section(one: CheckedClaim) -> Section:
     """One claim, with the worlds that show it."""
-    told = [("verdict", f"{one.verdict}, {one.standing.replace('-', ' ')}"), *_details(one)]
+    facts = [("verdict", f"{one.verdict}, {one.standing.replace('-', ' ')}"), *_details(one)]
     if one.differences:
-        told.append(("differs", "; ".join(one.differences)))
-    pictures = [
-        MapPicture(caption.capitalize(), scene_of(world))
-        for caption, world in zip(one.captions, one.worlds, strict=True)
-    ]
-    blocks: list[Block] = [Paragraph(one.statement), *pictures, FactList(told)]
+        facts.append(("differs", "; ".join(one.differences)))
+    captioned = zip(one.captions, one.worlds, strict=True)
+    pictures = [(caption.capitalize(), scene_of(world)) for caption, world in captioned]
+    drawn = [MapPictures(pictures)] if pictures else []
+    blocks: list[Block] = [Paragraph(one.statement), *drawn, FactList(facts)]
     return Section(one.id, f"{_heading(one.section)}: {one.id}", blocks)
 
 
@@ -139,40 +131,29 @@ def _suite(report: LedgerReport) -> Suite:
 
 def _case(one: CheckedClaim, *, required: bool) -> SuiteCase:
     name = f"{_heading(one.section)}: {one.id}: {one.statement}"
-    told = [Section(one.id, "", [FactList(_details(one))])]
-    if one.standing == "not-checked":
-        if required:
-            return SuiteCase(name, "failure", "required", one.told, told)
-        return SuiteCase(name, "skipped", message=one.told)
+    details = [Section(one.id, "", [FactList(_details(one))])]
     if one.standing == "as-expected":
         return SuiteCase(name)
-    return SuiteCase(name, "failure", one.standing, "; ".join(one.differences), told)
+    if one.standing != "not-checked":
+        return SuiteCase(name, "failure", one.standing, "; ".join(one.differences), details)
+    if required:
+        return SuiteCase(name, "failure", "required", one.told, details)
+    return SuiteCase(name, "skipped", message=one.told)
 
 
 def _details(one: CheckedClaim) -> list[tuple[str, str]]:
     """Further named facts about a claim."""
-    told = [
-        ("method", one.method),
-        ("scope", one.scope),
-        ("expected", one.expected),
-        ("source", one.source),
-    ]
+    facts = [(name, getattr(one, name)) for name in ("method", "scope", "expected", "source")]
     if one.standing == "not-checked":
-        return [*told, ("reason", one.told)]
-    if one.witnesses:
-        told.append(("witnesses", _listed(one.witnesses)))
-    if one.figures:
-        told.append(("figures", _listed(one.figures)))
-    if one.told:
-        told.append(("seen", one.told))
-    return told
+        return [*facts, ("reason", one.told)]
+    seen = (("witnesses", _listed(one.witnesses)), ("figures", _listed(one.figures)))
+    return [*facts, *((name, text) for name, text in (*seen, ("seen", one.told)) if text)]
 
 
 def _listed(values: Mapping[str, object]) -> str:
-    return ", ".join(f"{name} {_value(value)}" for name, value in values.items())
+    def text(value: object) -> str:
+        if isinstance(value, list):
+            return "[" + ", ".join(map(str, value)) + "]"
+        return number(value) if isinstance(value, int) else str(value)
 
-
-def _value(value: object) -> str:
-    if isinstance(value, list):
-        return "[" + ", ".join(map(str, value)) + "]"
-    return number(value) if isinstance(value, int) else str(value)
+    return ", ".join(f"{name} {text(value)}" for name, value in values.items())

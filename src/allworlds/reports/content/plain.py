@@ -78,30 +78,28 @@ def merge_content(merged: Report) -> ReportContent:
 
 def status_content(standing: Standing) -> ReportContent:
     """Progress, rate, and results so far."""
-    units, worlds = standing.units, standing.worlds
-    finished = standing.state == "finished"
-    so_far = "" if finished else " so far"
-    facts: list[tuple[str, str]] = [("state", standing.state), ("job", _job(standing))]
-    if standing.options:
-        facts.append(("options", " ".join(standing.options)))
-    facts.append(("units", f"{number(units.done)} of {number(units.all)}"))
-    whole = standing.shard == str(WHOLE)
-    some = "" if whole else "about "
-    some = some if standing.counted else f"at most {some}"
-    facts.append(("worlds", f"{number(worlds.done)} of {some}{number(worlds.all)}"))
+    units, worlds, worst = standing.units, standing.worlds, standing.worst
+    so_far = "" if standing.state == "finished" else " so far"
+    most = "" if standing.counted else "at most "
+    some = most + ("" if standing.shard == str(WHOLE) else "about ")
+    facts = [
+        ("state", standing.state),
+        ("job", _job(standing)),
+        ("options", " ".join(standing.options or ())),
+        ("units", f"{number(units.done)} of {number(units.all)}"),
+        ("worlds", f"{number(worlds.done)} of {some}{number(worlds.all)}"),
+    ]
     if standing.rate is not None:
         facts.append(("rate", f"{plural(round(standing.rate), 'world')} a second"))
     if standing.left_s:
-        most = "" if standing.counted else "at most "
         facts.append(("left", f"{most}{duration(standing.left_s)}, at this rate: a guess"))
-    if standing.worst:
-        worst = standing.worst
+    if worst:
         where = size(worst.edges, worst.vertices)
         facts.append(("worst", f"{plural(worst.cost, 'traversal')}{so_far}, with {where}"))
     if standing.findings:
         facts.append(("findings", f"{number(standing.findings)}{so_far}"))
-    sections = [Section("seen", "", [FactList(facts)])]
-    return ReportContent("allworlds status", standing.verb, standing, None, sections)
+    seen = Section("seen", "", [FactList([(name, said) for name, said in facts if said])])
+    return ReportContent("allworlds status", standing.verb, standing, None, [seen])
 
 
 def _job(standing: Standing) -> str:

@@ -68,12 +68,10 @@ def run_content(run: SingleRun | WorldNames) -> ReportContent:
     """One run, with its finding if it breaks a law; or the list of worlds."""
     if isinstance(run, WorldNames):
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
-        facts = FactList([(kind, ", ".join(names)) for kind, names in named])
-        rows = CsvRows(
-            {"kind": str, "name": str}, [[kind, one] for kind, of in named for one in of]
-        )
-        section = Section("names", "", [facts])
-        return ReportContent("allworlds run", "names", run, None, [section], rows=lambda: rows)
+        section = Section("names", "", [FactList([(kind, ", ".join(of)) for kind, of in named])])
+        rows = [[kind, one] for kind, of in named for one in of]
+        made = CsvRows({"kind": str, "name": str}, rows)
+        return ReportContent("allworlds run", "names", run, None, [section], rows=lambda: made)
     headline = Headline(run.verdict.value.upper(), _said(run), run.verdict.value)
     whole = _section(run)
     shown = whole if run.shows_walk or run.finding else replace(whole, blocks=whole.blocks[1:])
@@ -106,18 +104,17 @@ def replay_content(replay: Replay) -> ReportContent:
     """The run of today. If it breaks no law, only a page shows it, with the recorded run."""
     recorded, run = replay.recorded, replay.again
     again = run.finding
-    if again is None:
-        said = Headline(
-            "FIXED", f"{run.explorer} now keeps every law in the recorded world", "holds"
-        )
-        if replay.outcome == "not-reproduced":
-            text = f"{run.explorer} did the same each time; only a check can show that it is mended"
-            said = Headline("NOT REPRODUCED", text, "inconclusive")
-    else:
-        text = f"law '{again.law}' is broken again"
-        if again.law != recorded.law:
-            text = f"law '{again.law}' is broken now, where '{recorded.law}' was recorded"
+    if again and again.law == recorded.law:
+        said = Headline("REPRODUCED", f"law '{again.law}' is broken again", "refuted")
+    elif again:
+        text = f"law '{again.law}' is broken now, where '{recorded.law}' was recorded"
         said = Headline("REPRODUCED", text, "refuted")
+    elif replay.outcome == "not-reproduced":
+        text = f"{run.explorer} did the same each time; only a check can show that it is mended"
+        said = Headline("NOT REPRODUCED", text, "inconclusive")
+    else:
+        text = f"{run.explorer} now keeps every law in the recorded world"
+        said = Headline("FIXED", text, "holds")
     section = _section(run)
     return ReportContent(
         "allworlds replay",
@@ -187,7 +184,7 @@ LONGEST_LIST = 60
 """The choices of a longer list are shown from both ends."""
 
 LONGEST_BARS = 12
-"""Edges of which each has a bar of its own; of more, so many have one, evenly spread."""
+"""Of more edges not each has a bar of its own."""
 
 
 def headline_of(finding: Finding) -> str:
@@ -218,32 +215,27 @@ def finding_section(
 
     story, explanation = Story(finding), explain(finding)
     title = title or f"Finding {number}: {headline_of(finding)}"
-    detail = _detail(finding)
-    blocks: list[Block] = [_law(finding)]
-    if finding.law == "no-estimate":
-        blocks += detail
-    blocks.append(_walk(story, explanation, f"The walk of finding {number}"))
-    if explanation.spent:
-        blocks.append(_bars(explanation.spent))
-    blocks.append(FactList([*_remarks(finding, origin, checked=checked)]))
-    blocks.append(Quote("command", "reproduce", finding.reproduce, command=True))
-    if finding.law != "no-estimate":
-        blocks += detail
-    blocks += printed(finding.output, finding.detail)
     transcript = finding.transcript
     log = [f"start: {transcript.first}", *(f"{a}: {p}" for a, p in transcript.steps)]
     said = "Copy the finding as JSON, for replay and explain"
-    blocks.append(DataRecord(said, finding.to_json(), "\n".join(log)))
+    blocks = [
+        _law(finding),
+        _walk(story, explanation, f"The walk of finding {number}"),
+        *([_bars(explanation.spent)] if explanation.spent else []),
+        FactList([*_remarks(finding, origin, checked=checked)]),
+        Quote("command", "reproduce", finding.reproduce, command=True),
+        *_detail(finding),
+        *printed(finding.output, finding.detail),
+        DataRecord(said, finding.to_json(), "\n".join(log)),
+    ]
     return Section(f"finding-{number}", title, blocks)
 
 
 def _bars(spent: Spending) -> Bars:
     """The traversals up to each edge that was found, then all of them and the bound."""
     found = [(f"edge {i}", traversals) for i, traversals in enumerate(spent.found, 1)]
-    if len(found) > LONGEST_BARS:
-        last = len(found) - 1
-        found = [found[i * last // (LONGEST_BARS - 1)] for i in range(LONGEST_BARS)]
-    return Bars("found", [*found, ("all", spent.cost), ("bound", spent.bound)])
+    step = len(found) // LONGEST_BARS + 1
+    return Bars("found", [*found[::step], ("all", spent.cost), ("bound", spent.bound)])
 
 
 def _detail(finding: Finding) -> list[Block]:
@@ -283,15 +275,13 @@ def _law(finding: Finding) -> FactList:
         return fact("law", f"{finding.law}: {wrong}")
     if str(finding.seen).startswith(NO_MAP):
         return fact("law", f"{finding.law}: the explorer's sigma and alpha are no map")
-    at_most = "at most " if isinstance(finding.expected, int) else ""
-    expected = at_most + _traversals(finding.expected)
-    return FactList(
-        [("law", finding.law), ("expected", expected), ("seen", _traversals(finding.seen))]
+    expected, seen = (
+        plural(value, "traversal") if isinstance(value, int) else str(value)
+        for value in (finding.expected, finding.seen)
     )
-
-
-def _traversals(value: Any) -> str:
-    return plural(value, "traversal") if isinstance(value, int) else str(value)
+    if isinstance(finding.expected, int):
+        expected = f"at most {expected}"
+    return FactList([("law", finding.law), ("expected", expected), ("seen", seen)])
 
 
 def _walk(story: Story, explanation: Explanation, title: str) -> ShownWalk:

@@ -122,11 +122,6 @@ class Layout(Struct, frozen=True):
         start, towards, *_ = self.ways[dart]
         return (start + towards) / 2
 
-    def label(self, dart: Dart) -> complex:
-        """A point of the edge for the dart's number where that scales with the drawing."""
-        a, b, c, *_ = self.ways[dart]
-        return (a + 6 * b + c) / 8
-
     def along(self, dart: Dart) -> complex:
         """The direction in which the dart leaves its vertex, of length 1."""
         start, towards, *_ = self.ways[dart]

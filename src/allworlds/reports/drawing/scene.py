@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct, field
 
+from allworlds.document.struct import replace
 from allworlds.judging.findings.walks import believed_walk, true_walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Move, Percept
@@ -66,10 +67,6 @@ class Scene(Struct, frozen=True):
         map_: CombinatorialMap,
         start: Dart,
         percepts: Iterable[tuple[Dart, Percept]],
-        *,
-        robot: Dart | None = None,
-        labels: Sequence[str] | None = None,
-        walked: Collection[Dart] = (),
     ) -> Scene:
         """Return the scene of a map in which percepts are known for arrival at some darts.
 
@@ -80,46 +77,34 @@ class Scene(Struct, frozen=True):
         marks = {map_.vertex_of[dart]: p.marks for dart, p in known}
         marks = {vertex: number for vertex, number in marks.items() if number}
         pointed = {map_.turn(dart, p.bearing) for dart, p in known if p.bearing is not None}
-        return cls(map_, start, robot, marks, sorted(pointed), labels, walked)
+        return cls(map_, start, None, marks, sorted(pointed))
 
 
-def scene_of(
-    world: World,
-    *,
-    robot: Dart | None = None,
-    dropped: Collection[int] = (),
-    labels: Sequence[str] | None = None,
-    walked: Collection[Dart] = (),
-) -> Scene:
+def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
     """The scene of a world, with everything that can be sensed in it.
 
     ``dropped`` holds the vertices at which the robot has dropped markers, one entry a marker.
     """
     map_, lying = world.map, Counter(dropped)
     percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
-    return Scene.sensed(map_, world.start, percepts, robot=robot, labels=labels, walked=walked)
+    return Scene.sensed(map_, world.start, percepts)
 
 
 def walk_in_world(world: World, transcript: Transcript) -> Scene:
     """The world with everything that is sensed, and the robot at the end of its walk."""
     states = [state for state, _ in true_walk(world, transcript)]
     trail = [state.dart for state in states]
-    return scene_of(
-        world, robot=trail[-1], dropped=states[-1].lying, walked=_arrivals(trail, transcript)
-    )
+    scene = scene_of(world, states[-1].lying)
+    return replace(scene, robot=trail[-1], walked=_arrivals(trail, transcript))
 
 
 def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Scene:
     """The answer with the percepts that it predicts, and the robot where the answer says."""
     walk = believed_walk(world, answer, transcript)
     # Where the answer has no place for the lighthouse it says nothing of markers.
-    return Scene.sensed(
-        answer.map,
-        walk.trail[0],
-        zip(walk.trail, walk.percepts or [], strict=False),
-        robot=answer.here,
-        walked=_arrivals(walk.trail, transcript),
-    )
+    percepts = zip(walk.trail, walk.percepts or [], strict=False)
+    scene = Scene.sensed(answer.map, walk.trail[0], percepts)
+    return replace(scene, robot=answer.here, walked=_arrivals(walk.trail, transcript))
 
 
 def _arrivals(trail: Sequence[Dart], transcript: Transcript) -> set[Dart]:

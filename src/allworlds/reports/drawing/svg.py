@@ -5,6 +5,7 @@ from __future__ import annotations
 from cmath import phase
 from collections.abc import Iterator, Sequence
 from hashlib import sha256
+from importlib.resources import files
 from itertools import pairwise
 from math import cos, pi, sin, tau
 from pathlib import Path
@@ -59,7 +60,11 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
         tag("title", title, id=f"{name}-title"),
         tag("desc", in_words(scene), id=f"{name}-desc"),
         *(part for dart, _ in map_.edges for part in _edge(scene, drawn, dart)),
-        *(_stub(drawn, dart) for dart in map_.darts),
+        *(
+            # The straight beginning of the dart.
+            tag("path", class_="stub", data_stub=d, d=f"M{at(way[0])} L{at(drawn.stub(d))}")
+            for d, way in enumerate(drawn.ways)
+        ),
         *(_vertex(scene, drawn, vertex) for vertex in range(map_.vertex_count)),
         tag("g", class_="arrows"),
         id=name,
@@ -75,29 +80,25 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
 
 def in_words(scene: Scene) -> str:
     """The scene in words, for readers who cannot see it."""
-    map_, dart_names, vertex_names = scene.map, scene.dart_names, scene.vertex_names
+    map_, darts, vertices = scene.map, scene.dart_names, scene.vertex_names
     sentences = []
-    for vertex, darts in enumerate(map_.vertices):
-        ways = [
-            f"{dart_names[dart]} to dart {dart_names[map_.alpha[dart]]} of "
-            f"{vertex_names[map_.vertex_of[map_.alpha[dart]]]}"
-            for dart in darts
-        ]
-        sentences.append(
-            f"Clockwise round {vertex_names[vertex]} its darts lead: {', '.join(ways)}."
+    for vertex, around in enumerate(map_.vertices):
+        ends = ((dart, map_.alpha[dart]) for dart in around)
+        ways = (
+            f"{darts[dart]} to dart {darts[end]} of {vertices[map_.vertex_of[end]]}"
+            for dart, end in ends
         )
-    for vertex, marks in sorted(scene.marks.items()):
-        sentences.append(f"Markers at {vertex_names[vertex]}: {marks}.")
+        sentences.append(f"Clockwise round {vertices[vertex]} its darts lead: {', '.join(ways)}.")
+    sentences += [f"Markers at {vertices[v]}: {marks}." for v, marks in sorted(scene.marks.items())]
     if scene.pointed:
-        pointed = ", ".join(dart_names[dart] for dart in sorted(scene.pointed))
-        sentences.append(f"Pointed darts: {pointed}.")
+        sentences.append(f"Pointed darts: {', '.join(darts[d] for d in sorted(scene.pointed))}.")
     if scene.labels is not None:
-        labels = ", ".join(f"{dart_names[d]} {scene.labels[d]}" for d in map_.darts)
-        sentences.append(f"Darts with their letters: {labels}.")
+        letters = ", ".join(map(" ".join, zip(darts, scene.labels, strict=True)))
+        sentences.append(f"Darts with their letters: {letters}.")
     if scene.ringed is not None:
-        sentences.append(f"Ringed is dart {dart_names[scene.ringed]}.")
-    end = "" if scene.robot is None else f", the robot is in the end at {dart_names[scene.robot]}"
-    sentences.append(f"The start is dart {dart_names[scene.start]}{end}.")
+        sentences.append(f"Ringed is dart {darts[scene.ringed]}.")
+    end = "" if scene.robot is None else f", the robot is in the end at {darts[scene.robot]}"
+    sentences.append(f"The start is dart {darts[scene.start]}{end}.")
     return " ".join(sentences)
 
 
@@ -114,12 +115,6 @@ def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
     path += f" L{at(way[-1])}"
     kind = "edge walked" if walked else "edge"
     yield tag("path", class_=kind, data_darts=f"{dart} {other}", d=path)
-
-
-def _stub(drawn: Layout, dart: Dart) -> ET.Element:
-    """The straight beginning of a dart."""
-    path = f"M{at(drawn.ways[dart][0])} L{at(drawn.stub(dart))}"
-    return tag("path", class_="stub", data_stub=dart, d=path)
 
 
 def _vertex(scene: Scene, drawn: Layout, vertex: int) -> ET.Element:
@@ -208,28 +203,6 @@ def _clockwise(along: Sequence[complex]) -> ET.Element:
     )
 
 
-# No variables and no nesting: other programs than browsers read it.  In a notebook the rules of a
-# drawing reach the whole page, so that each begins with the name of its drawing.
-STYLE = """
-#NAME text { font: 600 12px system-ui, sans-serif; fill: #1c2126; text-anchor: middle;
-  dominant-baseline: central; }
-#NAME .edge { fill: none; stroke: #5a646d; stroke-width: 1.5; }
-#NAME .bridge { fill: none; stroke: #ffffff; stroke-width: 11; }
-#NAME .stub, #NAME .robot { display: none; }
-#NAME .pole { fill: none; stroke: #c26a00; stroke-width: 3; }
-#NAME .flag { fill: #c26a00; }
-#NAME .disc { fill: #e4eaf0; stroke: #1c2126; stroke-width: 1.5; }
-#NAME .marked .disc { fill: #ffe3b0; stroke: #c26a00; stroke-width: 3; }
-#NAME .name { font-size: 11px; }
-#NAME .arc { fill: none; stroke: #5b646d; stroke-width: 1.3; }
-#NAME .head { fill: #5b646d; }
-#NAME .dart text { paint-order: stroke; stroke: #ffffff; stroke-width: 4px; }
-#NAME .box { fill: none; }
-#NAME .start .box { fill: #ffffff; stroke: #1c2126; stroke-width: 1.3; }
-#NAME .start text { stroke: none; }
-"""
-
-
 SUFFIX = ".svg"
 """The end of the names of files of drawings."""
 
@@ -285,10 +258,11 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
             raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
     where = size(map_.edge_count, map_.vertex_count)
     title = f"A {'world' if isinstance(shown, World) else 'map'} with {where}"
+    style = (files("allworlds.reports.drawing") / "alone.css").read_text(encoding="utf-8")
 
     def svg(name: str) -> str:
         root = picture(scene, name, title)
-        root.insert(2, tag("style", STYLE.replace("NAME", name)))
+        root.insert(2, tag("style", style.replace("NAME", name)))
         return ET.tostring(root, "unicode") + "\n"
 
     # In a notebook that shows several drawings, each has a name of its own: that of its content.

@@ -93,7 +93,7 @@ def world_data(world: World) -> dict[str, Any]:
             "your own, which a page cannot do; leave -o out to play in the terminal"
         )
     written = marking if isinstance(marking, NumberRoom) else None
-    spots: list[int] | None = None
+    spots = None
     if written:
         spots = [written.place_of_number(map_, dart) for dart in map_.darts]
     elif isinstance(marking, Movable) and marking.distinct:

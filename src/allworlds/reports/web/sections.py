@@ -15,7 +15,7 @@ from allworlds.reports.parts import (
     Block,
     DataRecord,
     FactList,
-    MapPicture,
+    MapPictures,
     Paragraph,
     Quote,
     Section,
@@ -26,7 +26,7 @@ from allworlds.reports.parts import (
 )
 from allworlds.reports.plain_text import bar_lines
 from allworlds.reports.web.frame import figure, viewer
-from allworlds.words import number, plural
+from allworlds.words import number
 
 NEVER = 10**9
 """Stands for the step at which something is known that never is."""
@@ -96,44 +96,23 @@ def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     return item
 
 
-ROOM = 700_000
-"""The characters of a page for walks that are opened one at a time; if they need more, the first
-are left out."""
-
-BARS = 80
-"""Columns of a text with bars."""
-
 LONGEST_WORDS = 30
 """A cell of a table with a longer text may be broken into lines."""
 
 
 def element(section: Section) -> ET.Element:
     """A section with its title."""
-    shows = any(isinstance(block, ShownWalk | MapPicture) for block in section.blocks)
+    shows = any(isinstance(block, ShownWalk | MapPictures) for block in section.blocks)
     tells = any(isinstance(block, FactList) for block in section.blocks)
     title = section.title or ("The walk" if shows else "The numbers")
     return tag(
         "section",
         tag("h2", tag("bdi", title), id=f"{section.name}-title"),
-        *_parts(section),
-        *_runs(section.runs),
+        *(part for block in section.blocks for part in _block(block, section.name)),
         id=section.name,
         class_="finding" if shows else "scope" if tells else None,
         aria_labelledby=f"{section.name}-title",
     )
-
-
-def _parts(section: Section) -> Iterator[ET.Element]:
-    pictures = [block for block in section.blocks if isinstance(block, MapPicture)]
-    for block in section.blocks:
-        if not isinstance(block, MapPicture):
-            yield from _block(block, section.name)
-        elif block is pictures[0]:
-            drawn = [
-                figure(picture.title, picture.scene, f"{section.name}-{i}", "")
-                for i, picture in enumerate(pictures, 1)
-            ]
-            yield tag("div", *drawn, class_="pictures")
 
 
 def _block(block: Block, name: str) -> Iterator[ET.Element]:
@@ -147,10 +126,14 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
                 said = block.caption or "Counts"
                 shown = table_element(block)
                 yield tag("div", shown, class_="frame", tabindex="0", role="group", aria_label=said)
+        case MapPictures():
+            entries = enumerate(block.entries, 1)
+            drawn = (figure(title, scene, f"{name}-{i}", "") for i, (title, scene) in entries)
+            yield tag("div", *drawn, class_="pictures")
         case ShownWalk():
             yield from _walk(block, name)
         case Bars():
-            yield _lines("\n".join(bar_lines(block, BARS)), f"{name}-bars")
+            yield _lines("\n".join(bar_lines(block, 80)), f"{name}-bars")
         case Quote():
             yield from [tag("h3", block.title.capitalize())] if block.title else []
             yield _lines(block.text, f"{name}-{block.name}")
@@ -232,20 +215,3 @@ def _figures(walk: ShownWalk, name: str, views: Mapping[str, View]) -> Iterator[
         if view.known:
             let_grow(made, view.scene.map, view.known)
         yield made
-
-
-def _runs(runs: Sequence[Section]) -> Iterator[ET.Element]:
-    """The last of the runs, as many as fit; the very last, the largest, is open."""
-    room, kept = ROOM, list[ET.Element]()
-    for run in reversed(runs):
-        title = tag("summary", tag("h3", run.title, id=f"{run.name}-title"))
-        made = tag("details", title, *_parts(run), class_="run", id=run.name)
-        room -= len(ET.tostring(made, "unicode", method="html"))
-        if room < 0:
-            break
-        kept.append(made)
-    if kept:
-        kept[0].set("open", "open")
-    if left := len(runs) - len(kept):
-        yield tag("p", f"{plural(left, 'smaller size')} left out to keep the page small.")
-    yield from reversed(kept)
