@@ -134,11 +134,6 @@ def test_a_verb_has_its_module_of_the_command_line_its_telling_and_its_document(
         assert {*others} <= {*schemas.reports().values()}
 
 
-def test_the_documents_page_has_a_row_for_every_verb_in_their_order():
-    told = rows(docsite("documents").page_text())
-    assert told[: len(VERBS)] == [*BY_NAME]
-
-
 @pytest.mark.parametrize("name", BY_NAME)
 def test_the_help_of_a_verb_begins_with_an_example_of_it(name):
     command = command_of(BY_NAME[name])
@@ -307,7 +302,7 @@ def test_the_compiled_engine_checks_no_law_that_is_none():
 def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monkeypatch):
     scope = Scope(Extent(MapClass.MAPS, 6), Rules())
     assert engine_for("auto", scope, load("algorithm1")).name == "kernel"
-    monkeypatch.setattr("allworlds.engines.obstacles.CHECKED", CHECKED - {"map"})
+    monkeypatch.setattr("allworlds.engines.engine_table.CHECKED", CHECKED - {"map"})
     assert "law 'map'" in ENGINES["kernel"].obstacle(scope, load("algorithm1"))
     assert engine_for("auto", scope, load("algorithm1")).name == "python"
 

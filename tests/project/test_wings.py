@@ -498,7 +498,7 @@ def test_a_process_that_only_plays_loads_neither_judges_nor_worlds():
 def test_a_command_that_lets_others_judge_loads_no_compiled_code():
     loaded = loaded_by(
         "import allworlds.studies.check.exhaustive, allworlds.engines.lanes, "
-        "allworlds.engines.obstacles"
+        "allworlds.engines.engine_table"
     )
     assert not {"numpy", "numba"} & loaded
 

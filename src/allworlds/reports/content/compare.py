@@ -84,7 +84,8 @@ def _growth_table(report: Growth) -> Table:
         [
             *(row.family, row.edges, row.vertices, row.explorer, row.worlds),
             RightText(f"{number(row.runs)} of {number(row.places)}"),
-            *(row.mean, _interval(row, ",.1f"), row.worst, row.bound),
+            RightText(f"{row.mean:,.1f}"),
+            *(_interval(row, ",.1f"), row.worst, row.bound),
         ]
         for row in report.rows
     ]

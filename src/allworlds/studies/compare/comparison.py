@@ -22,7 +22,7 @@ from allworlds.document.struct import (
     about,
     replace,
 )
-from allworlds.engines.database import Identity
+from allworlds.engines.job_records import Identity
 from allworlds.engines.progress import Listener
 from allworlds.engines.scope import GivenWorlds, UnitOfRuns
 from allworlds.engines.single import SingleRun, single_run

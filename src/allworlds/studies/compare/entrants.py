@@ -30,7 +30,7 @@ from allworlds.document.struct import (
 from allworlds.engines.effort import AskedCluster, AskedDirectory
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
 from allworlds.engines.examiner import Outcome
-from allworlds.engines.kept_form import from_kept
+from allworlds.engines.job_records import from_kept
 from allworlds.engines.scope import Scope, UnitOfRuns
 from allworlds.engines.single import subject_of
 from allworlds.engines.sweep import Sweep

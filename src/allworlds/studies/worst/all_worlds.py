@@ -29,9 +29,8 @@ from allworlds.engines.effort import (
     AskedWorkers,
     Limits,
 )
-from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.engine_table import COMPILER, ReadyEngine
 from allworlds.engines.here import Threads
-from allworlds.engines.obstacles import COMPILER
 from allworlds.engines.single import SingleRun, single_run
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import GATE, SweptExit, SweptReport, ToldGate, told_scope
@@ -45,7 +44,7 @@ from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import AskedRules, Rules
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.maps.classes import ClassOptions, Extent, MapClass
+from allworlds.maps.classes import ClassOptions, Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
@@ -230,11 +229,6 @@ def worst(request: WorstRequest) -> WorstReport:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    if not request.map_class.plain:
-        raise InputError(
-            f"class {show(request.map_class.value)} is none of those whose maps the compiled "
-            f"search makes: {', '.join(known for known in MapClass if known.plain)}"
-        )
     ensure_installed(*COMPILER, "worst of algorithm1")
     return SchedulesSweep(request).answer(request.run)
 
