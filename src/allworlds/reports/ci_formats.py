@@ -130,7 +130,8 @@ def runner_commands(content: ReportContent) -> str:
     """Commands, one for each finding at the explorer's file and line; else for the verdict."""
     from allworlds.reports.content.single_run import headline_of
 
-    report, head = content.result, content.headline
+    report: Any = content.result  # of a check
+    head = content.headline
     assert head is not None
     place = place_of_explorer(report.explorer)
     at = {"file": place.named_from(project_folder()), "line": str(place.line)} if place else {}
@@ -169,7 +170,8 @@ def sarif(content: ReportContent) -> str:
     ``properties`` hold the report without its findings, those of a result the document of its
     finding.
     """
-    report, head = content.result, content.headline
+    report: Any = content.result  # of a check
+    head = content.headline
     assert head is not None
     place = place_of_explorer(report.explorer)
     rules = [

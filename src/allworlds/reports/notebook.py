@@ -11,7 +11,7 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.protocol.transcript import Transcript
 from allworlds.reports.content.single_run import finding_section, headline_of
 from allworlds.reports.formats import content_of, html, text, verb_of
-from allworlds.reports.parts import Table, rows_of
+from allworlds.reports.parts import Cell, Table, rows_of
 from allworlds.reports.plain_text import finding_in_words, table
 from allworlds.reports.web.frame import framed
 from allworlds.reports.web.sections import element, table_element
@@ -63,5 +63,5 @@ def shown(value: Report | Finding | Transcript) -> str:
 def _steps(transcript: Transcript) -> Table:
     """A row for the start and for each step."""
     rows = [("start", transcript.first), *transcript.steps]
-    steps = [[i, str(action), str(percept)] for i, (action, percept) in enumerate(rows)]
+    steps: list[list[Cell]] = [[i, str(action), str(it)] for i, (action, it) in enumerate(rows)]
     return Table(["step", "action", "sensed"], steps)

@@ -124,10 +124,10 @@ def _text(cell: Cell) -> str:
             return cell.text
         case str():
             return cell
-        case float():
-            return f"{cell:,.2f}"
-        case _:
+        case int():
             return number(cell)
+        case _:
+            return f"{cell:,.2f}"
 
 
 class MapPictures(Struct, frozen=True):

@@ -187,7 +187,7 @@ class Shapes:
 
     def _lighthouse(self, kind: type[Lighthouse]) -> Any:
         hints = get_type_hints(kind, include_extras=True)
-        named = Annotated[Literal[kind.kind], about("which lighthouse it is")]
+        named: Any = Annotated[Literal[kind.kind], about("which lighthouse it is")]
         keys: list[tuple[str, Any, bool]] = [("kind", named, True)]
         keys += [
             (key, hints[key], self.written and IF_ANY not in get_args(hints[key])[1:])
@@ -249,7 +249,7 @@ def page(name: str) -> Schema:
 
 def schemas() -> dict[str, Schema]:
     """The schemas of all documents, by name; then of the names in tables, with their summaries."""
-    parts = {}
+    parts: Schema = {}
     for name, (title, table) in NAMES.items():
         entries = [*table]
         parts[name] = {"title": title, "enum": [str(entry) for entry in entries]}

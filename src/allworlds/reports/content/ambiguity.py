@@ -57,7 +57,6 @@ def twins_content(comparison: ComparedWorlds) -> ReportContent:
     """The walk that tells two worlds apart, or the quotient that they share."""
     worlds, classes = comparison.worlds, comparison.bisimulation
     blocks: list[Block]
-    rows = None
     if classes is UNSET:
         title = "The shortest walk that tells them apart"
         sentence = "The last percepts of this walk differ."
@@ -68,14 +67,13 @@ def twins_content(comparison: ComparedWorlds) -> ReportContent:
     else:
         title = "Darts of one letter look alike"
         blocks = [alike("AB", worlds, classes), *_quotient(projection_of(worlds[0]).quotient)]
-        rows = _rows(worlds, classes)
     return ReportContent(
         "allworlds ambiguity twins",
         "A and B",
         comparison,
         _answer(comparison),
         [Section("walk-1", title, blocks)],
-        rows=rows and (lambda: rows),
+        rows=None if classes is UNSET else lambda: _rows(worlds, classes or ()),
     )
 
 

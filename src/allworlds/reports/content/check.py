@@ -126,10 +126,10 @@ def size_table(report: CheckReport) -> Table:
         total.add(row)
     rows: list[list[Cell]] = []
     for (edges, _), (met, row) in groups.items():
-        vertices = met[0] if len(met) == 1 else RightText(f"{met[0]}-{met[-1]}")
+        between: Cell = met[0] if len(met) == 1 else RightText(f"{met[0]}-{met[-1]}")
         played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
         best = [row.best_cost] if every else []
-        rows.append([edges, vertices, *played, *best, row.max_cost, row.bound])
+        rows.append([edges, between, *played, *best, row.max_cost, row.bound])
     return Table(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
 
 
