@@ -120,7 +120,7 @@ MODULES = {
 
 def names() -> str:
     """The public API: the names of ``import allworlds`` and of the modules beside it."""
-    verbs = [verb.function.replace(":", ".") for verb in VERBS if verb.python.count(".") > 1]
+    verbs = [verb.function for verb in VERBS if verb.path.count(".") > 1]
     text = (
         "# Python\n\nThe public API: the names of `import allworlds` and of three modules. An "
         "explorer needs the classes, and the functions are the verbs: they take the options of the "
@@ -129,7 +129,7 @@ def names() -> str:
     )
     text += "".join(_reference(f"allworlds.{name}") for name in allworlds.__all__ if _is_told(name))
     text += "# allworlds.ambiguity\n\n"
-    text += "".join(_reference(f"allworlds.{path}") for path in verbs)
+    text += "".join(_reference(f"{one.__module__}.{one.__name__}") for one in verbs)
     for name, told in MODULES.items():
         text += f"# allworlds.{name}\n\n{told}\n\n"
         paths = [f"allworlds.{name}.{public}" for public in _public(f"allworlds.{name}")]

@@ -47,10 +47,9 @@ from allworlds.corpus.explorers import (
 )
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.loading import in_process_subject, load
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import play
+from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.case import Case
+from allworlds.judging.laws.laws import Case
 from allworlds.outcome import Verdict
 from allworlds.protocol.choices import Choices, policy_named
 from allworlds.studies.check.exhaustive import check

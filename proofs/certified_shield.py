@@ -19,8 +19,7 @@ from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.builtin.folding import FoldedLog, estimate, has_open_dart
 from allworlds.explorers.builtin.shield import Shield
 from allworlds.explorers.loading import load
-from allworlds.judging.endings import Answered, Ending
-from allworlds.judging.episode import play
+from allworlds.judging.episode import Answered, Ending, play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import rooted_code
 from allworlds.maps.canonical import Code

@@ -275,12 +275,15 @@ def test_the_machine_is_not_taken_for_the_explorer():
 # ---------------------------------------------------------------- by name
 
 
-@pytest.mark.parametrize("name", ["algorithm1", "quotient", "{mine}:spinning", "{mine}:shielded"])
+@pytest.mark.parametrize(
+    "name", ["quotient", "{mine}:shielded", slow("algorithm1"), slow("{mine}:spinning")]
+)
 def test_it_is_asked_for_by_name(name, mine):
     report = allworlds.check(f"shield:{name.format(mine=mine)}", edges=3, workers=2)
     assert (report.verdict.value, report.runs, report.scope.bound) == ("holds", 309, "9*paper")
 
 
+@pytest.mark.processes
 def test_a_program_can_have_one(tmp_path):
     name = program(tmp_path, silent=False)
     assert allworlds.shield(name) == f"shield:{name}"

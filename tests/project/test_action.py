@@ -82,7 +82,9 @@ def steps(described):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("lang", [lang if lang == "python" else long(lang) for lang in LANGUAGES])
+@pytest.mark.parametrize(
+    "lang", ["python", *(long(lang) for lang in LANGUAGES if lang != "python")]
+)
 def test_the_job_of_a_skeleton_fails_and_shows_the_picture(lang, job, tmp_path):
     for program in LANGUAGES[lang].needs:
         if shutil.which(program) is None:

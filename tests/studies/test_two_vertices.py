@@ -19,7 +19,7 @@ from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.explain import explain
 from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Cluster, Natural, World, worlds
 from small import slow
 

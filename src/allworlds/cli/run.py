@@ -11,7 +11,7 @@ from allworlds.explorers.asked import ProgramWords
 from allworlds.explorers.sources import names_explorer
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, answer, values_of
-from allworlds.studies.run.run_request import AskedRun, RunRequest, WorldNames
+from allworlds.studies.run import AskedRun, RunRequest, WorldNames
 from allworlds.world.named import names_of_worlds
 
 

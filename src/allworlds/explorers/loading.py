@@ -10,7 +10,7 @@ import inspect
 import sys
 from collections.abc import Callable, Generator, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -36,6 +36,7 @@ from allworlds.protocol.player import Player, Told
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
+    from allworlds.explorers.builtin.shield import Shield
     from allworlds.explorers.program import Program
     from allworlds.explorers.shared_library import NativeExplorer
 
@@ -372,3 +373,33 @@ def _function_named(plain: str, source: SourceText | None) -> Any:
         raise InputError(
             f"{error}; its generator functions are: {', '.join(names) or 'none'}"
         ) from None
+
+
+@overload
+def shield(explorer: str) -> str: ...
+@overload
+def shield(explorer: Callable[..., Generator[Any, Any, Any]]) -> Shield: ...
+def shield(explorer: str | Callable[..., Generator[Any, Any, Any]]) -> str | Shield:
+    """Return an explorer with a shield: right in every world under the directional lighthouse.
+
+    It walks less than nine times what the explorer walks until its log has no open dart, and less
+    than nine times the sum of the paper's bounds (1) and (2), whichever is less.  An explorer that
+    neither yields nor returns still breaks the law ``timeout``.
+
+    Args:
+        explorer: a generator function; or a name, as on the command line, of which
+            ``exec:COMMAND`` is a program and ``native:PATH`` a shared library.
+
+    Returns:
+        a generator function of a function, a name of a name.
+
+    Raises:
+        InputError: if it is neither.
+    """
+    from allworlds.explorers.builtin.shield import Shield
+
+    if isinstance(explorer, str):
+        return SHIELD + explorer
+    if not callable(explorer):
+        raise InputError(f"explorer = {show(explorer)} is neither a name nor a function")
+    return Shield(explorer)

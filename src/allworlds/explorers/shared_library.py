@@ -198,8 +198,8 @@ class NativeExplorer:
         return self._state
 
     def handed(self) -> tuple[Any, ...]:
-        """Memory for percept, action and ``here``, and twice for sigma and alpha."""
-        return tuple(map(_integers, (3, 2, 1, *(ROOM,) * 4)))
+        """Memory for percept, action, ``here``, sigma and alpha."""
+        return tuple(map(_integers, (3, 2, 1, ROOM, ROOM)))
 
     def close(self) -> None:
         """Delete the state."""

@@ -23,8 +23,7 @@ from allworlds.explorers.asked import ProgramWords
 from allworlds.explorers.loading import own_bound
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import SCOPE, Named, Option, Request, answers
-from allworlds.judging.findings.asked_finding import AskedFinding
-from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.finding import AskedFinding, Finding
 from allworlds.judging.findings.walks import recorded_trail
 from allworlds.judging.laws.law_table import LawName
 from allworlds.outcome import Exit, Facts

@@ -240,7 +240,7 @@ def _rows(report: Comparison) -> CsvRows:
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
-    scope = f"one world: {report.member.told}" if report.member else maps_words(report)
+    scope = f"one world: {report.member.described}" if report.member else maps_words(report)
     words = [*explorers_told(report), ("scope", scope), *options_told(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))
