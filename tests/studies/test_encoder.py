@@ -115,8 +115,18 @@ def test_excluding_other_starts_keeps_a_pair_of_different_worlds(tmp_path):
     assert solved(tmp_path / "f.cnf", formula) == "sat"
 
 
+def test_of_four_edges_the_cycle_alone_looks_like_the_loop_without_a_lighthouse(tmp_path):
+    # The path of four edges, started in its middle, differs only beyond as many darts as the
+    # loop has.
+    sizes = Sizes(Size(1, 1, 2), Size(4, 1, 5))
+    formula, pair = pair_formula(question("none", "maps", 5, 4), sizes)
+    ((sigma, alpha),) = models(tmp_path / "f.cnf", formula, pair.two)
+    assert all(sigma[sigma[dart]] == dart != sigma[dart] for dart in range(8))
+    assert alpha != sigma
+
+
 def test_a_file_says_what_its_variables_and_clauses_mean(tmp_path):
-    asked = question("directional", "maps", 3, 2)
+    asked = question("directional", "simple", 3, 2)
     formula, _ = pair_formula(asked, next(asked.sizes()))
     formula.write(tmp_path / "f.cnf")
     lines = (tmp_path / "f.cnf").read_text().splitlines()
@@ -127,3 +137,4 @@ def test_a_file_says_what_its_variables_and_clauses_mean(tmp_path):
     for ranges, last in ((named, formula.variable_count), (told, len(formula.clauses))):
         covered = [number for a, b in ranges for number in range(int(a), int(b) + 1)]
         assert covered == list(range(1, last + 1))
+    assert sum("no two edges with the same ends" in line for line in lines) == 2
