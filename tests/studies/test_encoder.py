@@ -126,11 +126,12 @@ def test_of_four_edges_the_cycle_alone_looks_like_the_loop_without_a_lighthouse(
 
 
 def test_a_file_says_what_its_variables_and_clauses_mean(tmp_path):
-    asked = question("directional", "simple", 3, 2)
+    asked = question("directional", "simple", 3, 2, degree_marked=1)
     formula, _ = pair_formula(asked, next(asked.sizes()))
     formula.write(tmp_path / "f.cnf")
     lines = (tmp_path / "f.cnf").read_text().splitlines()
     assert lines[0].startswith("c Two different worlds that no motion tells apart")
+    assert "degree 1 at the start's vertex" in lines[0]
     header = lines.index(f"p cnf {formula.variable_count} {len(formula.clauses)}")
     named = [line.split()[2].split("..") for line in lines[:header] if "c variables" in line]
     told = [line.split()[2].rstrip(":").split("..") for line in lines[header:] if "c cl" in line]
