@@ -9,7 +9,7 @@ from allworlds.judging.findings.finding import Finding, canonical_world, place_o
 from allworlds.maps import named_map
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
 from processes import PATIENCE
 
