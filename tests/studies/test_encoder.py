@@ -68,9 +68,12 @@ def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
     assert sorted(found) == [(m.sigma, m.alpha) for m in rooted_maps(edges, map_class)]
 
 
-@pytest.mark.slow
+@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", ["maps", "planar"])
-@pytest.mark.parametrize(("fewest", "most"), [(1, 1), (2, 3), (4, 4)])
+@pytest.mark.parametrize(
+    ("fewest", "most"),
+    [(1, 1), *(pytest.param(*bounds, marks=pytest.mark.slow) for bounds in ((2, 3), (4, 4)))],
+)
 def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
     tmp_path, map_class, fewest, most
 ):
