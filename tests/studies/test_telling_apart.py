@@ -7,7 +7,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.maps import named_map, rooted_code, rooted_maps
 from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Move
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 from allworlds.studies.ambiguity import class_of, twins
 from allworlds.studies.ambiguity.telling_apart import replayed, separation
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World
