@@ -27,7 +27,7 @@ import allworlds
 
 from allworlds.engines.engine_table import WALKED_FROM
 from allworlds.engines.kernel.gluing import by_vertices_and_faces
-from allworlds.engines.kernel.batches import load_native
+from allworlds.engines.compiled_engine import load_native
 
 allworlds.worst(edges=1)
 allworlds.check(edges=WALKED_FROM, engine="kernel")

@@ -24,9 +24,9 @@ from allworlds.document.struct import (
 from allworlds.engines.effort import ClusterLost, TimeIsUp
 from allworlds.engines.engine_table import EngineKind, EngineName, Job
 from allworlds.engines.players import Unsettled
-from allworlds.engines.scope import Given, LevelRuns
+from allworlds.engines.scope import Given
 from allworlds.engines.tally import EnginesDisagree
-from allworlds.engines.units import drawn_units, level_size, shards_of
+from allworlds.engines.units import LevelUnit, drawn_units, level_size, shards_of
 from allworlds.maps.classes import Extent
 from allworlds.maps.count_source import source_of
 
@@ -197,4 +197,4 @@ def _pieces(job: Job, worlds: int) -> Iterator[Any]:
     draw = Random(0)  # noqa: S311  # the same pieces each time
     units = drawn_units(extent, extent.levels[-1], worlds, draw)
     for unit in islice(units, PIECES):
-        yield LevelRuns(unit.edges, unit.prefix)
+        yield LevelUnit(unit.edges, unit.prefix)
