@@ -37,7 +37,7 @@ from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import source_for
+from allworlds.maps.counting.sources import SOURCES
 from allworlds.maps.enumeration import prefixes
 from allworlds.version import __version__, host
 from allworlds.world import Directional, World
@@ -81,7 +81,7 @@ class Contender:
     @property
     def worlds(self) -> int:
         """The rooted maps of its level."""
-        return sum(source_for("maps").cells(self.edges).values())
+        return sum(SOURCES["maps"].cells(self.edges).values())
 
     def rates(self, seconds: Sequence[float]) -> list[float]:
         """Worlds a second in each round."""

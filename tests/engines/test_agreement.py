@@ -76,6 +76,7 @@ def test_both_modes_agree_in_every_number_of_a_level(policy):
     assert level(walk, 6, policy) == level(judge, 6, policy)
 
 
+@pytest.mark.slow
 def test_totals_are_those_of_independent_programs():
     # The sums of four other programs in C, Python and SPIN, first in, first out.
     expected = {2: 25, 3: 344, 4: 5184, 5: 86061, 6: 1569850, 7: 31356255}
@@ -121,6 +122,7 @@ def test_both_engines_give_the_same_report(options):
     assert reports[0] == reports[1]
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("explore", ["algorithm1-cluster", "algorithm1-natural"])
 def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(explore):

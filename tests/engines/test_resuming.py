@@ -18,7 +18,7 @@ from allworlds.engines.judge import PythonJudge
 from allworlds.engines.progress import Silent
 from allworlds.studies.worst.compiled_engine import ScheduleSearch
 from kept_jobs import EXPLORERS, stable
-from small import long
+from small import long, slow
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -64,7 +64,9 @@ def units_in(directory):
 
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("name", VERBS)
+@pytest.mark.parametrize(
+    "name", ["compiled", "refuted", "worst", "census", slow("own"), slow("foreign")]
+)
 def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
     job = VERBS[name]
     whole = json.dumps(job().to_json())
@@ -96,7 +98,9 @@ class Once(Silent):
 
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("name", VERBS)
+@pytest.mark.parametrize(
+    "name", ["refuted", "worst", *map(slow, ("own", "compiled", "foreign", "census"))]
+)
 def test_a_lock_that_is_removed_by_hand_harms_nobody(name, tmp_path):
     job, run = VERBS[name], tmp_path / "run"
     whole = job().to_json()
@@ -151,7 +155,9 @@ def test_what_is_finished_is_not_done_again(name, tmp_path, monkeypatch):
 
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("name", ["raises", "everywhere", "here_of_another", "sys_exit"])
+@pytest.mark.parametrize(
+    "name", ["here_of_another", "sys_exit", slow("raises"), slow("everywhere")]
+)
 def test_a_finding_that_was_kept_is_the_same_finding(name, tmp_path):
     job = lambda **more: check(wrong(name), edges=3, max_findings=4, **more)  # noqa: E731
     whole = job()
@@ -170,7 +176,7 @@ def test_a_finding_is_confirmed_once(tmp_path, monkeypatch):
     job = lambda: check(wrong("everywhere"), edges=2, run=tmp_path / "run")  # noqa: E731
     whole = job().to_json()
     assert whole["findings"][0]["confirmed"]
-    monkeypatch.setattr("allworlds.studies.check.confirmation.played_again", lambda *_: 1 / 0)
+    monkeypatch.setattr("allworlds.studies.check.tally_sweep.played_again", lambda *_: 1 / 0)
     assert job().to_json() == whole
 
 

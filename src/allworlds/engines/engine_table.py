@@ -91,8 +91,6 @@ def obstacle(scope: Scope, subject: Subject) -> str:
         return "tries every map of a class, and no given worlds"
     if extent.where is not None:
         return f"does not know the condition {show(extent.where.name)}"
-    if not extent.map_class.plain:
-        return f"does not know the class {extent.map_class}"
     if extent.levels[-1] > MOST_EDGES:
         return f"has room for {MOST_EDGES} edges, not for {extent.levels[-1]}"
     if not rules.task.is_map:

@@ -20,10 +20,10 @@ from allworlds.engines.units import WHOLE, AskedShard, LevelUnit, SweptLevel
 from allworlds.inputs.checks import lack_of
 from allworlds.inputs.requests import answers
 from allworlds.maps.canonical import automorphisms
-from allworlds.maps.classes import AskedExtent, Extent, MapClass
+from allworlds.maps.classes import Extent, ExtentOptions, MapClass
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Ending
-from allworlds.world.own_condition import AskedWhere
+from allworlds.world.own_condition import WhereOptions
 
 TOLD_EVERY = 1000
 """Maps after which the listener is told."""
@@ -33,7 +33,7 @@ UNROOTED_LIMIT = 6
 
 
 class CountRequest(
-    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, AskedWhere, AskedExtent
+    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, WhereOptions, ExtentOptions
 ):
     """Request of ``count``: a class, its bounds and the effort."""
 

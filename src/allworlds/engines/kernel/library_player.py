@@ -1,7 +1,7 @@
 """Batches of runs played by a shared library, in worlds or against records; for players alone.
 
 A run leaves a log (:mod:`allworlds.log`), which is judged elsewhere.  The twin is
-:mod:`allworlds.explorers.shared_library.library`.
+:mod:`allworlds.explorers.shared_library`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from allworlds.engines.kernel import capabilities as names, records as layout
 from allworlds.engines.kernel.compiling import RECORD, callback, entry, inlined, inner
 from allworlds.engines.kernel.instructions import address_of, ask, byte_of, call, entry_of
 from allworlds.engines.kernel.records import LIBRARY, NONE, Stretch, new
-from allworlds.explorers.shared_library.library import NativeExplorer, threads_left, threads_now
+from allworlds.explorers.shared_library import NativeExplorer, threads_left, threads_now
 
 LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS
 """The largest number of bytes that are written in one step."""
