@@ -137,7 +137,7 @@ class Setup(Struct, frozen=True):
     limits: Limits
     prints: bool = False
 
-    def told(self) -> dict[str, Any]:
+    def message(self) -> dict[str, Any]:
         """The first message to a player."""
         source, limits = self.subject.source, self.limits
         return {
@@ -198,7 +198,7 @@ class PlayerProcess:
         os.close(printing)
         self._seen: object = None
         self._since = self._began = time.monotonic()
-        self._put(self.setup.told())
+        self._put(self.setup.message())
 
     @property
     def files(self) -> tuple[int, ...]:
@@ -459,9 +459,9 @@ def keep(player: PlayerProcess, subject: Subject) -> None:
 
 def fresh(setup: Setup, seed: int) -> PlayerProcess:
     """A player that has played nothing: one that was kept, or a new one."""
-    wanted = os.getpid(), seed, setup.told()
+    wanted = os.getpid(), seed, setup.message()
     for player in [*_spare]:
-        if (player.owner, player.seed, player.setup.told()) == wanted:
+        if (player.owner, player.seed, player.setup.message()) == wanted:
             _spare.remove(player)
             if player.lives:
                 return player

@@ -111,11 +111,11 @@ class SingleRun(Report):
         return self.outcome.episode.ending
 
 
-def unused_choice(choices: Sequence[int], told: SingleRun) -> str:
+def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
     """The first of these choices that a run has not taken, and why; empty if it has taken all."""
     for i, index in enumerate(choices):
-        if told.outcome.choices[i : i + 1] != (index,):
-            asked = len(told.outcome.choices)
+        if run.outcome.choices[i : i + 1] != (index,):
+            asked = len(run.outcome.choices)
             only = "none was asked for"
             if asked:
                 only = f"only {asked} {'was' if asked == 1 else 'were'} asked for"

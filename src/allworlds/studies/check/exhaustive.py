@@ -441,5 +441,4 @@ def _pieces(job: Job, worlds: int) -> Iterator[Any]:
     extent = job.scope.extent
     draw = Random(0)  # noqa: S311  # the same pieces each time
     units = drawn_units(extent, extent.levels[-1], worlds, draw)
-    for unit in islice(units, PIECES):
-        yield unit
+    yield from islice(units, PIECES)
