@@ -145,7 +145,7 @@ def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
     from allworlds.engines.kernel.library_player import LibraryPlayer
     from allworlds.engines.kernel.records import Stretch
 
-    memory = Stretch(2)
+    memory = Stretch.of(2)
     beat = array("q", [0, 0])
     level = level_of("algorithm1", Rules(), Extent(MapClass.MAPS, 2), 2)
     judge = UnitJudge(level, (-4,), 1, memory, memory)

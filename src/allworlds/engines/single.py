@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Annotated, Any
 
-from msgspec import UNSET, UnsetType
+from msgspec import UNSET, UnsetType, field
 from typing_extensions import override
 
 from allworlds import log as entries
@@ -112,11 +111,11 @@ class SingleRun(Report):
         return self.outcome.episode.ending
 
 
-def unused_choice(choices: Sequence[int], told: SingleRun) -> str:
+def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
     """The first of these choices that a run has not taken, and why; empty if it has taken all."""
     for i, index in enumerate(choices):
-        if told.outcome.choices[i : i + 1] != (index,):
-            asked = len(told.outcome.choices)
+        if run.outcome.choices[i : i + 1] != (index,):
+            asked = len(run.outcome.choices)
             only = "none was asked for"
             if asked:
                 only = f"only {asked} {'was' if asked == 1 else 'were'} asked for"
@@ -162,36 +161,20 @@ REPEATED = 5
 """The number of plays of the record of a finding in a process."""
 
 
-@dataclass(slots=True)
-class TallyWithOutcome(Tally):
-    """The tally of one run, with its outcome as soon as it is known."""
-
-    outcome: Outcome | None = None
-
-    def add(self, other: Tally) -> None:
-        """Take in another part's tally."""
-        Tally.add(self, other)
-        if isinstance(other, TallyWithOutcome):
-            self.outcome = other.outcome or self.outcome
-
-
 class OutcomeCounter(RunCounter, frozen=True):
-    """The counter that keeps the outcome of its run."""
+    """The counter that keeps the outcomes of its run, the last one when all is settled."""
 
-    @override
-    def tally(self) -> TallyWithOutcome:
-        return TallyWithOutcome(self.keep)
+    outcomes: list[Outcome] = field(default_factory=list)
 
     @override
     def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
-        assert isinstance(tally, TallyWithOutcome)
-        tally.outcome = outcome
+        self.outcomes.append(outcome)
 
     @override
     def settle(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        self.count_outcome(world, place, outcome, tally)
+        self.outcomes.append(outcome)
 
 
 def _outcome_of(
@@ -205,17 +188,14 @@ def _outcome_of(
     """The judged run of a user's explorer in a canonical world."""
     counter = OutcomeCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
     seeds = (FIRST, SECOND) if hash_seed is None else (hash_seed, hash_seed)
-    lane = Lane(subject, counter, limits, given=script, seeds=seeds, more_seeds=False)
-    whole = counter.tally()
+    lane = Lane(subject, counter, limits, given=script, seeds=seeds)
     try:
         lane.offer(GivenWorlds(((world, place_of(world)),)))
         while lane.busy:
-            for part in lane.turn():
-                whole.add(part.result)
+            lane.turn()
     finally:
         lane.close()
-    assert whole.outcome is not None
-    return whole.outcome
+    return counter.outcomes[-1]
 
 
 def single_run(
@@ -263,8 +243,8 @@ class Plays:
 
     def in_world(self, script: tuple[int, ...], seed: int) -> tuple[Log, str]:
         """The log of the run in its world, as far as it gets, and the prints."""
-        message = self.judge.worlds_message([Due(0, 0, self._world, script)], hear=True)
-        (log,), printed = self._played(message, seed)
+        message = self.judge.worlds_message([Due(0, 0, self._world, script)])
+        (log,), printed = self._played(message | {"hear": True}, seed)
         return log, printed
 
     def again(
@@ -273,7 +253,7 @@ class Plays:
         """The logs of plays of the record, and the prints."""
         over = self._rules.task.over_at_the_end(self._world, transcript)
         record = Recorded(transcript.percepts, self._world, script, over)
-        return self._played(self.judge.records_message([record] * times, range(times)), seed)
+        return self._played(self.judge.records_message([record] * times), seed)
 
     def _played(self, message: dict[str, Any], seed: int) -> tuple[list[Log], str]:
         player = started(self._setup, seed)

@@ -104,13 +104,13 @@ class Log(NamedTuple):
     widths: tuple[int, ...] = ()
 
     @classmethod
-    def of(cls, log: bytes, *, whole: bool = True) -> Log:
+    def of(cls, log: bytes) -> Log:
         """The content of a log in bytes.
 
         Raises:
             ValueError: if it is none.
         """
-        read = entries.Read(log, whole=whole)
+        read = entries.Read(log)
         return cls(read.actions, read.shown, read.end, tuple(read.choices), tuple(read.widths))
 
 

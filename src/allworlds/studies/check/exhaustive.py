@@ -37,7 +37,7 @@ from allworlds.engines.engine_table import (
 from allworlds.engines.job_records import Identity
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import Listener, Once, Silent
-from allworlds.engines.scope import Given, LevelRuns, Scope
+from allworlds.engines.scope import Given, Scope
 from allworlds.engines.single import subject_of
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.engines.units import (
@@ -441,5 +441,4 @@ def _pieces(job: Job, worlds: int) -> Iterator[Any]:
     extent = job.scope.extent
     draw = Random(0)  # noqa: S311  # the same pieces each time
     units = drawn_units(extent, extent.levels[-1], worlds, draw)
-    for unit in islice(units, PIECES):
-        yield LevelRuns(unit.edges, unit.prefix)
+    yield from islice(units, PIECES)

@@ -8,8 +8,8 @@ from random import Random
 
 from msgspec import Struct
 
-from allworlds.engines.scope import Placed, Sample
-from allworlds.engines.units import Shard
+from allworlds.engines.scope import Sample
+from allworlds.engines.units import Placed, Shard
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import lattice
 from allworlds.maps.canonical import rooted_code
