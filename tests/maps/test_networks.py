@@ -14,7 +14,6 @@ from allworlds.maps import (
 )
 from allworlds.maps.build import lattice
 from allworlds.maps.networks import from_planar_embedding
-from allworlds.world import Directional, InvalidWorld, World
 from bruteforce import rooted_maps_by_permutations
 
 
@@ -90,31 +89,6 @@ def test_every_small_map_comes_back_from_networkx():
     for m in (1, 2, 3):
         for map_ in rooted_maps_by_permutations(m):
             assert from_networkx(to_networkx(map_)) == map_
-
-
-def test_a_world_becomes_a_graph_with_its_start_and_lighthouse():
-    graph = World(named_map("theta-torus"), Directional(1), 2).to_networkx()
-    assert graph.graph == {"start": 2, "lighthouse": {"kind": "directional", "dart": 1}}
-    assert from_networkx(graph) == named_map("theta-torus")
-
-
-@pytest.mark.parametrize("kind", ["none", "directional", "compass", "movable:markers=2", "labels"])
-def test_a_world_comes_back_from_its_graph(kind):
-    world = World(named_map("theta-torus"), kind, 2)
-    assert World.from_networkx(world.to_networkx()) == world
-    # What the graph says goes before the arguments, and a plain graph takes these.
-    assert World.from_networkx(world.to_networkx(), "position", 5) == world
-    bare = world.to_networkx()
-    bare.graph.clear()
-    assert World.from_networkx(bare, kind, 2) == world
-    assert World.from_networkx(bare) == World(world.map, Directional(0), 0)
-
-
-def test_a_graph_with_a_start_that_is_no_dart_is_refused():
-    graph = World(named_map("theta"), "none").to_networkx()
-    graph.graph["start"] = 6
-    with pytest.raises(InvalidWorld, match="start = 6 is no dart"):
-        World.from_networkx(graph)
 
 
 def test_a_planar_graph_is_embedded_in_the_plane():

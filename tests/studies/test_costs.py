@@ -16,7 +16,7 @@ from allworlds.reports.rendering import text
 from allworlds.reports.tellings.played import LEAST, NAMES
 from allworlds.studies.play import LARGEST, Walker, play
 from allworlds.world import LIGHTHOUSES, Directional, World
-from allworlds.world.own_condition import worlds
+from allworlds.world.selection import worlds
 from small import LOLLIPOP, PATH
 
 

@@ -14,11 +14,10 @@ from allworlds.engines.units import AskedShard
 from allworlds.inputs.checks import InputError, integer_of, one_of, seconds_of, show
 from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Argument, Option, Request, Taken
 from allworlds.maps.classes import ClassOptions, ExtentOptions
-from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.named import LIGHTHOUSE, WORLD
-from allworlds.world.own_condition import WhereOptions
+from allworlds.world.selection import WhereOptions, tried_kind
 from allworlds.world.world import World
 
 DEFAULT_LIMIT = 1000

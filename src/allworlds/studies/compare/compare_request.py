@@ -16,7 +16,7 @@ from allworlds.maps.classes import ExtentOptions
 from allworlds.maps.families import FORMS
 from allworlds.studies.check.requests import ManyWorlds
 from allworlds.world.named import HOLES
-from allworlds.world.own_condition import WhereOptions
+from allworlds.world.selection import WhereOptions
 
 
 def _families(given: object) -> tuple[str, ...] | None:

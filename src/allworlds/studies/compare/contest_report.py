@@ -32,7 +32,7 @@ from allworlds.outcome import Verdict
 from allworlds.studies.check.requests import SharedFile
 from allworlds.studies.compare.compare_request import AskedContestWorlds
 from allworlds.studies.compare.contestants import Contestant
-from allworlds.world.asked_lighthouse import LighthouseOptions
+from allworlds.world.selection import LighthouseOptions
 
 
 class ComparedName(Document):

@@ -40,7 +40,7 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import AskedRules, Rules
 from allworlds.maps.classes import ClassOptions
 from allworlds.studies.worst.every_schedule import Transit
-from allworlds.world.asked_lighthouse import LighthouseOptions
+from allworlds.world.selection import LighthouseOptions
 from allworlds.world.world import World
 
 DEFAULT_EDGES, MOST_EDGES = 5, 12

@@ -302,11 +302,3 @@ class PlacelessLighthouse(ReferenceLighthouse):
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any
         """Raise InvalidWorld unless its options are legal; every map and every start will do."""
         ensure_legal(self)
-
-    def number(self, map_: CombinatorialMap, start: Dart) -> int:  # noqa: ARG002  # the only one
-        """0."""
-        return 0
-
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Lighthouse:  # noqa: ARG002
-        """The lighthouse itself, as it stands nowhere."""
-        return self

@@ -94,15 +94,6 @@ def lighthouse_kind(given: object) -> LighthouseKind:
     return found
 
 
-def lighthouse_named(text: str) -> type[Lighthouse]:
-    """The kind of lighthouse of ``KIND[:key=value,...]`` as a class.
-
-    Raises:
-        InvalidWorld: naming the legal kinds, or the option that the kind does not have.
-    """
-    return lighthouse_kind(text).as_class
-
-
 def kind_of(lighthouse: Lighthouse) -> LighthouseKind:
     """The kind of a lighthouse that stands somewhere."""
     codes = [
