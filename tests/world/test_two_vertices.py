@@ -178,11 +178,8 @@ def test_a_world_without_a_place_is_named(map_, kind):
 
 
 def test_options_choose_places_and_nothing_else():
-    assert (
-        lighthouse_kind("cluster:single=false")
-        is lighthouse_kind("cluster").as_class
-        is Cluster
-    )
+    for name in ("cluster:single=false", "cluster"):
+        assert lighthouse_kind(name).as_class is Cluster
     assert issubclass(SINGLE, Cluster)
     assert (SINGLE.kind, SINGLE.default_bound, SINGLE.folds) == ("cluster", "none", False)
     assert all(type(world.lighthouse) is Cluster for world in worlds(SINGLE, 3))
