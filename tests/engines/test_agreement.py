@@ -26,7 +26,7 @@ from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import AskedRules, Rules
 from allworlds.maps import MapClass, rooted_code, rooted_maps
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.any_genus import rooted_maps as counted
+from allworlds.maps.counting import rooted_maps as counted
 from allworlds.maps.enumeration import Gluing, prefixes
 from allworlds.world import Directional, World
 

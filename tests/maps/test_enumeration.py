@@ -14,7 +14,7 @@ from allworlds.maps import (
     unrooted_code,
 )
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes
 from small import slow
 

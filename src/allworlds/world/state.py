@@ -34,11 +34,3 @@ class State:
         written = {**dict(self.written), where: number}
         kept = tuple(sorted((at, each) for at, each in written.items() if each))
         return replace(self, written=kept)
-
-
-_WITHOUT_MARKERS = tuple(State(dart) for dart in range(256))
-
-
-def without_markers(dart: Dart) -> State:
-    """The state of a robot that has no markers; equal small ones are one object."""
-    return _WITHOUT_MARKERS[dart] if dart < len(_WITHOUT_MARKERS) else State(dart)

@@ -32,7 +32,7 @@ from allworlds.judging.laws.case import Case
 from allworlds.judging.laws.law_table import LAWS, Setting, judge
 from allworlds.judging.tasks import task_named
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.protocol.choices import Choices
 from allworlds.studies.check.exhaustive import check
 from allworlds.words import plural

@@ -22,7 +22,6 @@ from allworlds.world.lighthouses.options import (
     OptionValue,
     ensure_legal,
     kind_with,
-    name_of,
     named_with,
     options_of,
     place_keys,
@@ -210,9 +209,8 @@ class Lighthouse(ABC):
         """
         for place in cls.places(map_, start):
             return place
-        raise InvalidWorld(
-            f"the lighthouse {name_of(cls)} has no place in this map with start {start}"
-        )
+        name = named_with(cls, cls.chosen)
+        raise InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
         """The number of this place among the places of the rooted map; 0 if it is none of them."""

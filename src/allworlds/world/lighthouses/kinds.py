@@ -27,7 +27,7 @@ from allworlds.world.lighthouses.options import (
     InvalidWorld,
     ensure_options,
     kind_with,
-    name_of,
+    named_with,
     options_in,
     options_of,
     place_keys,
@@ -139,7 +139,7 @@ LIGHTHOUSE = Role("lighthouse", "allworlds.lighthouses", known=tuple(LIGHTHOUSES
 def _of_class(kind: type[Lighthouse]) -> str | UserCode:
     ours = kind.__module__.startswith("allworlds.")
     if {"code", "chosen"} & {*vars(kind)} or ours:
-        name = name_of(kind)
+        name = named_with(kind, kind.chosen)
         return name if kind.code is None else replace(kind.code, name=name)
     return LIGHTHOUSE.of(kind)
 
