@@ -21,7 +21,7 @@ from allworlds.protocol.importing import attempted
 from allworlds.protocol.player import Told
 from allworlds.protocol.transcript import Transcript
 from allworlds.protocol.user_code import Role, UserCode
-from allworlds.world.state import State
+from allworlds.world.lighthouses.base import State
 from allworlds.world.world import World
 
 Judge: TypeAlias = Callable[[World, WalkLog, Any], str | None]

@@ -1,9 +1,8 @@
 """Worlds: a map, a lighthouse and a start; explorers never see one.
 
 ``lighthouses``
-    the marks and directions in a world, and the percepts that they cause; one kind a module;
-``state``
-    the state that a step changes: the places of the robot and of its markers;
+    the marks and directions in a world, and the percepts that they cause; the state that a step
+    changes: the places of the robot and of its markers;
 ``world``
     map, lighthouse and start together, and the effect of a step;
 ``named``
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.base import (
         Lighthouse as Lighthouse,
         Sensing as Sensing,
+        State as State,
         Where as Where,
     )
     from allworlds.world.lighthouses.composed import Composed as Composed
@@ -53,7 +53,6 @@ if TYPE_CHECKING:
         world_named as world_named,
     )
     from allworlds.world.selection import worlds as worlds
-    from allworlds.world.state import State as State
     from allworlds.world.world import World as World, at_place as at_place
 else:
     open_door(__name__)

@@ -102,8 +102,9 @@ def _world_of_text(text: str, kind: LighthouseKind, seed: int | None, holes: str
 
 def _names_family(given: str | World) -> bool:
     """Whether a WORLD is one of a family, and so depends on a seed."""
-    is_text = isinstance(given, str) and not _is_json(given)
-    return is_text and given.partition(":")[0] in _families()
+    if isinstance(given, World) or _is_json(given):
+        return False
+    return given.partition(":")[0] in _families()
 
 
 _CODE = re.compile(r"[0-9.]+/[0-9.]+", re.ASCII)

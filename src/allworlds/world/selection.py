@@ -32,7 +32,7 @@ from allworlds.protocol.actions import Action, Drop, Move, Pick, Write
 from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.importing import attempted
 from allworlds.protocol.user_code import LocalCode, Role, UserCode
-from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
     OWN,
@@ -41,7 +41,6 @@ from allworlds.world.lighthouses.kinds import (
     lighthouse_kind,
 )
 from allworlds.world.lighthouses.options import InvalidWorld
-from allworlds.world.state import State
 from allworlds.world.world import World
 
 TRIED_EDGES = 3

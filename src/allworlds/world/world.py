@@ -14,11 +14,10 @@ from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.player import Told
-from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys, the_integer
-from allworlds.world.state import State
 
 
 class WorldDocument(Document):

@@ -12,8 +12,7 @@ from typing_extensions import override
 from allworlds.document.struct import Different, IfAny, Positive, about, narrowed
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Drop, Pick, Write
-from allworlds.world.lighthouses.base import PlacelessLighthouse
-from allworlds.world.state import State
+from allworlds.world.lighthouses.base import PlacelessLighthouse, State
 
 
 @dataclass(frozen=True, slots=True)
