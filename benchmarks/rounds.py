@@ -24,10 +24,9 @@ from statistics import median
 from typing import Any
 
 from allworlds.engines.effort import Limits
-from allworlds.engines.engine_table import ENGINES, Job
+from allworlds.engines.engine_table import ENGINES, WALKED_FROM, Job
 from allworlds.engines.examiner import Examiner
-from allworlds.engines.kernel.counting import by_vertices_and_faces
-from allworlds.engines.obstacles import WALKED_FROM
+from allworlds.engines.kernel.gluing import by_vertices_and_faces
 from allworlds.engines.progress import Silent
 from allworlds.engines.scope import Scope
 from allworlds.engines.sweep import gather

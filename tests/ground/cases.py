@@ -140,7 +140,7 @@ def _bytes(document: object) -> bytes:
 
 def _worlds(random: Random) -> Case:
     world = random.choice(grammar.worlds())
-    texts = [grammar.mutated(random.choice((world, world, grammar.a_world(random))), random)]
+    texts = [grammar.mutated(random.choice((world, world, grammar.world_named(random))), random)]
     texts.append(_bytes(world))
     random.shuffle(texts)
     files: dict[str, bytes] = {}

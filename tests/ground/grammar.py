@@ -149,7 +149,7 @@ def worlds() -> list[dict[str, Any]]:
     ]
 
 
-def a_world(random: Random) -> dict[str, Any]:
+def world_named(random: Random) -> dict[str, Any]:
     """A random world of up to 6 edges, under any lighthouse, whether it can stand there or not."""
     map_ = random_map(random.randrange(1, 7), random)
     light = {"kind": random.choice(list(LIGHTHOUSES)), "dart": random.choice(map_.darts)}

@@ -90,7 +90,7 @@ FAULTS = {
         "findings",
     ),
     "a corpus of files that are texts": (
-        ("allworlds.judging.findings.asked_finding.Finding.from_json", json.loads),
+        ("allworlds.studies.check.tally_sweep.Finding.from_json", json.loads),
         "corpus",
     ),
     "lines as long as what is in them": (("allworlds.cli.output.LONGEST", 10**9), "options"),
@@ -106,7 +106,7 @@ FAULTS = {
         "lines",
     ),
     "an exit code that stands nowhere": (
-        ("allworlds.cli.app._refuse", lambda _: 75),
+        ("allworlds.cli.app._refuse", lambda *_: 75),
         "findings",
     ),
 }

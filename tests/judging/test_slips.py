@@ -6,16 +6,15 @@ from allworlds import CombinatorialMap, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.explanations.by_law import GUESSED
-from allworlds.judging.explanations.slips import LARGEST, SLIPS, the_slip
+from allworlds.judging.explanations.slips import LARGEST, SLIPS, mirror_image, the_slip
 from allworlds.judging.explanations.story import Belief, Story
 from allworlds.maps import contracted, deleted, family, isomorphism, rooted_isomorphism
 from allworlds.protocol.answers import Estimate
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from second_opinion import same_map, same_pose
-from small import slow
 
 
 def spoiling(spoil):
@@ -97,13 +96,21 @@ NO_MAP = [
 """Whose first findings in so small worlds are none of a wrong answer: there is nothing to name."""
 
 
-@pytest.fixture(scope="module", params=[slow(name) if name in NO_MAP else name for name in WRONG])
-def findings(request, untraced):
+LATER = [*NO_MAP, "bearing-ignored", "second-entry-forgotten", "wrong-entry-label"]
+"""Left to the slow tests: the last three take more time than all others."""
+
+
+def found_about(name, untraced):
     """The findings about an explorer, the smallest first."""
     with untraced():
-        found = check(WRONG[request.param], edges=3, max_findings=20).findings
-    assert any(finding.law in ("map", "pose") for finding in found) == (request.param not in NO_MAP)
+        found = check(WRONG[name], edges=3, max_findings=20).findings
+    assert any(finding.law in ("map", "pose") for finding in found) == (name not in NO_MAP)
     return found
+
+
+@pytest.fixture(scope="module", params=[name for name in WRONG if name not in LATER])
+def findings(request, untraced):
+    return found_about(request.param, untraced)
 
 
 @pytest.mark.no_cover
@@ -127,7 +134,7 @@ def test_a_mirror_image_is_claimed_exactly_where_there_is_one(findings):
         if finding.law not in ("map", "pose"):
             continue
         belief = Belief(Story(finding))
-        claimed = bool(SLIPS["mirrored"](belief))
+        claimed = bool(mirror_image(belief))
         answer, robot = belief.answer, belief.story.walked[-1]
         image = CombinatorialMap(*map(list, (_inverse(answer.map.sigma), answer.map.alpha)))
         rooted = rooted_isomorphism(image, answer.here, finding.world.map, robot)
@@ -149,7 +156,7 @@ def test_whatever_slip_is_claimed_the_answer_is_right_without_it(findings):
             continue
         belief = Belief(Story(finding))
         world, answer = finding.world.map, belief.answer.map
-        for recognise in SLIPS.values():
+        for recognise in SLIPS:
             slip = recognise(belief)
             if slip is None or slip.mended is None:
                 continue

@@ -7,8 +7,7 @@ from hypothesis.strategies import data, integers, permutations, tuples
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from allworlds.document.struct import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import play
+from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.folding import fold
 from allworlds.maps import rooted_code, rooted_maps
 from allworlds.protocol.actions import Move

@@ -16,11 +16,10 @@ from allworlds.maps import (
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes
-from small import slow
 
 LEVELS = [(map_class, edges) for map_class in MapClass for edges in (1, 2, 3, 4)]
 GATED = [(c, m) for c in MapClass for m in range(1, 7 if c.simple else 6)]
-FURTHER = [slow(c, 7 if c.simple else 6) for c in MapClass]
+FURTHER = [(c, 7 if c.simple else 6) for c in MapClass]
 
 
 def codes(maps):

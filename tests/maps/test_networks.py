@@ -4,16 +4,21 @@ import networkx as nx
 import pytest
 
 from allworlds.maps import (
+    CombinatorialMap,
     InvalidMap,
     from_cycles,
     from_faces,
     from_networkx,
+    from_rotation,
     isomorphism,
     named_map,
+    networks,
     to_networkx,
 )
 from allworlds.maps.build import lattice
 from allworlds.maps.networks import from_planar_embedding
+from allworlds.maps.surgery import deleted
+from allworlds.world import Directional, InvalidWorld, World
 from bruteforce import rooted_maps_by_permutations
 
 
@@ -89,6 +94,38 @@ def test_every_small_map_comes_back_from_networkx():
     for m in (1, 2, 3):
         for map_ in rooted_maps_by_permutations(m):
             assert from_networkx(to_networkx(map_)) == map_
+
+
+def test_a_world_becomes_a_graph_with_its_start_and_lighthouse():
+    graph = World(named_map("theta-torus"), Directional(1), 2).to_networkx()
+    assert graph.graph == {"start": 2, "lighthouse": {"kind": "directional", "dart": 1}}
+    assert from_networkx(graph) == named_map("theta-torus")
+
+
+@pytest.mark.parametrize("kind", ["none", "directional", "compass", "movable:markers=2", "labels"])
+def test_a_world_comes_back_from_its_graph(kind):
+    world = World(named_map("theta-torus"), kind, 2)
+    assert World.from_networkx(world.to_networkx()) == world
+    # What the graph says goes before the arguments, and a plain graph takes these.
+    assert World.from_networkx(world.to_networkx(), "position", 5) == world
+    bare = world.to_networkx()
+    bare.graph.clear()
+    assert World.from_networkx(bare, kind, 2) == world
+    assert World.from_networkx(bare) == World(world.map, Directional(0), 0)
+
+
+def test_a_graph_with_a_start_that_is_no_dart_is_refused():
+    graph = World(named_map("theta"), "none").to_networkx()
+    graph.graph["start"] = 6
+    with pytest.raises(InvalidWorld, match="start = 6 is no dart"):
+        World.from_networkx(graph)
+
+
+def test_a_map_and_a_world_are_made_by_their_classes():
+    faces = ["abc", "acd", "adb", "bdc"]
+    map_ = CombinatorialMap.from_faces(faces)
+    assert map_ == from_faces(faces)
+    assert CombinatorialMap.from_networkx(map_.to_networkx()) == map_
 
 
 def test_a_planar_graph_is_embedded_in_the_plane():
@@ -185,6 +222,53 @@ def test_both_directions_of_an_edge_are_one_edge(name):
 
 def test_darts_of_a_simple_map_may_stand_in_a_simple_graph():
     assert from_networkx(nx.Graph(to_networkx(named_map("k4")))) == named_map("k4")
+
+
+# The always-on comparison, with a wrong importer for each kind of graph.
+
+
+def without_the_last_edge(map_):
+    return deleted(map_, map_.edges[-1][0])
+
+
+GIVEN = {
+    "plain": nx.cycle_graph(5),
+    "embedding": nx.check_planarity(nx.wheel_graph(5))[1],
+    "darts": to_networkx(from_cycles(["a", "abb"])),
+    "directed": to_networkx(from_cycles(["a", "abb"])).to_directed(),
+}
+
+
+@pytest.mark.parametrize("kind", GIVEN)
+def test_an_importer_that_drops_an_edge_is_found_out(kind, monkeypatch):
+    assert from_networkx(GIVEN[kind])
+    drop = {
+        "from_rotation": lambda rotation: without_the_last_edge(from_rotation(rotation)),
+        "CombinatorialMap": lambda *pair: without_the_last_edge(CombinatorialMap(*pair)),
+    }
+    for name, wrong in drop.items():
+        monkeypatch.setattr(networks, name, wrong)
+    with pytest.raises(InvalidMap, match=r"edges from . to . is 1 in the graph, 0 in the map"):
+        from_networkx(GIVEN[kind])
+
+
+@pytest.mark.parametrize(
+    ("cycles", "nodes", "said"),
+    [
+        ("ab ab", (0, 1), None),
+        ("aab b", (0, 1), "from 0 to 1 is 2 in the graph, 1 in the map"),
+        ("abcc ab", (0, 1), "from 0 to 0 is 0 in the graph, 1 in the map"),
+        ("abc abc", (0, 1), "from 0 to 1 is 2 in the graph, 3 in the map"),
+        ("ab a b", (0, 1, 1), "the graph has 2 nodes, but the map 3"),
+    ],
+)
+def test_the_edges_of_the_map_are_compared_with_those_of_the_graph(cycles, nodes, said):
+    map_, graph = from_cycles(cycles.split()), nx.MultiGraph([(0, 1), (0, 1)])
+    if said is None:
+        assert networks._compared(map_, nodes, graph) is map_
+    else:
+        with pytest.raises(InvalidMap, match=said):
+            networks._compared(map_, nodes, graph)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from allworlds.studies.ambiguity import twins
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import World
 from allworlds.world.bisimulation import flaw
 from allworlds.world.corpus import MANIFEST, own_corpus

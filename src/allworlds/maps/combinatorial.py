@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
@@ -250,6 +250,26 @@ class CombinatorialMap(Pictured, WrittenByFields):
         """The dual map: faces become vertices, and the genus stays."""
         sigma, alpha = self.sigma, self.alpha
         return CombinatorialMap.trusted([sigma[alpha[d]] for d in self.darts], alpha)
+
+    def to_networkx(self) -> Any:
+        """The graph of the map; see :func:`allworlds.maps.networks.to_networkx`."""
+        from allworlds.maps.networks import to_networkx
+
+        return to_networkx(self)
+
+    @classmethod
+    def from_networkx(cls, graph: Any) -> CombinatorialMap:
+        """The map of a graph of networkx; see :func:`allworlds.maps.networks.from_networkx`."""
+        from allworlds.maps.networks import from_networkx
+
+        return from_networkx(graph)
+
+    @classmethod
+    def from_faces(cls, faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
+        """The map glued of polygons; see :func:`allworlds.maps.networks.from_faces`."""
+        from allworlds.maps.networks import from_faces
+
+        return from_faces(faces)
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:

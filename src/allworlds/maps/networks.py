@@ -42,7 +42,7 @@ def from_networkx(graph: nx.Graph) -> CombinatorialMap:
 
     Raises:
         InvalidMap: if the attributes are no map, or if the graph has no rotation, is not
-            connected or has no edge.
+            connected or has no edge, or if the map would not have all its edges.
 
     Cost: O(m).
     """
@@ -72,7 +72,32 @@ def from_networkx(graph: nx.Graph) -> CombinatorialMap:
         raise InvalidMap(
             "the graph is not planar, and no node has the attribute 'darts', its darts clockwise"
         )
-    return from_planar_embedding(embedding)
+    return _compared(from_planar_embedding(embedding), list(embedding), graph)
+
+
+def _compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> CombinatorialMap:
+    """The map, whose vertices are these nodes.
+
+    Raises:
+        InvalidMap: unless the map has the edges of the graph, with the same ends, and its nodes.
+    """
+    import networkx as nx
+
+    place = {v: i for i, v in enumerate(graph)}
+    at = [nodes[vertex] for vertex in map_.vertex_of]
+    given = [tuple(sorted(ends, key=place.__getitem__)) for ends in graph.edges()]
+    if isinstance(graph, nx.PlanarEmbedding):
+        given = list(dict.fromkeys(given))  # it has each edge in both directions
+    made = [tuple(sorted((at[d], at[e]), key=place.__getitem__)) for d, e in map_.edges]
+    wanted, found = Counter(given), Counter(made)
+    for ends in [*given, *made]:
+        if wanted[ends] != found[ends]:
+            v, w = map(show, ends)
+            numbers = f"{wanted[ends]} in the graph, {found[ends]} in the map"
+            raise InvalidMap(f"the number of edges from {v} to {w} is {numbers}")
+    if map_.vertex_count != len(graph):
+        raise InvalidMap(f"the graph has {len(graph)} nodes, but the map {map_.vertex_count}")
+    return map_
 
 
 def _from_darts(graph: nx.Graph) -> CombinatorialMap:
@@ -95,7 +120,8 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
     if loose:
         some = ", nor ".join(f"dart {d} of node {show(v)}" for d, v in [*loose.items()][:2])
         raise InvalidMap(f"no edge has {some}; each dart belongs to an edge")
-    return CombinatorialMap(_permutation(around.values()), _permutation(pairs))
+    map_ = CombinatorialMap(_permutation(around.values()), _permutation(pairs))
+    return _compared(map_, [owner[first] for first, *_ in map_.vertices], graph)
 
 
 def _darts(place: str, data: Mapping[str, Any]) -> list[int]:
@@ -184,7 +210,7 @@ def from_planar_embedding(embedding: nx.PlanarEmbedding) -> CombinatorialMap:
     map_ = from_rotation({v: _clockwise(v, around) for v, around in embedding.adjacency()})
     if map_.genus:
         raise InvalidMap(f"the embedding has genus {map_.genus}; a planar one has genus 0")
-    return map_
+    return _compared(map_, list(embedding), embedding)
 
 
 def _clockwise(v: Hashable, around: Mapping[Hashable, Mapping[str, Any]]) -> list[Hashable]:

@@ -11,6 +11,7 @@ from allworlds.document.report import Pictured
 from allworlds.document.struct import Document, about
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
+from allworlds.maps.networks import from_networkx, to_networkx
 from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.player import Told
@@ -125,6 +126,36 @@ class World(Pictured):
     def mirrored(self) -> World:
         """The mirror image, marker and start included."""
         return World(self.map.mirrored(), self.lighthouse, self.start)
+
+    def to_networkx(self) -> Any:
+        """The graph of the map, of networkx; see :func:`allworlds.maps.networks.to_networkx`.
+
+        Its attributes ``start`` and ``lighthouse`` are those of the world's document, and
+        :meth:`from_networkx` takes them back.
+        """
+        graph = to_networkx(self.map)
+        graph.graph.update(start=self.start, lighthouse=self.lighthouse.to_json())
+        return graph
+
+    @classmethod
+    def from_networkx(
+        cls, graph: Any, lighthouse: Lighthouse | GivenLighthouse | None = None, start: Dart = 0
+    ) -> World:
+        """The world in the map of a graph of networkx.
+
+        Args:
+            graph: as :func:`allworlds.maps.networks.from_networkx` takes it.
+            lighthouse: as for a world, if the graph has no attribute of that name.
+            start: likewise.
+
+        Raises:
+            InvalidMap, InvalidWorld: naming the offending value and what would be legal.
+        """
+        map_, told = from_networkx(graph), graph.graph
+        begin = _a_start(told.get("start", start), map_)
+        if "lighthouse" in told:
+            lighthouse = lighthouse_from_json(told["lighthouse"], map_, begin)
+        return cls(map_, lighthouse, begin)
 
     def to_json(self) -> dict[str, Any]:
         """The document :class:`WorldDocument`."""

@@ -24,12 +24,12 @@ from allworlds.corpus.explorers import (
     WrongLearner,
 )
 from allworlds.explorers.loading import in_process_subject
-from allworlds.judging.endings import Answered, Undecided
-from allworlds.judging.episode import default_step_budget, play
+from allworlds.judging.episode import Answered, Undecided, default_step_budget, play
 from allworlds.judging.findings.finding import canonical_world
+from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.case import Case
-from allworlds.judging.laws.law_table import LAWS, Setting, judge
+from allworlds.judging.laws.law_table import LAWS, judge
+from allworlds.judging.laws.laws import Case
 from allworlds.judging.tasks import task_named
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
 from allworlds.maps.counting import SOURCES
@@ -180,8 +180,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
     for map_ in rooted_maps(level):
         bound = paper_bound(map_.vertex_count, level)
         for name, kind, player in players:
-            setting = Setting(kind.folds, bounded=kind.default_bound == "paper")
-            laws = {law: LAWS[law].check for law in LAWS if LAWS[law].applies(setting)}
+            laws = {law: LAWS[law].check for law in Rules(kind.kind).applying}
             world = World(map_, next(iter(kind.places(map_, 0))), 0)
             episode = play(world, player, Choices(), default_step_budget(bound))
             match episode.ending:
@@ -192,7 +191,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
                         episode.transcript,
                         episode.checkpoints,
                         answer,
-                        bound if setting.bounded else None,
+                        bound if "bound" in laws else None,
                     )
                     if judge(case, laws.values()):
                         yield (case, laws), world, name

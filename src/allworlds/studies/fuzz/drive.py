@@ -8,9 +8,9 @@ from typing import Annotated
 
 from typing_extensions import override
 
-from allworlds.engines.database import Identity
 from allworlds.engines.effort import AskedCluster, AskedDirectory, TimeIsUp
 from allworlds.engines.engine_table import ReadyEngine, players_for
+from allworlds.engines.job_records import Identity
 from allworlds.engines.lanes import workers_for
 from allworlds.engines.progress import Listener, Silent
 from allworlds.engines.scope import GivenWorlds, Sample, Scope
