@@ -50,7 +50,7 @@ def same_world_from(a: World, b: World) -> Dart | None:
     if len(a.map.sigma) != len(b.map.sigma):
         return None
     order = numbering(a.map.sigma, a.map.alpha, a.start)
-    for image in (b.start, *b.map.darts):
+    for image in [b.start, *b.map.darts]:
         if a.first == b.percepts[image] and carries(
             a.map.sigma, a.map.alpha, order, b.map.sigma, b.map.alpha, image
         ):
