@@ -38,7 +38,7 @@ from allworlds.outcome import Verdict
 from allworlds.reports.rendering import brief, finding_in_words
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
-from allworlds.studies.fuzz.drive import MapsRequest, fuzz, refuted_in
+from allworlds.studies.fuzz import MapsRequest, fuzz, refuted_in
 from allworlds.words import plural
 from allworlds.world.asked_lighthouse import flaws_of
 from allworlds.world.corpus import own_corpus

@@ -80,13 +80,13 @@ VERBS = (
     ),
     Verb(
         "fuzz",
-        "studies.fuzz.drive:fuzz",
+        "studies.fuzz:fuzz",
         "check",
         "Run an explorer in random worlds beyond the exhaustive bound.",
         telling="reports.tellings.check:check_telling",
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
-        sweep="studies.fuzz.drive:FuzzSweep",
+        sweep="studies.fuzz:FuzzSweep",
         example="my_explorer.py:explore --edges 20 --min-edges 6 --runs 1000",
         help=(
             "Run an explorer in random worlds beyond the exhaustive bound, and shrink what "
@@ -256,7 +256,7 @@ VERBS = (
     ),
     Verb(
         "ledger",
-        "studies.ledger.checked_claims:ledger",
+        "studies.ledger:ledger",
         "ledger",
         "Check the sentences of a paper, each by its own function.",
         telling="reports.tellings.ledger:ledger_telling",

@@ -44,7 +44,7 @@ from allworlds.reports.rendering import text
 from allworlds.studies.ambiguity.smt.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growing_families import GROWING
-from allworlds.studies.fuzz.sample import GENERATORS, batches
+from allworlds.studies.fuzz import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, VERBS
 from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses

@@ -8,7 +8,7 @@ from allworlds.maps import named_map
 from allworlds.reports.rendering import brief, finding_in_words as finding_text, text as text_of
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Directional, World

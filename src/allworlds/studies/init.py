@@ -107,7 +107,7 @@ def begun(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
     if request.ledger:
         if lang is not None:
             raise InputError(f"lang {show(lang)} has no effect beside ledger")
-        folder = files("allworlds.studies") / "ledger" / "skeleton"
+        folder = files("allworlds.studies") / "ledger_skeleton"
         texts = dict(templates_in(folder))
         return LedgerSkeleton(directory=_written(directory, texts), files=tuple(texts))
     if lang is None:

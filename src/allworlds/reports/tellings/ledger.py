@@ -21,7 +21,7 @@ from allworlds.reports.telling import (
     Words,
     so_far,
 )
-from allworlds.studies.ledger.checked_claims import CheckedClaim, LedgerReport
+from allworlds.studies.ledger import CheckedClaim, LedgerReport
 from allworlds.words import number, plural
 
 LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"
