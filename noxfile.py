@@ -87,6 +87,13 @@ def bench(session: nox.Session) -> None:
 
 @nox.session
 def mutants(session: nox.Session) -> None:
+    """Change the source at random, and count the changes that the quick tests notice."""
+    session.install(".[test]")
+    session.run("python", "benchmarks/mutants.py", *session.posargs)
+
+
+@nox.session
+def matrix(session: nox.Session) -> None:
     """Try known mistakes, and show which check catches each."""
     session.install(".")
     session.run("python", "tests/support/mutants/matrix.py", *session.posargs)

@@ -119,7 +119,7 @@ class Reference:
         """One row a verb."""
         for verb in VERBS:
             document = link(self.heading(verb.document))
-            yield f"| `{verb.name}` | `{verb.python}` | {document} | {verb.summary} |\n"
+            yield f"| `{verb.name}` | `{verb.path}` | {document} | {verb.summary} |\n"
 
     def rows(self, told: Schema, path: str = "") -> str:
         """A row for each key, and for the keys of what has no section of its own."""

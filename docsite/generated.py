@@ -120,7 +120,7 @@ MODULES = {
 
 def names() -> str:
     """The public API: the names of ``import allworlds`` and of the modules beside it."""
-    verbs = [verb.function.replace(":", ".") for verb in VERBS if verb.python.count(".") > 1]
+    verbs = [verb.function for verb in VERBS if verb.path.count(".") > 1]
     text = (
         "# Python\n\nThe public API: the names of `import allworlds` and of three modules. An "
         "explorer needs the classes, and the functions are the verbs: they take the options of the "
@@ -129,7 +129,7 @@ def names() -> str:
     )
     text += "".join(_reference(f"allworlds.{name}") for name in allworlds.__all__ if _is_told(name))
     text += "# allworlds.ambiguity\n\n"
-    text += "".join(_reference(f"allworlds.{path}") for path in verbs)
+    text += "".join(_reference(f"{one.__module__}.{one.__name__}") for one in verbs)
     for name, told in MODULES.items():
         text += f"# allworlds.{name}\n\n{told}\n\n"
         paths = [f"allworlds.{name}.{public}" for public in _public(f"allworlds.{name}")]
@@ -169,7 +169,7 @@ def _reference(path: str) -> str:
 
 def header() -> str:
     """``allworlds.h`` as it is printed by ``allworlds init --header``."""
-    text = (files("allworlds.explorers.shared_library") / "allworlds.h").read_text(encoding="utf-8")
+    text = (files("allworlds.explorers") / "allworlds.h").read_text(encoding="utf-8")
     return (
         "# allworlds.h\n\nThe header of [explorers in shared libraries](../how-to/languages.md), "
         f"as `allworlds init --header` prints it.\n\n```c\n{text.rstrip()}\n```\n"

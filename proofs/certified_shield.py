@@ -16,8 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.builtin.folded_log import FoldedLog
-from allworlds.explorers.builtin.folding import estimate, has_open_dart
+from allworlds.explorers.builtin.folding import FoldedLog, estimate, has_open_dart
 from allworlds.explorers.builtin.shield import Shield
 from allworlds.explorers.loading import load
 from allworlds.judging.episode import Answered, Ending, play

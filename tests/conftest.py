@@ -25,15 +25,16 @@ import os, sys
 
 import allworlds
 
-from allworlds.engines.obstacles import WALKED_FROM
-from allworlds.engines.kernel.counting import by_vertices_and_faces
-from allworlds.engines.kernel.batches import load_native
+from allworlds.engines.kernel.gluing import by_vertices_and_faces
 
-allworlds.worst(edges=1)
-allworlds.check(edges=WALKED_FROM, engine="kernel")
+allworlds.check(edges=2, engine="kernel")
 by_vertices_and_faces(4, 5, ())
-load_native()
+allworlds.worst(edges=1)
 os.write(int(sys.argv[1]), b"done")
+"""
+"""The compiled code of quick tests: judge and ``examine``, the count, and the search of ``worst``.
+
+The kernel that walks on demand and the one that plays libraries are compiled by slow tests.
 """
 
 pytest_plugins = ["shared_fixtures"]
@@ -158,6 +159,18 @@ def without_workers(monkeypatch):
         yield
 
 
+@pytest.fixture(autouse=True)
+def without_workers_unless_the_test_is_about_them(request):
+    """Use no worker processes in quick tests, but those with the mark ``processes``."""
+    if not (is_slow(request.node) or request.node.get_closest_marker("processes")):
+        request.getfixturevalue("without_workers")
+
+
+def is_slow(item):
+    """Whether a test is left out of the quick run."""
+    return "/slow/" in item.nodeid or item.get_closest_marker("slow") is not None
+
+
 def needs_kernel(item):
     """Whether a test uses compiled code; those that do not are run first."""
     return "compiled" in item.fixturenames
@@ -170,8 +183,8 @@ def pytest_collection_modifyitems(items):
     compiler, have more time before they count as hanging.
     """
     for item in items:
-        slow = item.get_closest_marker("slow") or needs_kernel(item)
-        if slow and not item.get_closest_marker("timeout"):
+        longer = is_slow(item) or needs_kernel(item)
+        if longer and not item.get_closest_marker("timeout"):
             item.add_marker(pytest.mark.timeout(PATIENCE))
     items.sort(key=lambda item: (needs_kernel(item), not item.get_closest_marker("early")))
 

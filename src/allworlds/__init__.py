@@ -45,10 +45,10 @@ if TYPE_CHECKING:
     from allworlds.protocol.choices import Choices as Choices
     from allworlds.reports.drawing.standalone import Drawing as Drawing, draw as draw
     from allworlds.studies import ambiguity as ambiguity
-    from allworlds.studies.ambiguity.smt.twin_search import search as search
     from allworlds.studies.ambiguity.telling_apart import twins as twins
+    from allworlds.studies.ambiguity.twin_search import search as search
     from allworlds.studies.check.exhaustive import check as check
-    from allworlds.studies.compare.contest import compare as compare
+    from allworlds.studies.compare.comparison import compare as compare
     from allworlds.studies.count import count as count
     from allworlds.studies.explain import explain as explain
     from allworlds.studies.fuzz import fuzz as fuzz

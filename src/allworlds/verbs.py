@@ -8,6 +8,8 @@ function in ``reports.tellings``; one that does more than answer a request has o
 from __future__ import annotations
 
 from dataclasses import dataclass
+from operator import attrgetter
+from typing import Any
 
 ROWS, CASES, FINDINGS = "rows or a walk", "cases", "findings"
 PAGE = "a page of its own"
@@ -20,25 +22,25 @@ class Verb:
 
     Attributes:
         name: the words on the command line.
-        function: the function that does it, as ``module:name``.
         document: the name of its document's schema.
         summary: one line of the help.
         telling: the function that makes the telling of its result, as ``module:name``; by default
             the keys and rows of its document.
         has: what its tellings have; it can be written to each file that shows such.
-        sweep: the class of what goes through its units, likewise; empty where it keeps none.
+        swept: it goes through units, which a run directory keeps.
+        python: the name of its function below ``allworlds``, if it is another one.
         panel: the heading of the help under which it stands; that of its group, if it has one.
         example: arguments and options, with which its help begins.
         help: the rest of that.  A verb with a function of its name in ``cli`` has both there.
     """
 
     name: str
-    function: str
     document: str
     summary: str
     telling: str = "reports.tellings.plain:plain_telling"
     has: tuple[str, ...] = (ROWS,)
-    sweep: str = ""
+    swept: bool = False
+    python: str = ""
     panel: str = ""
     example: str = ""
     help: str = ""
@@ -49,11 +51,16 @@ class Verb:
         return self.name.partition(" ")[0] if " " in self.name else ""
 
     @property
-    def python(self) -> str:
-        """The name in Python; a group with a folder of its own is a name of the package."""
-        module, _, name = self.function.partition(":")
-        inside = self.group and module.startswith(f"studies.{self.group}.")
-        return f"allworlds.{f'{self.group}.' if inside else ''}{name}"
+    def path(self) -> str:
+        """The name of its function in Python, such as ``allworlds.check``."""
+        return f"allworlds.{self.python or self.name.replace(' ', '.')}"
+
+    @property
+    def function(self) -> Any:
+        """The function of the package that does it; its module is loaded."""
+        import allworlds
+
+        return attrgetter(self.path.removeprefix("allworlds."))(allworlds)
 
 
 EVERYDAY, LONG_RUNS, COSTS, WORLDS = "Everyday", "Long runs", "Costs", "Worlds"
@@ -62,17 +69,15 @@ ALIKE, PAPERS = "What no robot can tell apart", "Papers"
 VERBS = (
     Verb(
         "check",
-        "studies.check.exhaustive:check",
         "check",
         "Run an explorer in every world of a class, for a verdict: the main job.",
         telling="reports.tellings.check:check_telling",
-        sweep="studies.check.exhaustive:CheckSweep",
+        swept=True,
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
     ),
     Verb(
         "run",
-        "studies.run:run",
         "run",
         "Run an explorer in one world, step by step.",
         telling="reports.tellings.single_run:run_telling",
@@ -80,13 +85,12 @@ VERBS = (
     ),
     Verb(
         "fuzz",
-        "studies.fuzz:fuzz",
         "check",
         "Run an explorer in random worlds beyond the exhaustive bound.",
         telling="reports.tellings.check:check_telling",
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
-        sweep="studies.fuzz:FuzzSweep",
+        swept=True,
         example="my_explorer.py:explore --edges 20 --min-edges 6 --runs 1000",
         help=(
             "Run an explorer in random worlds beyond the exhaustive bound, and shrink what "
@@ -95,7 +99,6 @@ VERBS = (
     ),
     Verb(
         "replay",
-        "studies.replay:replay",
         "replay",
         "Run a finding again: is it reproduced or fixed?",
         telling="reports.tellings.single_run:replay_telling",
@@ -103,7 +106,6 @@ VERBS = (
     ),
     Verb(
         "explain",
-        "studies.explain:explain",
         "explain",
         "Explain a finding in plain words.",
         telling="reports.tellings.explain:explain_telling",
@@ -111,7 +113,6 @@ VERBS = (
     ),
     Verb(
         "init",
-        "studies.init:init",
         "init",
         "Write a skeleton of an explorer, in one of four languages.",
         telling="reports.tellings.init:init_telling",
@@ -126,7 +127,6 @@ VERBS = (
     ),
     Verb(
         "play",
-        "studies.play:play",
         "play",
         "Be the robot, in a web page or in the terminal.",
         telling="reports.tellings.played:play_telling",
@@ -135,7 +135,6 @@ VERBS = (
     ),
     Verb(
         "merge",
-        "studies.merge:merge",
         "merge",
         "Join the shards of a job into one report.",
         telling="reports.tellings.merge:merge_telling",
@@ -149,7 +148,6 @@ VERBS = (
     ),
     Verb(
         "status",
-        "studies.status:status",
         "status",
         "Show the progress of a run directory.",
         telling="reports.tellings.merge:status_telling",
@@ -163,12 +161,11 @@ VERBS = (
     ),
     Verb(
         "compare",
-        "studies.compare.contest:compare",
         "compare",
         "Compare explorers in the same worlds, or in worlds that grow.",
         telling="reports.tellings.compare:compare_telling",
         panel=COSTS,
-        sweep="studies.compare.contest:SameWorlds",
+        swept=True,
         example="algorithm1 dudek91 --edges 4",
         help=(
             "Explorers side by side on the same worlds, each under its own lighthouse; the first "
@@ -180,11 +177,10 @@ VERBS = (
     ),
     Verb(
         "worst",
-        "studies.worst.all_worlds:worst",
         "worst",
         "Find the worst and best cost of Algorithm 1, over every schedule.",
         telling="reports.tellings.worst:worst_telling",
-        sweep="studies.worst.all_worlds:SchedulesSweep",
+        swept=True,
         panel=COSTS,
         example="--edges 5",
         help=(
@@ -196,12 +192,11 @@ VERBS = (
     ),
     Verb(
         "count",
-        "studies.count:count",
         "count",
         "Count the maps of a class, in two independent ways.",
         telling="reports.tellings.count:count_telling",
         panel=WORLDS,
-        sweep="studies.count:CountSweep",
+        swept=True,
         example="--edges 6",
         help=(
             "Enumerate every rooted map of a class, count, and compare the counts with an "
@@ -210,7 +205,6 @@ VERBS = (
     ),
     Verb(
         "ambiguity twins",
-        "studies.ambiguity.telling_apart:twins",
         "twins",
         "Decide whether any motion tells two worlds apart.",
         telling="reports.tellings.lookalikes:twins_telling",
@@ -222,20 +216,19 @@ VERBS = (
     ),
     Verb(
         "ambiguity class",
-        "studies.ambiguity.members:class_of",
         "ambiguity-class",
         "List every world that no motion tells from a given one.",
+        python="ambiguity.class_of",
         telling="reports.tellings.lookalikes:class_telling",
         example="k4 --class simple",
         help=("Build every world that no motion tells from WORLD, and say why."),
     ),
     Verb(
         "ambiguity census",
-        "studies.ambiguity.marked_worlds:census",
         "ambiguity-census",
         "Classify the worlds of a class that no motion tells apart.",
         telling="reports.tellings.census:census_telling",
-        sweep="studies.ambiguity.marked_worlds:CensusSweep",
+        swept=True,
         example="--edges 5",
         help=(
             "Classify every map with one marked vertex: which of them does no motion tell "
@@ -244,7 +237,6 @@ VERBS = (
     ),
     Verb(
         "ambiguity search",
-        "studies.ambiguity.smt.twin_search:search",
         "search",
         "Search for worlds that no motion tells apart, by SMT.",
         telling="reports.tellings.search:search_telling",
@@ -256,7 +248,6 @@ VERBS = (
     ),
     Verb(
         "ledger",
-        "studies.ledger:ledger",
         "ledger",
         "Check the sentences of a paper, each by its own function.",
         telling="reports.tellings.ledger:ledger_telling",

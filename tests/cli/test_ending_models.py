@@ -7,6 +7,7 @@ import pytest
 
 from models import PARITY
 from processes import PATIENCE
+from small import slow
 
 CHECK = ["check", "--edges", "1", "--workers", "1"]
 
@@ -67,8 +68,8 @@ def test_a_model_that_ends_the_process_when_it_is_imported_is_bad_input(ended):
     ("end", "kind", "more", "code"),
     [
         ("os._exit, 0", "task", [], 1),
-        ("os._exit, 0", "where", ["--bound", "0", "--json"], 1),
-        ("os._exit, 1", "where", [], 0),
+        slow("os._exit, 0", "where", ["--bound", "0", "--json"], 1),
+        slow("os._exit, 1", "where", [], 0),
         ("sys.exit, 0", "task", ["-q"], 1),
     ],
 )

@@ -9,7 +9,6 @@ import pytest
 
 from page_blocks import blocks, commands, shows, write
 from shells import shell_in
-from small import LONG
 
 ROOT = Path(__file__).parents[2]
 PAGES = ["README.md", *sorted(p.relative_to(ROOT).as_posix() for p in ROOT.glob("docs/**/*.md"))]
@@ -80,14 +79,8 @@ def shell(tmp_path):
     return shell_in(clone, tmp_path / "bin")
 
 
-def with_weight(page):
-    if page in LONGEST:
-        return pytest.param(page, marks=LONG)
-    return pytest.param(page, marks=[pytest.mark.slow] if page in SLOW else [])
-
-
 @pytest.mark.parametrize(
-    "page", [with_weight(page) for page in PAGES if own_blocks(page)], ids=lambda page: page
+    "page", [page for page in PAGES if own_blocks(page) and page not in SLOW | LONGEST]
 )
 def test_every_block_of_the_page_does_what_the_page_says(page, shell, tmp_path, monkeypatch):
     clone = tmp_path / "clone"

@@ -12,7 +12,7 @@ from allworlds.engines.compiled_engine import AGREEMENT_EDGES
 from allworlds.engines.kernel import capabilities
 from allworlds.explorers import program
 from allworlds.explorers.program import SAYINGS
-from allworlds.explorers.shared_library.library import INTERFACE_VERSION
+from allworlds.explorers.shared_library import INTERFACE_VERSION
 from allworlds.judging.laws.law_table import PRECEDENCE
 from allworlds.protocol import playing
 from allworlds.reports.web import frame

@@ -179,6 +179,7 @@ def test_every_figure_that_a_page_asks_for_is_drawn_and_every_one_is_asked_for()
         pictures.figure("x")
 
 
+@pytest.mark.slow
 def test_every_live_page_has_a_name_of_its_own_and_is_written_and_linked(tmp_path):
     pictures = load("pictures")
     names = [live.name for live in [*pictures.lives(), *pictures.walks()]]

@@ -84,12 +84,12 @@ def installed(tmp_path):
 
 CHECK = [
     *("check", "my-explorer", "--lighthouse", "my-parity:modulus=3"),
-    *("--where", "my-small?degree=3", "--edges", 3, "--json"),
+    *("--where", "my-small?degree=3", "--edges", 2, "--json"),
 ]
 
 
 def test_what_a_distribution_offers_is_used_by_its_name(installed):
-    code, out, err = installed(*CHECK, "--task", "my-word?word=here", "--workers", 2)
+    code, out, err = installed(*CHECK, "--task", "my-word?word=here", "--workers", 1)
     assert code == 0, err
     report = json.loads(out)
     assert report["scope"]["where"] == "my-small?degree=3"

@@ -55,7 +55,7 @@ def run_without_heavy_ones(tmp_path, *arguments):
     )
 
 
-@pytest.mark.parametrize("workers", [slow("1"), "2"])
+@pytest.mark.parametrize("workers", ["1", slow("2")])
 def test_an_explorer_of_ones_own_is_checked_without_numba_and_z3_in_every_process(
     workers, tmp_path
 ):

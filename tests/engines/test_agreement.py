@@ -15,12 +15,12 @@ from allworlds.engines.compiled_engine import (
     AGREED,
     compare_engines,
     compared_to,
+    level_of,
     rotation,
     walk_costs,
 )
 from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.questions import level_of
 from allworlds.engines.scope import LevelRuns, Scope, numbered_runs
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import AskedRules, Rules
@@ -107,6 +107,7 @@ def test_both_modes_agree_in_every_number_of_a_level(policy):
     assert level(walk, 6, policy) == level(judge, 6, policy)
 
 
+@pytest.mark.slow
 def test_totals_are_those_of_independent_programs():
     # The sums of four other programs in C, Python and SPIN, first in, first out.
     expected = {2: 25, 3: 344, 4: 5184, 5: 86061, 6: 1569850, 7: 31356255}
@@ -152,6 +153,7 @@ def test_both_engines_give_the_same_report(options):
     assert reports[0] == reports[1]
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("explore", ["algorithm1-cluster", "algorithm1-natural"])
 def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(explore):

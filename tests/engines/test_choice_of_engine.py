@@ -20,6 +20,7 @@ from allworlds.outcome import Verdict
 from allworlds.studies.check.exhaustive import is_worth_a_guess
 from native_libraries import attack, example
 from shared_fixtures import EXPLORERS
+from small import slow
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -132,7 +133,9 @@ def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, 
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("name", ["right", "everywhere", "here_of_another", "planted", "raises"])
+@pytest.mark.parametrize(
+    "name", ["right", "planted", *map(slow, ("everywhere", "here_of_another", "raises"))]
+)
 def test_both_judges_of_a_users_explorer_count_and_find_the_same(name):
     compiled, general = (
         check(f"{EXPLORERS / 'wrong.py'}:{name}", edges=2, engine=engine).to_json()
@@ -143,6 +146,7 @@ def test_both_judges_of_a_users_explorer_count_and_find_the_same(name):
     assert compiled == general
 
 
+@pytest.mark.slow
 def test_both_judges_of_a_library_count_and_find_the_same():
     library = f"native:{example('c/algorithm1.c')}"
     compiled, general = (check(library, edges=2, engine=each) for each in ("kernel", "python"))
@@ -152,6 +156,7 @@ def test_both_judges_of_a_library_count_and_find_the_same():
     assert [found.key for found in law] == [found.key for found in other]
 
 
+@pytest.mark.slow
 def test_ctrl_c_leaves_the_finished_levels():
     listener = Stopper(after=50_000)
     report = check(edges=8, engine="kernel", workers=2, listener=listener)

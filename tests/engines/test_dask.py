@@ -30,7 +30,10 @@ from kept_jobs import EXPLORERS
 from small import long
 
 distributed = pytest.importorskip("distributed")
-pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+pytestmark = [
+    pytest.mark.processes,
+    pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
+]
 WRONG = EXPLORERS / "wrong.py"
 PROGRAM = EXPLORERS / "program.py"
 

@@ -12,6 +12,8 @@ from allworlds.studies.check.exhaustive import check
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 
+pytestmark = pytest.mark.processes
+
 WALKS_BY_HASHES = """
 from allworlds import Move
 from allworlds.explorers.builtin.algorithm1 import algorithm1
@@ -103,6 +105,7 @@ def explore(first):
 """
 
 
+@pytest.mark.slow
 def test_the_finding_of_a_play_that_another_does_not_repeat_has_both(tmp_path):
     module = tmp_path / "chance.py"
     module.write_text(EVERY_OTHER_TIME)

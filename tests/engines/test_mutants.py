@@ -4,10 +4,11 @@ import pytest
 
 from allworlds import check
 from allworlds.document.struct import replace
-from allworlds.engines import compiled_engine as compiled, questions
-from allworlds.engines.compiled_engine import AGREED, compare_engines
+from allworlds.engines import compiled_engine as compiled
+from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of, compare_engines
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.kernel.rows import LevelBounds, tables
+from allworlds.engines.kernel.gluing import gluing_rule
+from allworlds.engines.kernel.runs import UNDEFINED
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.explorers.loading import load
@@ -19,101 +20,80 @@ from allworlds.outcome import Verdict
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
-WHOLE = questions.level_tables
+
+def too_small(honest):
+    """The bound of worlds with two vertices is half as large."""
+
+    def bounds(*arguments):
+        table = honest(*arguments)
+        table[2] = [[bound // 2 for bound in row] for row in table[2]]
+        return table
+
+    return bounds
 
 
-def percepts_mixed_up(table):
-    """The robot takes a vertex of degree 3 for one of degree 2."""
-    table.sensed[3:4] = 2
-    return table
-
-
-def percepts_too_large(table):
-    """The robot takes every vertex for one of the greatest degree."""
-    table.sensed[1:] = len(table.sensed) - 1
-    return table
-
-
-def retracing_for_nothing(table):
-    return table._replace(back_weight=0)
-
-
-def retracing_counted_twice(table):
-    return table._replace(back_weight=2)
-
-
-def a_bound_too_small(table):
-    table.bound[2] //= 2
-    return table
-
-
-def no_fuel(table):
-    return table._replace(fuel=3)
-
-
-def a_gluing_forgotten(table):
+def a_gluing_forgotten(honest):
     """No decision leads to two darts owed and two open, from four edges on."""
-    if len(table.viable) > 8:
-        table.viable[2, 2] = 0
-    return table
+
+    def rule(edges):
+        viable = honest(edges)
+        if edges >= 4:
+            viable[2, 2] = 0
+        return viable
+
+    return rule
 
 
-def dead_ends_allowed(table):
-    table.viable[:, 0] = 1
-    return table
+def dead_ends_allowed(honest):
+    def rule(edges):
+        viable = honest(edges)
+        viable[:, 0] = 1
+        return viable
+
+    return rule
 
 
-TABLES = [
-    percepts_mixed_up,
-    percepts_too_large,
-    retracing_for_nothing,
-    retracing_counted_twice,
-    a_bound_too_small,
-    no_fuel,
-    a_gluing_forgotten,
-    dead_ends_allowed,
+MUTANTS = [
+    ("allworlds.engines.compiled_engine.bounds_of", compiled.bounds_of, too_small),
+    ("allworlds.engines.kernel.engine.gluing_rule", gluing_rule, a_gluing_forgotten),
+    ("allworlds.engines.kernel.engine.gluing_rule", gluing_rule, dead_ends_allowed),
 ]
 
 
 @pytest.fixture(autouse=True)
 def fresh_comparison():
     AGREED.clear()
-    questions.level_of.cache_clear()
+    compiled.level_of.cache_clear()
     yield
     AGREED.clear()
-    questions.level_of.cache_clear()
+    compiled.level_of.cache_clear()
 
 
 def asked(edges, **given):
-    """The question of a level, with these tables."""
-    level = questions.level_of("algorithm1", Rules(), Extent(MapClass.MAPS, edges), edges)
+    """The question of a level, with these values."""
+    level = compiled.level_of("algorithm1", Rules(), Extent(MapClass.MAPS, edges), edges)
     return replace(level, **given)
 
 
+def table_of(bounds):
+    """The table of the kernel of these largest costs, by vertices from 0 on."""
+    return [[[bound]] for bound in bounds]
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
-def test_a_check_with_a_damaged_table_ends_as_an_internal_error(monkeypatch, mutant):
-    monkeypatch.setattr(questions, "level_tables", lambda *a: mutant(WHOLE(*a)))
+@pytest.mark.parametrize(("where", "honest", "mutant"), MUTANTS, ids=lambda m: str(m)[:30])
+@pytest.mark.parametrize("compares", [True, False])
+def test_a_check_with_a_damaged_table_ends_as_an_internal_error(
+    monkeypatch, where, honest, mutant, compares
+):
+    monkeypatch.setattr(where, mutant(honest))
+    if not compares:
+        monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
     report = check(edges=6, engine="kernel", workers=2)
     assert report.verdict is Verdict.ERROR
     assert report.exit_code == 70
-    assert report.ending.reason
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
-def test_without_the_comparison_a_damaged_table_is_found_out_as_well(monkeypatch, mutant):
-    monkeypatch.setattr(questions, "level_tables", lambda *a: mutant(WHOLE(*a)))
-    monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
-    report = check(edges=6, engine="kernel")
-    if mutant in (retracing_for_nothing, retracing_counted_twice):
-        # Only another engine can know what a walk should have cost.
-        monkeypatch.undo()
-        questions.level_of.cache_clear()
-        honest = check(edges=6, engine="kernel")
-        assert report.tally.traversals != honest.tally.traversals
-        return
-    assert report.exit_code == 70
+    if compares:
+        assert report.ending.reason
 
 
 @pytest.mark.slow
@@ -136,7 +116,7 @@ def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damag
 
 
 def test_the_least_broken_worlds_come_first():
-    level = asked(4, tables=tables(4, 2000, [0, 0, 10, 10, 10]))
+    level = asked(4, bounds=table_of([0, 0, 0, 10, 10, 10]), budgets=(2000,))
     for prefix in prefixes(4, depth=1):
         few, all_ = (walk(level, prefix, keep=keep).broken for keep in (3, 500))
         codes = [(world.vertices, world.sigma, world.alpha) for world in all_]
@@ -150,8 +130,7 @@ def test_the_least_broken_worlds_come_first():
 @pytest.mark.slow
 def test_both_modes_break_in_the_same_worlds():
     allowed = [4, 20, 20, 20, 20, 20]
-    bounds = LevelBounds(lambda n, _d0, _largest: allowed[n - 1])
-    level = asked(5, tables=tables(5, 2000, allowed), bounds=bounds)
+    level = asked(5, bounds=table_of([0, *allowed]))
     for prefix in prefixes(5, depth=1):
         walked, judged = (does(level, prefix, keep=10_000) for does in (walk, judge))
         # A walk stands for every bearing, of which the judge keeps the least.
@@ -163,7 +142,7 @@ def test_both_modes_break_in_the_same_worlds():
 
 def test_a_walk_that_fails_half_way_blames_every_completion():
     # Out of fuel from the first pass on: every world of the unit is broken, and all are met.
-    broken = walk(asked(4, tables=tables(4, 0)), (-3,), keep=1000)
+    broken = walk(asked(4, budgets=(0,)), (-3,), keep=1000)
     honest = walk(asked(4), (-3,))
     assert [row.worlds for row in broken.counts] == [row.worlds for row in honest.counts]
     maps = [CombinatorialMap(world.sigma, world.alpha) for world in broken.broken]
@@ -175,9 +154,14 @@ def test_a_walk_that_fails_half_way_blames_every_completion():
 
 @pytest.mark.slow
 def test_a_disagreement_names_the_world(monkeypatch):
-    monkeypatch.setattr(questions, "level_tables", lambda *a: retracing_for_nothing(WHOLE(*a)))
+    honest = compiled.walk_costs
+
+    def without_retracing(*arguments):
+        return {code: min(cost, 8) for code, cost in honest(*arguments).items()}
+
+    monkeypatch.setattr(compiled, "walk_costs", without_retracing)
     scope = Scope(Extent(MapClass.MAPS, 6), Rules())
-    with pytest.raises(EnginesDisagree, match=r"sigma=\[.*place=0"):
+    with pytest.raises(EnginesDisagree, match=r"the kernel walks 8 .*sigma=\[.*place=0"):
         compare_engines(scope, load("algorithm1"))
 
 
@@ -196,11 +180,11 @@ def test_a_judge_that_is_wrong_is_found_out_before_the_first_level(monkeypatch):
 
 def test_what_the_judge_blames_is_asked_of_the_python_engine(monkeypatch):
     monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
-    honest = questions.level_of
+    honest = compiled.level_of
 
     def stricter(*arguments):
         level = honest(*arguments)
-        return replace(level, bounds=LevelBounds(lambda *_: 0))
+        return replace(level, bounds=table_of([0] * (arguments[-1] + 2)))
 
     monkeypatch.setattr(compiled, "level_of", stricter)
     report = check(edges=2, engine="kernel")
@@ -208,7 +192,9 @@ def test_what_the_judge_blames_is_asked_of_the_python_engine(monkeypatch):
     assert "bound is broken, the python engine that none is" in report.ending.reason
 
 
-def test_rules_are_left_as_they_were():
+def test_the_bounds_are_those_of_the_rules():
     rules = Rules(bound="m * n")
-    assert WHOLE(rules, 3).bound.tolist() == [0, 3, 6, 9, 12]
-    assert WHOLE(replace(rules, bound="none"), 3).bound.min() == 0
+    assert bounds_of(rules, 3) == table_of([0, 3, 6, 9, 12])
+    assert bounds_of(replace(rules, bound="none"), 3) == table_of([UNBOUNDED] * 5)
+    by_degree = [[UNDEFINED], *([3 // d0] for d0 in range(1, 7))]
+    assert bounds_of(replace(rules, bound="m // d0"), 3)[1] == by_degree

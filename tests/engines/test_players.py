@@ -27,6 +27,8 @@ from allworlds.maps.classes import Extent
 from allworlds.world import Directional, World
 from small import EDGE
 
+pytestmark = pytest.mark.processes
+
 WORLD = World(EDGE, Directional(0))
 RIGHT = """
 from allworlds import CombinatorialMap, Estimate, Move

@@ -12,6 +12,8 @@ from allworlds.reports.telling import Quote
 from allworlds.reports.tellings.finding import printed
 from native_libraries import attack
 
+pytestmark = pytest.mark.processes
+
 EXPLORERS = """
 import os, sys
 from allworlds import Estimate
@@ -89,12 +91,14 @@ def test_a_finding_holds_what_was_printed_in_its_run_alone(named, cli):
     assert "begins with" not in err
 
 
+@pytest.mark.slow
 def test_replay_does_not_compare_it(named):
     (finding,) = check(named("wrong"), edges=3).findings
     document = finding.to_json() | {"output": "something else"}
     assert replay(Finding.from_json(document)).outcome == "reproduced"
 
 
+@pytest.mark.slow
 def test_last_words_are_kept(named):
     (finding,) = check(named("dies"), edges=1).findings
     assert (finding.law, finding.output) == ("crash", "last words\n")
@@ -128,6 +132,7 @@ def test_of_an_explorer_in_this_process_the_run_that_is_told_alone_is_heard(capf
     assert "begins with" not in "".join(capfd.readouterr())
 
 
+@pytest.mark.slow
 def test_what_a_program_writes_to_stderr_is_kept_too(tmp_path):
     file = tmp_path / "program.py"
     file.write_text(PROGRAM, encoding="utf-8")

@@ -15,7 +15,10 @@ from allworlds.engines.progress import Silent
 from allworlds.engines.sweep import gather
 from clusters import cluster_here
 
-pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+pytestmark = [
+    pytest.mark.processes,
+    pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
+]
 
 
 def transports():

@@ -20,7 +20,7 @@ SILENT = (
 )
 RUNS = 3  # with one edge: one run in the edge, two in the loop
 
-pytestmark = pytest.mark.usefixtures("no_orphans", "clock")
+pytestmark = [pytest.mark.processes, pytest.mark.usefixtures("no_orphans", "clock")]
 
 
 def only_finding(name, **options):
@@ -44,14 +44,14 @@ def only_finding(name, **options):
         small.long("hang_regex", "timeout", "silent for 4 s"),
         ("os_exit", "crash", "exit code 0"),
         ("segfault", "crash", "signal 11"),
-        ("reads", "crash", "EOFError"),
+        small.slow("reads", "crash", "EOFError"),
         ("closes", "crash", "end of the process"),
         pytest.param(*("closes_and_hangs", "crash", "the process's pipe"), marks=pytest.mark.slow),
-        ("sys_exit", "crash", "SystemExit"),
-        ("interrupt", "crash", "KeyboardInterrupt"),
+        small.slow("sys_exit", "crash", "SystemExit"),
+        small.slow("interrupt", "crash", "KeyboardInterrupt"),
         ("raises", "crash", "ZeroDivisionError"),
-        ("deep", "crash", "RecursionError"),
-        ("orphan", "crash", "exit code 3"),
+        small.slow("deep", "crash", "RecursionError"),
+        small.slow("orphan", "crash", "exit code 3"),
     ],
 )
 def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):
@@ -126,6 +126,7 @@ def test_an_explorer_that_chooses_for_ever_is_silent(wrong, name):
     assert (told.finding.law, told.finding.choices) == ("timeout", finding.choices)
 
 
+@pytest.mark.slow
 def test_a_program_that_plays_one_episode_is_told_that_there_are_more(program):
     finding = only_finding(program("dies-between"))
     assert finding.law == "nondeterministic"

@@ -8,19 +8,19 @@ from array import array
 
 import pytest
 
-import allworlds.explorers.shared_library.library as abi
+import allworlds.explorers.shared_library as abi
 import small
 from allworlds.engines.players import NATIVE_MEMORY
 from allworlds.explorers import shared_library as libraries
 from allworlds.explorers.loading import load
-from allworlds.explorers.shared_library.library import (
+from allworlds.explorers.shared_library import (
     INTERFACE_VERSION,
     ROOM,
     CAction,
     CPercept,
-    Guarded,
     Library,
     NativeExplorer,
+    guarded,
     header_text,
     threads_left,
 )
@@ -88,7 +88,9 @@ def test_a_skeleton_or_the_header_is_asked_for_and_not_both(refused, tmp_path):
 # ---------------------------------------------------------------- wherever explorers take part
 
 
-@pytest.mark.parametrize("source", ["c/algorithm1.c", "cpp/algorithm1.cpp", "rust/algorithm1.rs"])
+@pytest.mark.parametrize(
+    "source", ["c/algorithm1.c", small.slow("cpp/algorithm1.cpp"), small.slow("rust/algorithm1.rs")]
+)
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
 def test_algorithm_1_in_another_language_walks_as_ours(source, policy):
     report = check(native(example(source)), edges=2, policy=policy, engine="python")
@@ -118,6 +120,7 @@ def test_a_wrong_one_is_refuted_shown_and_found_again(tmp_path, cli):
     assert "the answer" in out
 
 
+@pytest.mark.slow
 def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
     assert fuzz(native(example("c/algorithm1.c")), edges=8, runs=20).exit_code == 0
     wrong = native(example("c/hasty.c"))
@@ -137,10 +140,10 @@ def without_choices():
 @pytest.mark.slow
 @pytest.mark.usefixtures("compiled")
 def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
+    from allworlds.engines.compiled_engine import level_of
     from allworlds.engines.kernel.batches import UnitJudge
     from allworlds.engines.kernel.library_player import LibraryPlayer
     from allworlds.engines.kernel.records import Stretch
-    from allworlds.engines.questions import level_of
 
     memory = Stretch(2)
     beat = array("q", [0, 0])
@@ -149,7 +152,7 @@ def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
     judge.lay_out(4)
     laid = judge.lay_out(4)  # a second batch, whose numbers in the unit are others
     subject = load(native(example("c/algorithm1.c")))
-    player, played = LibraryPlayer(subject.innermost.native, beat), set()
+    player, played = LibraryPlayer(subject.native, beat), set()
     for seed in range(30):
         batch = {"heads": judge.heads.tobytes(), "worlds": memory.worlds[: laid.runs].tobytes()}
         told = {"edges": 2, "runs": laid.runs, "seed": seed, "policy": "fifo", "again": False}
@@ -187,6 +190,7 @@ def test_where_several_numbers_are_told_it_is_refused(refused):
     assert not any(found.law == "crash" for found in told.findings)
 
 
+@pytest.mark.processes
 def test_it_may_say_that_several_worlds_look_alike():
     position, ours = Position(0), native(quotient())
     for map_ in (small.PLANE, small.TORUS):
@@ -199,6 +203,7 @@ def test_it_may_say_that_several_worlds_look_alike():
     assert (finding.expected, finding.seen) == (other.expected, other.seen)
 
 
+@pytest.mark.processes
 def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
     for size in (0, 1 << 20):
         found = run(native(quotient(SIZE=size)), World(small.PLANE, Position(0)))
@@ -208,14 +213,21 @@ def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
 # ---------------------------------------------------------------- what it may do to its process
 
 
-WAITED_FOR = "for (;;) pause()"
-"""Is waited for in three processes until the time for its answer is over."""
+QUICK = (
+    "raise(SIGSEGV)",
+    "count = 3",
+    "in_another_thread(wait_for_ever, 0)",
+    "kind = 77",
+    "if (fork() == 0) for (;;) pause()",
+)
+"""One of each kind: a signal, an answer, a thread, an action, and a process."""
 
 
+@pytest.mark.processes
 @pytest.mark.early
 @pytest.mark.no_cover
 @pytest.mark.parametrize(
-    "code", [small.slow(code) if code == WAITED_FOR else code for code in ATTACKS]
+    "code", [*QUICK, *(small.slow(code) for code in ATTACKS if code not in QUICK)]
 )
 def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
     law, seen = ATTACKS[code]
@@ -230,6 +242,7 @@ def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
     assert seen in finding.seen
 
 
+@pytest.mark.slow
 def test_a_library_that_counts_its_runs_is_found():
     # In three runs the two orders may agree by chance, in about one check of four.
     library = native(attack("here_is = episodes % 2"))
@@ -353,14 +366,14 @@ def test_every_schedule_of_a_library_is_one_sequence_of_answers():
 
 def test_threads_that_are_joined_are_not_left_behind(monkeypatch):
     counts = iter([4, 4, 3])  # one is joined, and is listed a little longer
-    monkeypatch.setattr(libraries.library, "threads_now", lambda: next(counts, 3))
+    monkeypatch.setattr(libraries, "threads_now", lambda: next(counts, 3))
     assert threads_left(3) == 0
-    monkeypatch.setattr(libraries.library, "THREADS_END", 0.01)
+    monkeypatch.setattr(libraries, "THREADS_END", 0.01)
     assert threads_left(2) == 1
 
 
 def test_guarded_memory_is_zero_and_as_long_as_it_was_asked_for():
-    kept = Guarded(12).as_a(ctypes.c_int32 * 3)
+    kept = guarded(ctypes.c_int32 * 3)
     assert list(kept) == [0, 0, 0]
     kept[2] = 5
     assert kept[2] == 5
@@ -375,6 +388,6 @@ def test_a_player_knows_its_library():
 
 def test_a_path_that_cannot_be_read_is_refused():
     with pytest.raises(InputError, match="no path"):
-        libraries.library.library_path("x\0y")
+        libraries.library_path("x\0y")
     with pytest.raises(InputError, match="cannot be read"):
-        libraries.library.library_path("x" * 300)
+        libraries.library_path("x" * 300)

@@ -10,12 +10,10 @@ from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from allworlds.explorers.builtin import shield as shield_module
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.builtin.folded_log import FoldedLog
-from allworlds.explorers.builtin.folding import has_open_dart
+from allworlds.explorers.builtin.folding import FoldedLog, has_open_dart
 from allworlds.explorers.builtin.shield import Shield
-from allworlds.explorers.loading import in_process_subject, load
-from allworlds.explorers.names import named_on_command_line, own_bound, whole_name
-from allworlds.explorers.sources import content_digest, place_of_explorer
+from allworlds.explorers.loading import in_process_subject, load, named_on_command_line, own_bound
+from allworlds.explorers.sources import content_digest, place_of_explorer, whole_name
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
@@ -277,12 +275,15 @@ def test_the_machine_is_not_taken_for_the_explorer():
 # ---------------------------------------------------------------- by name
 
 
-@pytest.mark.parametrize("name", ["algorithm1", "quotient", "{mine}:spinning", "{mine}:shielded"])
+@pytest.mark.parametrize(
+    "name", ["quotient", "{mine}:shielded", slow("algorithm1"), slow("{mine}:spinning")]
+)
 def test_it_is_asked_for_by_name(name, mine):
     report = allworlds.check(f"shield:{name.format(mine=mine)}", edges=3, workers=2)
     assert (report.verdict.value, report.runs, report.scope.bound) == ("holds", 309, "9*paper")
 
 
+@pytest.mark.processes
 def test_a_program_can_have_one(tmp_path):
     name = program(tmp_path, silent=False)
     assert allworlds.shield(name) == f"shield:{name}"

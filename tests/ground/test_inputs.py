@@ -89,7 +89,6 @@ FAULTS = {
         ("allworlds.judging.findings.finding.parse_json", json.loads),
         "findings",
     ),
-    "a manifest that is any JSON": (("allworlds.world.corpus.parse_json", json.loads), "manifests"),
     "a corpus of files that are texts": (
         ("allworlds.studies.check.tally_sweep.Finding.from_json", json.loads),
         "corpus",
@@ -107,7 +106,7 @@ FAULTS = {
         "lines",
     ),
     "an exit code that stands nowhere": (
-        ("allworlds.cli.app._refuse", lambda _: 75),
+        ("allworlds.cli.app._refuse", lambda *_: 75),
         "findings",
     ),
 }

@@ -14,7 +14,6 @@ from allworlds.engines.progress import Silent
 from allworlds.engines.units import Shard
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import Option, Request, answer, fields_of, meant, remembered
-from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.studies.check.requests import CheckRequest
 from allworlds.verbs import VERBS
@@ -76,7 +75,7 @@ def test_a_function_takes_its_request_ready_or_in_keywords():
 
 
 def test_each_option_of_a_request_has_its_line_in_the_docstring():
-    functions = [loaded(verb.function) for verb in VERBS]
+    functions = [verb.function for verb in VERBS]
     asked = [function for function in functions if hasattr(function, "request")]
     assert len(asked) >= 11
     for function in asked:

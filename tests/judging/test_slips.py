@@ -15,7 +15,6 @@ from allworlds.studies.explain import explain
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from second_opinion import same_map, same_pose
-from small import slow
 
 
 def spoiling(spoil):
@@ -97,13 +96,21 @@ NO_MAP = [
 """Whose first findings in so small worlds are none of a wrong answer: there is nothing to name."""
 
 
-@pytest.fixture(scope="module", params=[slow(name) if name in NO_MAP else name for name in WRONG])
-def findings(request, untraced):
+LATER = [*NO_MAP, "bearing-ignored", "second-entry-forgotten", "wrong-entry-label"]
+"""Left to the slow tests: the last three take more time than all others."""
+
+
+def found_about(name, untraced):
     """The findings about an explorer, the smallest first."""
     with untraced():
-        found = check(WRONG[request.param], edges=3, max_findings=20).findings
-    assert any(finding.law in ("map", "pose") for finding in found) == (request.param not in NO_MAP)
+        found = check(WRONG[name], edges=3, max_findings=20).findings
+    assert any(finding.law in ("map", "pose") for finding in found) == (name not in NO_MAP)
     return found
+
+
+@pytest.fixture(scope="module", params=[name for name in WRONG if name not in LATER])
+def findings(request, untraced):
+    return found_about(request.param, untraced)
 
 
 @pytest.mark.no_cover

@@ -13,7 +13,7 @@ from jsonschema import Draft7Validator
 from ruamel.yaml import YAML
 
 import allworlds
-from allworlds.explorers.skeletons.languages import LANGUAGES
+from allworlds.explorers.languages import LANGUAGES
 from allworlds.outcome import Exit, Facts
 from allworlds.studies.init import init
 from project.runner import OURS, ROOT, job_in, read
@@ -82,7 +82,9 @@ def steps(described):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("lang", [lang if lang == "python" else long(lang) for lang in LANGUAGES])
+@pytest.mark.parametrize(
+    "lang", ["python", *(long(lang) for lang in LANGUAGES if lang != "python")]
+)
 def test_the_job_of_a_skeleton_fails_and_shows_the_picture(lang, job, tmp_path):
     for program in LANGUAGES[lang].needs:
         if shutil.which(program) is None:

@@ -65,15 +65,15 @@ HOMES = {
         *("document", "outcome", "maps", "protocol", "world", "explorers", "judging", "engines"),
         *("reports", "studies"),
     ],
-    "networkx": ["maps.surgery", "maps.networks", "maps.counting.atlas"],
+    "networkx": ["maps.build", "maps.surgery", "maps.networks"],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
     "psutil": ["engines.dask"],
     "pyarrow": ["reports.formats.csv"],
-    "pysat": ["studies.ambiguity.smt"],
+    "pysat": ["studies.ambiguity.solvers"],
     "rich": ["cli", "reports"],
     "typer": ["cli", "reports"],
-    "z3": ["studies.ambiguity.smt"],
+    "z3": ["studies.ambiguity.solvers"],
 }
 # What comes with Python, or will.
 EVERYWHERE = {*sys.stdlib_module_names, "typing_extensions"}
@@ -92,6 +92,15 @@ DOCUMENT = {
 DOORS = {"lazy", "maps", "outcome", *DOCUMENT}
 """What two modules may share that do not share a line of what they compute."""
 
+UPWARD = {
+    "document.report": "reports",
+    "maps.combinatorial": "maps",
+    "studies.merge": "studies",
+    "verbs": "",
+}
+"""Modules that load what stands above them, in a function: how a report shows itself, the sweep of
+a verb, and its function."""
+
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [
     (
@@ -101,7 +110,7 @@ COMPARED = [
     ),
     # Twins are found by formulas, and by quotients; one checker serves both, and knows neither.
     (
-        "studies.ambiguity.smt",
+        "studies.ambiguity.twin_search",
         "maps.quotient",
         {"maps.canonical", "maps.combinatorial", *INPUTS, *DOORS},
     ),
@@ -173,6 +182,10 @@ def targets(node, name, package):
     return []
 
 
+def is_upward(short, target):
+    return target.module.startswith(f"allworlds.{UPWARD[short]}".rstrip("."))
+
+
 def modules():
     """``{name without 'allworlds.': imports}`` for every source file."""
     read = {}
@@ -183,7 +196,12 @@ def modules():
         package = parts[-1] == "__init__"
         short = ".".join(parts[:-1] if package else parts)
         name = f"allworlds.{short}" if short else "allworlds"
-        read[short] = imports_of(path.read_text(encoding="utf-8"), name, package=package)
+        found = imports_of(path.read_text(encoding="utf-8"), name, package=package)
+        if short in UPWARD:
+            above = {each for each in found if each.lazy and is_upward(short, each)}
+            assert above, f"{short} needs no row of UPWARD"
+            found -= above
+        read[short] = found
     return read
 
 
@@ -287,7 +305,7 @@ def test_a_study_imports_no_study_but_check():
     for short, _, own in own_imports():
         if wing(short) == wing(own) in BY_FOLDER and room(short) != room(own):
             found.add(room(own))
-    assert found == {"studies.check"}
+    assert found == {"studies.check", "studies.merge"}
 
 
 def test_no_circle_is_closed_among_the_modules_of_the_ground():
@@ -465,21 +483,22 @@ def test_what_explorers_need_loads_maps_and_protocol_alone():
 def test_a_process_that_only_plays_loads_neither_judges_nor_worlds():
     loaded = loaded_by(
         "import allworlds.engines.player; "
-        "from allworlds.explorers.functions import Function; "
+        "from allworlds.explorers.loading import Subject; "
         "from allworlds.protocol.playing import Record, TableWorld, play_run"
     )
     assert not {"numpy", "numba", "z3", "networkx", "subprocess", "pickle", "socket"} & loaded
     own = {inner(name) for name in loaded if inner(name)}
     assert not {name for name in own if wing(name) in ("judging", "world", "studies")}
     assert {name for name in own if wing(name) == "explorers"} == {
-        *("explorers", "explorers.functions"),
+        *("explorers", "explorers.loading"),
+        *("explorers.builtin", "explorers.builtin.explorer_table"),
     }
 
 
 def test_a_command_that_lets_others_judge_loads_no_compiled_code():
     loaded = loaded_by(
         "import allworlds.studies.check.exhaustive, allworlds.engines.lanes, "
-        "allworlds.engines.obstacles"
+        "allworlds.engines.engine_table"
     )
     assert not {"numpy", "numba"} & loaded
 

@@ -7,7 +7,7 @@ from itertools import product
 
 import pytest
 
-from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
+from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
 from searches import question
 
 solvers = pytest.importorskip("pysat.solvers", reason="python-sat is not installed")
@@ -38,7 +38,7 @@ def models_of_one_world(checkers, map_class, edges, **asked):
     size = module.size_of(asked, edges)
     if size is None:
         return []
-    tables = module.a_world(clauses, "", size, asked)
+    tables = module.world_named(clauses, "", size, asked)
     with solvers.Solver("g4", bootstrap_with=literals(clauses)) as solver:
         found = []
         for model in solver.enum_models():

@@ -7,7 +7,7 @@ import sys
 import pytest
 
 import allworlds
-from allworlds.studies.ambiguity.smt import solvers, twin_search as searching
+from allworlds.studies.ambiguity import solvers, twin_search as searching
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 WALK = tuple((k, int(p[0]), p[1] == "P") for k, p in zip(*CAPTION.values(), strict=True))

@@ -26,7 +26,6 @@ FINDINGS = own_corpus().directory / "findings"
 PAPER = HERE.parents[1] / "papers" / "minimal_information"
 RECORDS = HERE / "records"
 PATH_3 = '{"sigma":[0,2,1,3],"alpha":[1,0,3,2]}'
-HOSTILE = '{"sigma":[1,0],"alpha":[1,0],"start":5,"lighthouse":{"kind":"position","dart":0}}'
 
 # The fewest words with which each verb does something; {tmp} is a directory to write in.
 LEAST = {
@@ -80,7 +79,6 @@ COMMANDS = {
     "check-corpus": "check explorers.py:first_edge --edges 3 --corpus corpus --json",
     "check-corpus-again": "check explorers.py:first_edge --edges 3 --corpus corpus --json",
     "check-corpus-mended": "check algorithm1 --edges 3 --corpus corpus --json",
-    "check-junit": "check explorers.py:first_edge --edges 3 -o junit:/dev/stderr -q",
     "run": "run algorithm1 theta-torus --json",
     "run-wrong": "run explorers.py:first_edge theta",
     "run-json-world": ["run", "explorers.py:first_edge", PATH_3, "--json"],
@@ -99,22 +97,16 @@ COMMANDS = {
     "compare-text": "compare algorithm1 algorithm1-cluster --edges 3",
     "compare-family": "compare folding algorithm1 --family thick:4x5 --seed 2 --json",
     "compare-wrong": "compare folding explorers.py:first_edge --edges 2 --json",
-    "compare-one": "compare folding --edges 2",
     "worst-shard": "worst --edges 3 --shard 0/2 --json",
     "ledger": "ledger {paper} --only lower-bound-2m --only coq-2m --only pass-kinds --json",
     "ledger-text": "ledger {paper} --only cycles",
     "ledger-required": "ledger {paper} --only bound-order --require coq-2m --json",
-    "ledger-junit": "ledger {paper} --only printed-3 --only coq-2m -o junit:/dev/stderr -q",
-    "refused-claim": "ledger {paper} --only fig-1",
     "census-shard": "ambiguity census --edges 3 --shard 0/2 --json",
     "merge": "merge {run} --json",
     "merge-text": "merge {run}",
-    "merge-gap": "merge {run}-0",
     "status": "status {run} --json",
     "status-text": "status {run}-0",
     "growth": "compare algorithm1 dudek91 --family lattice,dense --to 50 --worlds 2 --json",
-    "growth-text": "compare algorithm1 folding-oldest --family regular:4 --to 40 --seed 3",
-    "refused-family": "compare algorithm1 --family lattice,ring --to 50",
     "replay": "replay finding.json --json",
     "replay-text": "replay finding.json",
     "replay-fixed": "replay finding.json --explorer algorithm1 --json",
@@ -139,19 +131,7 @@ COMMANDS = {
     "play": "play theta-torus -o play.html --json",
     "play-text": "play theta --lighthouse position",
     "header": "init --header --json",
-    "refused-verb": "chekc",
     "refused-option": "check --egdes 3",
-    "refused-class": "check --class planr",
-    "refused-explorer": "check algorthm1",
-    "refused-lighthouse": "check --lighthouse lamp",
-    "refused-world": ["run", "algorithm1", HOSTILE],
-    "refused-lang": "init made/other --lang cobol",
-    "refused-law": "check --laws mpa",
-    "refused-bound": "check --bound n+",
-    "refused-file": "replay missing.json",
-    "version": "--version",
-    "help": "--help",
-    "help-check": "check --help",
 }
 
 # What must be there before a command: explorers, and reports of other commands, in files.

@@ -29,14 +29,8 @@ FORMS = [
     *sorted((HOME / "web").glob("*.py")),
 ]
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
-SLOW = {"ledger", "ambiguity search"}
-
-
-def with_rows():
-    for verb in BY_NAME.values():
-        if ROWS in verb.has:
-            marks = [pytest.mark.slow] if verb.name in SLOW else []
-            yield pytest.param(verb.name, marks=marks)
+SLOW = ("ledger", "ambiguity search")
+WITH_ROWS = [verb.name for verb in BY_NAME.values() if ROWS in verb.has and verb.name not in SLOW]
 
 
 def too_wide(told):
@@ -44,7 +38,7 @@ def too_wide(told):
     return [line for line in told.splitlines() if len(line) > 80 and line[:12] != "  allworlds "]
 
 
-@pytest.mark.parametrize("verb", [*with_rows()])
+@pytest.mark.parametrize("verb", WITH_ROWS)
 def test_a_verb_with_rows_writes_every_form_and_fits_80_columns(verb, cli, tmp_path, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     forms = [name for name, form in FORMATS.items() if ROWS in form.shows]
@@ -69,7 +63,7 @@ def test_a_verb_with_rows_writes_every_form_and_fits_80_columns(verb, cli, tmp_p
     assert not any(re.search(r"\d[:-]\d+( |$)", cell) for row in rows for cell in row)
 
 
-@pytest.mark.parametrize("verb", [*with_rows()])
+@pytest.mark.parametrize("verb", WITH_ROWS)
 def test_each_column_of_a_verbs_rows_has_one_type_whatever_is_missing(verb, cli, tmp_path):
     parquet = pytest.importorskip("pyarrow.parquet")
     file, text_file = tmp_path / "rows.parquet", tmp_path / "rows.csv"

@@ -16,7 +16,7 @@ from allworlds.maps import named_map
 from allworlds.outcome import Interrupted
 from allworlds.studies.ambiguity import census, class_of, search, twins
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.compare.contest import compare
+from allworlds.studies.compare.comparison import compare
 from allworlds.studies.count import count
 from allworlds.studies.explain import explain
 from allworlds.studies.fuzz import fuzz

@@ -2,16 +2,17 @@ import pytest
 import z3
 
 from allworlds.maps import MapClass
-from allworlds.studies.ambiguity.smt.formula import Formula
-from allworlds.studies.ambiguity.smt.one_world import Degrees, Size, one_world
-from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
-from allworlds.studies.ambiguity.smt.question import Sizes
-from allworlds.studies.ambiguity.smt.solvers import Clock, solve_with_z3
+from allworlds.studies.ambiguity.formulas import (
+    Formula,
+    forbid_other_start,
+    one_world,
+    pair_formula,
+)
+from allworlds.studies.ambiguity.question import Question, Size, Sizes
+from allworlds.studies.ambiguity.solvers import solve_with_z3
 from bruteforce import rooted_maps_by_permutations as rooted_maps
 from searches import question
 from small import long
-
-ANY = Degrees()
 
 
 def models(path, formula, world):
@@ -36,10 +37,11 @@ def models(path, formula, world):
     return found
 
 
-def counted(path, edges, map_class, degrees=ANY, fewest=1, most=None):
+def counted(path, edges, map_class, degrees=(None, None), fewest=1, most=None):
     formula = Formula()
     size = Size(edges, fewest, most or edges + 1)
-    world = one_world(formula, "", size, MapClass(map_class), degrees)
+    asked = Question("none", MapClass(map_class), size.most, edges, *degrees)
+    world = one_world(formula, "", size, asked)
     return models(path, formula, world)
 
 
@@ -80,7 +82,7 @@ def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("root", "others"), [(2, None), (None, 2), (2, 2), (4, 1), (9, None)])
 def test_required_degrees_leave_exactly_the_maps_that_have_them(tmp_path, root, others):
-    found = counted(tmp_path / "f.cnf", 3, "maps", Degrees(root, others))
+    found = counted(tmp_path / "f.cnf", 3, "maps", (root, others))
     wanted = [
         m
         for m in rooted_maps(3)
@@ -92,7 +94,7 @@ def test_required_degrees_leave_exactly_the_maps_that_have_them(tmp_path, root, 
 
 def solved(path, formula):
     formula.write(path)
-    return solve_with_z3(path, Clock(None)).status
+    return solve_with_z3(path, None).status
 
 
 @pytest.mark.slow

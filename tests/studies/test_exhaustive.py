@@ -102,7 +102,7 @@ def test_a_missing_witness_is_no_success(monkeypatch):
     explorers = importlib.import_module("allworlds.explorers.builtin.explorer_table")
     built_in = explorers.BUILT_IN["algorithm1"]
     forgetful = explorers.BuiltIn(
-        built_in.explore, "directional", {**built_in.witnesses, "case-4": ((2, 2), None)}
+        built_in.load, "directional", {**built_in.witnesses, "case-4": ((2, 2), None)}
     )
     monkeypatch.setitem(explorers.BUILT_IN, "algorithm1", forgetful)
     assert check(edges=1).missing_witnesses == ()
@@ -112,6 +112,7 @@ def test_a_missing_witness_is_no_success(monkeypatch):
     assert check(edges=2, map_class="simple").missing_witnesses == ()
 
 
+@pytest.mark.processes
 def test_an_interrupt_of_a_closure_interrupts_the_check_and_that_of_a_worker_is_a_crash(tmp_path):
     file = tmp_path / "rude.py"
     file.write_text("def explore(first):\n    raise KeyboardInterrupt\n    yield\n")
@@ -192,6 +193,7 @@ def test_one_worker_and_three_say_the_same(wrong, name, edges, keep):
     assert all(finding.minimal for finding in reports[0].findings)
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize("edges", [3, slow(4)])
 def test_one_worker_and_three_say_the_same_of_algorithm_1(edges):
     assert document(check(edges=edges, workers=3)) == document(check(edges=edges))
@@ -248,12 +250,14 @@ def test_a_program_of_somebody_else_holds(program, edges, all_worlds, runs):
     assert report.rows == ours.rows
 
 
+@pytest.mark.processes
 def test_unknown_keys_checkpoints_and_large_motions_are_legal(program):
     report = check(program("chatty"), edges=2, laws=["map", "pose", "bound", "folding"])
     assert (report.verdict, report.runs) == (Verdict.HOLDS, 30)
     assert report.tally.checkpoints == 30
 
 
+@pytest.mark.processes
 def test_a_shell_script_can_be_an_explorer():
     from pathlib import Path
 
@@ -462,6 +466,7 @@ def test_reaching_the_budget_is_legal_and_passing_it_is_not(budget, law):
     assert [finding.law for finding in report.findings] == ([law] if law else [])
 
 
+@pytest.mark.processes
 def test_a_closure_runs_in_this_process_and_a_function_elsewhere(explorers):
     import wrong
 

@@ -3,13 +3,11 @@ from random import Random
 
 import pytest
 
-from allworlds.studies.ambiguity.smt.cadical_child import main
-from allworlds.studies.ambiguity.smt.formula import Formula
-from allworlds.studies.ambiguity.smt.lrat import check_lrat
-from allworlds.studies.ambiguity.smt.rup import ProofRefused, lrat_of_drat, write_lrat
-from allworlds.studies.ambiguity.smt.solvers import (
-    Clock,
+from allworlds.studies.ambiguity.formulas import Formula
+from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat, write_lrat
+from allworlds.studies.ambiguity.solvers import (
     python_sat_is_installed,
+    solve_here,
     solve_with_python_sat,
 )
 
@@ -76,7 +74,7 @@ def test_random_formulas_are_either_solved_or_proved(tmp_path, seed):
         chosen = chance.sample(range(1, variables + 1), 3)
         formula.add(*[chance.choice((1, -1)) * v for v in chosen])
     formula.write(tmp_path / "f.cnf")
-    solved = solve_with_python_sat(tmp_path / "f.cnf", tmp_path / "f.drat", Clock(None))
+    solved = solve_with_python_sat(tmp_path / "f.cnf", tmp_path / "f.drat", None)
     if solved.status == "sat":
         for clause in formula.clauses:
             assert any((literal > 0) == (abs(literal) in solved.model) for literal in clause)
@@ -93,9 +91,9 @@ def test_random_formulas_are_either_solved_or_proved(tmp_path, seed):
 def test_the_child_process_prints_its_verdict_as_solvers_do(tmp_path, capsys):
     formula, proof = tmp_path / "f.cnf", tmp_path / "f.drat"
     formula.write_text("p cnf 2 2\n1 2 0\n-1 0\n")
-    main(str(formula), str(proof))
+    solve_here(str(formula), str(proof))
     assert capsys.readouterr().out == "s SATISFIABLE\nv -1 2 0\n"
     formula.write_text("p cnf 1 2\n1 0\n-1 0\n")
-    main(str(formula), str(proof))
+    solve_here(str(formula), str(proof))
     assert capsys.readouterr().out == "s UNSATISFIABLE\n"
     assert "0" in proof.read_text().splitlines()

@@ -5,7 +5,6 @@ import pytest
 from allworlds import ambiguity, check, compare, count, fuzz
 from allworlds.inputs.requests import in_scope
 from allworlds.judging.findings.rules import AskedRules
-from allworlds.lazy import loaded
 from allworlds.reports.rendering import text
 from allworlds.verbs import VERBS
 from allworlds.world.lighthouses.kinds import lighthouse_named
@@ -46,7 +45,7 @@ def of_all(report):
 
 
 def test_every_study_that_is_told_of_here_is_tried():
-    swept = {verb.name for verb in VERBS if verb.sweep}
+    swept = {verb.name for verb in VERBS if verb.swept}
     assert swept - {"worst"} == {*STUDIES}  # which has no such options
 
 
@@ -76,7 +75,7 @@ def test_every_rule_is_told_in_document_and_text(name):
 @pytest.mark.parametrize("name", STUDIES)
 def test_every_option_of_the_worlds_and_of_the_rules_is_a_key_of_the_scope(name):
     (verb,) = [verb for verb in VERBS if verb.name == name]
-    request = loaded(verb.function).request
+    request = verb.function.request
     keys = of_all(STUDIES[name](edges=2, where="trees"))[0].keys()
     keys |= of_all(STUDIES[name](edges=2))[0].get("sample") or {}
     assert {one.option for one in in_scope(request)} - {"task"} <= {*keys}

@@ -10,6 +10,7 @@ import pytest
 
 import allworlds
 from allworlds.reports.rendering import text
+from small import slow
 
 ATTACK = Path(__file__).parents[1] / "attacks" / "reaching" / "shares_its_file.py"
 
@@ -66,7 +67,10 @@ def checked(explorer, option, model):
     return report["verdict"], report["scope"].get("shared_file", ""), " ".join(shown.split())
 
 
-@pytest.mark.parametrize(("option", "name"), MODELS.items())
+@pytest.mark.parametrize(
+    ("option", "name"),
+    [("task", "judge"), slow("where", "everything"), slow("lighthouse", "Beacon")],
+)
 def test_an_explorer_in_the_file_of_its_model_can_make_the_verdict_and_the_scope_says_so(
     folder, option, name
 ):

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
-from allworlds.explorers.builtin.undirected import TwoVertices
+from allworlds.explorers.builtin.algorithm1 import Algorithm1, TwoVertices
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import believed_percepts

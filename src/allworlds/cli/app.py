@@ -11,16 +11,14 @@ import traceback
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, fields, is_dataclass
 from functools import cache, wraps
-from importlib import import_module
-from importlib.util import find_spec
 from inspect import Parameter, Signature, signature
 from itertools import pairwise
-from keyword import iskeyword
 from pathlib import Path
 from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
 
+from allworlds.cli.defaults import Defaults, defaults_here
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import (
     OutputGroup,
@@ -36,7 +34,6 @@ from allworlds.cli.output import (
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.exit_code import keep_exit_code
 from allworlds.inputs.requests import AS_IN_PYTHON, PANELS, Argument, Named, Option, Rare, fields_of
-from allworlds.lazy import loaded
 from allworlds.outcome import Exit, NoResult
 from allworlds.verbs import GROUPS, VERBS, Verb
 
@@ -89,7 +86,7 @@ def _show_as_written(argument: Any) -> None:
 
 def plain_command(verb: Verb) -> Callable[..., int]:
     """The function that runs a verb on the command line: it answers, and writes."""
-    function = loaded(verb.function)
+    function = verb.function
 
     def command(request: Any, *, output: OutputGroup) -> int:
         report = answered(function, request, output)
@@ -273,12 +270,34 @@ def command_line(first: str | None = None) -> Any:
 
 
 def _command(verb: Verb) -> Callable[..., int]:
-    """The function that runs a verb: one in the module of its name or group, else the plain one."""
-    home = f"allworlds.cli.{verb.group or verb.name}"
-    module = import_module(home) if find_spec(home) else None
-    name = verb.name.rpartition(" ")[2]
-    own = getattr(module, f"{name}_" if iskeyword(name) else name, None)
-    return grouped(own or plain_command(verb), verb.name)
+    """The function that runs a verb: its own on the command line, else the plain one."""
+    return grouped(_own_command(verb.name) or plain_command(verb), verb.name)
+
+
+def _own_command(name: str) -> Callable[..., int] | None:
+    """The function of a verb that does more than answer a request, and write."""
+    match name:
+        case "check":
+            from allworlds.cli.check import check
+
+            return check
+        case "run":
+            from allworlds.cli.run import run
+
+            return run
+        case "replay":
+            from allworlds.cli.replay import replay
+
+            return replay
+        case "explain":
+            from allworlds.cli.explain import explain
+
+            return explain
+        case "play":
+            from allworlds.cli.play import play
+
+            return play
+    return None
 
 
 def _unasked() -> None:
@@ -326,16 +345,19 @@ def main() -> NoReturn:
 
 def call(arguments: list[str]) -> int:
     """Run a verb in this process and return its exit code; no exception leaves it."""
+    defaults = Defaults()
     try:
-        with beginning(arguments):
-            code = _invoked(arguments)
+        if any(not word.startswith("-") for word in arguments):
+            defaults = defaults_here()
+        with beginning(arguments, defaults):
+            code = _invoked(arguments, defaults)
     except InputError as error:
-        return _refuse(str(error))
+        return _refuse(str(error), defaults)
     except NoResult as error:
         complain(str(error))
         return error.exit
     except _ClickError as error:
-        return _refuse(_complaint(error, arguments))
+        return _refuse(_complaint(error, arguments), defaults)
     except KeyboardInterrupt:
         complain("interrupted")
         return Exit.INTERRUPTED
@@ -362,7 +384,7 @@ def _somewhere() -> bool:
     return True
 
 
-def _invoked(arguments: list[str]) -> int:
+def _invoked(arguments: list[str], defaults: Defaults) -> int:
     """The exit code of the verb.
 
     Click's own ``main`` is left out: it makes an exit code of 1 of every broken pipe, which is
@@ -370,8 +392,9 @@ def _invoked(arguments: list[str]) -> int:
     """
     first = next((word for word in arguments if not word.startswith("-")), "")
     verbs = command_line(first)
+    known = defaults.map_for(verbs, arguments, command_line)
     try:
-        with verbs.make_context("allworlds", [*arguments]) as context:
+        with verbs.make_context("allworlds", [*arguments], default_map=known) as context:
             return int(verbs.invoke(context) or 0)
     except typer.Exit as end:
         return end.exit_code
@@ -387,6 +410,10 @@ def _complaint(error: Exception, arguments: list[str]) -> str:
     return said
 
 
-def _refuse(message: str) -> int:
+def _refuse(message: str, defaults: Defaults | None = None) -> int:
+    used = defaults.used.items() if defaults else ()
+    named = [f"{key} = {show(value)}" for key, value in used if show(value) in message]
+    if defaults and named:
+        message += f" ({', '.join(named)} stands in {show(defaults.file)})"
     complain(message)
     return Exit.USAGE

@@ -14,7 +14,7 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeVar
 
-from allworlds.cli.made_by import made_by, words_of_command
+from allworlds.cli.made_by import defaults_used, made_by, words_of_command
 from allworlds.document.struct import replace
 from allworlds.engines.effort import AskedListener
 from allworlds.engines.prints import patient_stderr
@@ -224,6 +224,9 @@ def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int
                 if output.quiet
                 else on_terminal(telling, columns, whole=output.verbose)
             )
+            for file, options in {} if output.quiet else defaults_used().items():
+                text = ", ".join(f"{key} = {value}" for key, value in options.items())
+                print(printable(f"defaults from {file}: {text}"))
             print(coloured(printable(said)))
         sys.stdout.flush()
     except BrokenPipeError:

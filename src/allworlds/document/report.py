@@ -7,7 +7,6 @@ from typing import Annotated, Any, Final, Literal
 from msgspec import UNSET, Meta, UnsetType
 
 from allworlds.document.struct import Document, Figure, Positive, Seconds, Text, about
-from allworlds.lazy import loaded
 from allworlds.outcome import Exit, Facts
 
 SCHEMA: Final = 2
@@ -21,8 +20,9 @@ class Pictured:
 
     def _repr_svg_(self) -> str:
         """The picture that notebooks show."""
-        svg: str = loaded("reports.drawing.standalone:draw")(self).svg
-        return svg
+        from allworlds.reports.drawing.standalone import draw
+
+        return draw(self).svg  # type: ignore[arg-type]  # one of the two that it draws
 
 
 class Paged:
@@ -32,8 +32,9 @@ class Paged:
 
     def __str__(self) -> str:
         """The text of the command line, 100 columns wide."""
-        told: str = loaded("reports.notebook:text_of")(self)
-        return told
+        from allworlds.reports.notebook import text_of
+
+        return text_of(self)  # type: ignore[arg-type]  # a report, or a part of one
 
     def __init_subclass__(cls, **keywords: Any) -> None:
         super().__init_subclass__(**keywords)
@@ -46,8 +47,9 @@ class Paged:
 
     def _repr_html_(self) -> str:
         """The element that notebooks show."""
-        shown: str = loaded("reports.notebook:shown")(self)
-        return shown
+        from allworlds.reports.notebook import shown
+
+        return shown(self)  # type: ignore[arg-type]  # as above
 
 
 class Host(Document):
@@ -74,6 +76,10 @@ class MadeBy(Document):
 
     version: Annotated[Text, about("of this program")]
     command: Annotated[tuple[str, ...], about("the words of the command line, as they were given")]
+    defaults: Annotated[
+        dict[str, dict[str, Any]] | UnsetType,
+        about("the options that a file gave, by the file; left out: every option was given so"),
+    ] = UNSET
     workers: Annotated[Positive | None, about("processes or threads; null: the verb takes none")]
     host: Annotated[Host, about("the machine and its software")]
     started: Annotated[
@@ -120,5 +126,6 @@ class Report(Paged, Document):
 
     def records(self) -> list[dict[str, Any]]:
         """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``."""
-        rows: list[dict[str, Any]] = loaded("reports.notebook:records")(self)
-        return rows
+        from allworlds.reports.notebook import records
+
+        return records(self)

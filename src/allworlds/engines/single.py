@@ -34,12 +34,14 @@ from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.loading import (
     Subject,
     built_in,
+    command_or_path,
     in_process_subject,
+    is_program,
     source_of,
     with_shield,
 )
-from allworlds.explorers.names import command_of, is_program, whole_name
 from allworlds.explorers.program import Program
+from allworlds.explorers.sources import whole_name
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.episode import Answered, Ending, Fault, Log, Undecided, ending_of, fault_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
@@ -139,7 +141,8 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     if explore in BUILT_IN:
         return built_in(explore)
     if is_program(explore):
-        program = Program(command_of(explore), limits.answer_timeout)  # refuses what cannot be run
+        # What cannot be run is refused here.
+        program = Program(command_or_path(explore), limits.answer_timeout)
         program.ensure_readable()
         return Subject(explore, frozenset({"told"}))
     subject = Subject(explore, frozenset(), source=source_of(explore))

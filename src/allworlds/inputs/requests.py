@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextvars import ContextVar
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property, wraps
 from operator import index
@@ -52,6 +53,9 @@ class Rare(str):
 RARE_SCOPE, RARE_RULES, RARE_EFFORT = Rare(SCOPE), Rare(RULES), Rare(EFFORT)
 
 AS_IN_PYTHON: Final = object()
+
+GIVEN_IN_FILE: ContextVar[frozenset[str]] = ContextVar("given in a file", default=frozenset())
+"""The options for which a file of the user's has defaults: commands that are printed name them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -304,12 +308,13 @@ def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> li
 
     Those that are left out have their defaults, or are of the fields ``but`` which all are told.
     """
-    words, left = list[str](), {*but}
+    words, left, in_file = list[str](), {*but}, GIVEN_IN_FILE.get()
     for each in _meant(part):
-        value = as_json(getattr(request, each.name))
-        if value != as_json(each.default) and each.name not in left:
+        name, value = each.option.replace("_", "-"), as_json(getattr(request, each.name))
+        needed = value != as_json(each.default) or (name in in_file and value is not None)
+        if needed and each.name not in left:
             text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
-            words += [f"--{each.option.replace('_', '-')}", text]
+            words += [f"--{name}", text]
     return words
 
 

@@ -10,7 +10,6 @@ from typing import Annotated, Any, TypeAlias
 from allworlds.document.report import Pictured
 from allworlds.document.struct import Natural, Permutation, WrittenByFields, about
 from allworlds.inputs.checks import InputError, are_plain, integer, parse_json, show
-from allworlds.lazy import loaded
 
 Dart: TypeAlias = Natural
 """A dart: an integer in ``0..2m-1``."""
@@ -254,19 +253,23 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     def to_networkx(self) -> Any:
         """The graph of the map; see :func:`allworlds.maps.networks.to_networkx`."""
-        return loaded("maps.networks:to_networkx")(self)
+        from allworlds.maps.networks import to_networkx
+
+        return to_networkx(self)
 
     @classmethod
     def from_networkx(cls, graph: Any) -> CombinatorialMap:
         """The map of a graph of networkx; see :func:`allworlds.maps.networks.from_networkx`."""
-        made: CombinatorialMap = loaded("maps.networks:from_networkx")(graph)
-        return made
+        from allworlds.maps.networks import from_networkx
+
+        return from_networkx(graph)
 
     @classmethod
     def from_faces(cls, faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
         """The map glued of polygons; see :func:`allworlds.maps.networks.from_faces`."""
-        made: CombinatorialMap = loaded("maps.networks:from_faces")(faces)
-        return made
+        from allworlds.maps.networks import from_faces
+
+        return from_faces(faces)
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:

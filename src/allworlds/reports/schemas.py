@@ -25,7 +25,6 @@ from allworlds.document.struct import IF_ANY, Document, Text, WrittenByFields, a
 from allworlds.engines.engine_table import ENGINES
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
-from allworlds.lazy import loaded
 from allworlds.maps.classes import MapClass
 from allworlds.outcome import Result, Verdict
 from allworlds.protocol.answers import Estimate, RootedMap
@@ -77,14 +76,14 @@ def reports() -> dict[str, Any]:
 
 def reports_of(verb: Verb) -> list[Any]:
     """The types of a verb's reports."""
-    function = unwrap(loaded(verb.function))
+    function = unwrap(verb.function)
     return [*members(eval(function.__annotations__["return"], function.__globals__))]  # noqa: S307
 
 
 @cache
 def pages() -> dict[str, Any]:
     """The type of every document by the name of its schema: reports, then the rest."""
-    merged = dict.fromkeys(kind for verb in VERBS if verb.sweep for kind in reports_of(verb))
+    merged = dict.fromkeys(kind for verb in VERBS if verb.swept for kind in reports_of(verb))
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
         "finding": Finding,

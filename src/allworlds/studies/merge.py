@@ -9,13 +9,12 @@ from typing import Annotated, Any
 from allworlds.engines.effort import AskedListener
 from allworlds.engines.progress import Listener
 from allworlds.engines.run_directory import merged
+from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import AskedRows
 from allworlds.engines.units import WHOLE
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import Argument, takes_fields
-from allworlds.lazy import loaded
 from allworlds.protocol.user_code import as_recorded
-from allworlds.verbs import BY_NAME
 from allworlds.version import __version__
 
 
@@ -28,6 +27,36 @@ class MergeRequest(AskedRows, AskedListener):
     ]
 
 
+def sweep_of(verb: str) -> type[Sweep[Any, Any]]:
+    """The class of what goes through the units of a verb that a run directory keeps."""
+    match verb:
+        case "check":
+            from allworlds.studies.check.exhaustive import CheckSweep
+
+            return CheckSweep
+        case "fuzz":
+            from allworlds.studies.fuzz import FuzzSweep
+
+            return FuzzSweep
+        case "compare":
+            from allworlds.studies.compare.comparison import SameWorlds
+
+            return SameWorlds
+        case "worst":
+            from allworlds.studies.worst.all_worlds import SchedulesSweep
+
+            return SchedulesSweep
+        case "count":
+            from allworlds.studies.count import CountSweep
+
+            return CountSweep
+        case "ambiguity census":
+            from allworlds.studies.ambiguity.marked_worlds import CensusSweep
+
+            return CensusSweep
+    raise LookupError(verb)
+
+
 def _merged(request: MergeRequest) -> Any:
     runs = request.runs
     with merged(runs) as (identity, records):
@@ -36,7 +65,7 @@ def _merged(request: MergeRequest) -> Any:
                 f"run directory {show(str(runs[0]))} is of version {show(identity.version)}, not "
                 f"{show(__version__)}"
             )
-        kind = loaded(BY_NAME[identity.verb].sweep)
+        kind = sweep_of(identity.verb)
         with as_recorded(identity.code):
             sweep = kind.known(identity, WHOLE, request.listener)
             if request.by is not None:

@@ -16,7 +16,7 @@ from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.inputs.requests import RULES, Option, Taken, answers
 from allworlds.judging.findings.rules import AskedRules
 from allworlds.world.lighthouses.kinds import kind_of
-from allworlds.world.named import AskedWorld
+from allworlds.world.named import WorldOptions
 from allworlds.world.world import World
 
 
@@ -33,7 +33,7 @@ def _indices(choices: object) -> tuple[int, ...]:
     return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
 
 
-class AskedRun(AskedPatience, AskedRules, AskedWorld):
+class AskedRun(AskedPatience, AskedRules, WorldOptions):
     """Options for one run: the world, how it is played and judged."""
 
     choices: Annotated[

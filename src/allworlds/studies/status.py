@@ -19,15 +19,14 @@ from allworlds.document.struct import (
     WhichShard,
     about,
 )
-from allworlds.engines.database import reading
+from allworlds.engines.job_records import ENDED
 from allworlds.engines.progress import Silent
-from allworlds.engines.run_directory import ENDED, in_use
+from allworlds.engines.run_directory import in_use, reading
 from allworlds.engines.units import is_counted, shards_of
 from allworlds.inputs.checks import a_path
 from allworlds.inputs.requests import Argument, Request, answers, given_again
-from allworlds.lazy import loaded
 from allworlds.protocol.user_code import as_recorded
-from allworlds.verbs import BY_NAME
+from allworlds.studies.merge import sweep_of
 
 State: TypeAlias = Literal["running", "finished", "unfinished"]
 
@@ -104,7 +103,7 @@ def status(request: StatusRequest) -> Standing:
     running = in_use(path)
     with reading(path) as database, as_recorded(database.identity.code):
         identity = database.identity
-        sweep = loaded(BY_NAME[identity.verb].sweep).known(identity, identity.portion, Silent())
+        sweep = sweep_of(identity.verb).known(identity, identity.portion, Silent())
         ended = database.recall("ended") == ENDED
         began = database.last_session()
         units = worlds = recent = findings = 0

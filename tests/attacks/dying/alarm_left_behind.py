@@ -1,7 +1,6 @@
 """Right in each of its runs, and sets an alarm after each, which ends its idle process.
 
 verdict: holds
-quick: 1
 """
 
 import signal

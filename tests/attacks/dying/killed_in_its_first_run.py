@@ -1,7 +1,7 @@
 """Right, and killed from outside in its very first run, as by a machine without memory.
 
 verdict: holds
-quick: 2
+quick: 1
 """
 
 import os

@@ -2,7 +2,7 @@
 
 verdict: refuted map
 options: --edges 1
-quick: 2
+quick: 1
 """
 
 from pathlib import Path

@@ -2,7 +2,6 @@
 
 verdict: holds
 options: --edges 1
-quick: 1
 """
 
 import os

@@ -2,7 +2,7 @@
 
 verdict: -9
 signal: SIGKILL
-quick: 2
+quick: 1
 """
 
 from pathlib import Path

@@ -3,7 +3,7 @@
 as: exec
 verdict: refuted nondeterministic or map
 options: --edges 3 --lighthouse none --laws map,pose
-quick: 2
+quick: 1
 """
 
 import json

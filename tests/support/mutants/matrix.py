@@ -32,7 +32,7 @@ from allworlds.judging.laws.law_table import LAWS, judge
 from allworlds.judging.laws.laws import Case
 from allworlds.judging.tasks import task_named
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
-from allworlds.maps.counting.sources import source_for
+from allworlds.maps.counting.sources import SOURCES
 from allworlds.protocol.choices import Choices
 from allworlds.studies.check.exhaustive import check
 from allworlds.words import plural
@@ -202,7 +202,7 @@ def _enumerator(mutant: BrokenEnumerator, edges: int) -> Kill:
     row = Kill(mutant=mutant.name, kind="enumerator", breaks=mutant.breaks)
     for level in range(1, edges + 1):
         level_maps = list(mutant.enumerate(level))
-        counted = source_for("maps").cells(level)
+        counted = SOURCES["maps"].cells(level)
         by_vertices = Counter(map_.vertex_count for map_ in level_maps)
         gate_agrees = all(by_vertices[n] == known for n, known in counted.items())
         wrong = _first_difference(level_maps, level)

@@ -6,7 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from allworlds.explorers.names import is_program
+from allworlds.explorers.loading import is_program
 from allworlds.inputs.checks import InputError, an_integer
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.explanations.slips import bearings_anticlockwise, mirror_image, the_slip

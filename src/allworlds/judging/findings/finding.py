@@ -21,8 +21,7 @@ from allworlds.document.struct import (
     computed,
     read_by,
 )
-from allworlds.explorers.loading import HASH_SEED
-from allworlds.explorers.names import named_on_command_line, own_bound
+from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
 from allworlds.inputs.requests import SCOPE, Argument, Named, Option, Request
 from allworlds.judging.findings.rules import RecordedRules, Rules

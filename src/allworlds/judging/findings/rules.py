@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 from allworlds.document.struct import Different, Document, IfAny, Positive, Text, about
-from allworlds.explorers.loading import Subject
-from allworlds.explorers.names import is_library, own_bound
+from allworlds.explorers.loading import Subject, is_library, own_bound
 from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
 from allworlds.inputs.requests import (
     RARE_RULES,

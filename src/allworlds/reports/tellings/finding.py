@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from allworlds.explorers.names import is_program
+from allworlds.explorers.loading import is_program
 from allworlds.judging.explanations.story import Belief, Story
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules

@@ -24,7 +24,6 @@ from allworlds.document.struct import (
     computed,
     replace,
 )
-from allworlds.engines.database import Identity
 from allworlds.engines.effort import ClusterLost, TimeIsUp
 from allworlds.engines.engine_table import (
     ENGINES,
@@ -35,6 +34,7 @@ from allworlds.engines.engine_table import (
     engine_for,
     why_not_compiled,
 )
+from allworlds.engines.job_records import Identity
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import Listener, Once, Silent
 from allworlds.engines.scope import Given, LevelRuns, Scope

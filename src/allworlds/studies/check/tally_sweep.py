@@ -18,13 +18,11 @@ from typing_extensions import override
 
 from allworlds.document.struct import Document, IfAny, Text, about, replace
 from allworlds.engines.comparison import nondeterministic
-from allworlds.engines.database import canonical
 from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import Job
 from allworlds.engines.examiner import LOST
-from allworlds.engines.kept_form import from_kept
+from allworlds.engines.job_records import Records, canonical, from_kept
 from allworlds.engines.lanes import workers_for
-from allworlds.engines.run_directory import Records
 from allworlds.engines.scope import GivenWorlds, Scope
 from allworlds.engines.single import played_again
 from allworlds.engines.sweep import Sweep
@@ -35,7 +33,7 @@ from allworlds.engines.tally import (
     finding_to_record,
 )
 from allworlds.engines.units import SweptLevel
-from allworlds.explorers.loading import Subject, subject_known
+from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import as_json, meant
@@ -332,7 +330,7 @@ def record_of(subject: Subject) -> dict[str, Any]:
 
 def subject_of_record(told: Mapping[str, Any]) -> Subject:
     """The explorer of such a record. Its code is not loaded, because its results are known."""
-    return subject_known(told["name"], told["keywords"])
+    return Subject(told["name"], frozenset(told["keywords"]))
 
 
 Answer = TypeVar("Answer")

@@ -1,0 +1,169 @@
+"""Defaults of options from a file: ``allworlds.toml``, or ``[tool.allworlds]`` in a project's."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from allworlds.inputs.checks import InputError, did_you_mean, in_file, read_text, show
+from allworlds.inputs.requests import GIVEN_IN_FILE
+
+OWN, PROJECT, TABLE = "allworlds.toml", "pyproject.toml", "tool.allworlds"
+
+
+@dataclass
+class Defaults:
+    """The defaults that a file gives.
+
+    Attributes:
+        file: its path; empty if there is none.
+        options: values by name for every verb that has such an option, and tables of such by the
+            names of verbs.
+        used: those that took effect in the command, as it goes on.
+    """
+
+    file: str = ""
+    options: dict[str, Any] = field(default_factory=dict)
+    used: dict[str, Any] = field(default_factory=dict)
+
+    def map_for(self, root: Any, words: list[str], whole: Callable[[], Any]) -> dict[str, Any]:
+        """The defaults of the verb that the words name, as click takes them.
+
+        Args:
+            root: the command line, on which that verb has its options.
+            words: of the command.
+            whole: makes the command line on which every verb has them.
+
+        Raises:
+            InputError: naming a key that is no option of a verb, or a value that is none.
+        """
+        if not self.options:
+            return {}
+        with in_file(self.file):
+            every = dict(_commands(whole()))
+            known = {name for command in every.values() for name in _options(command)}
+            for key, value in self.options.items():
+                if isinstance(value, dict):
+                    _ensure_known(value, every.get(key), key, every)
+                elif key not in known:
+                    raise InputError(f"{key} is no option of a verb{did_you_mean(key, known)}")
+            GIVEN_IN_FILE.set(frozenset(self._keys()))
+            plain = [word for word in words if not word.startswith("-")]
+            name = next((n for n in (" ".join(plain[:2]), *plain[:1]) if n in every), "")
+            mine = _options(dict(_commands(root))[name]) if name else {}
+            given = {**self.options, **self.options.get(name, {})}
+            if any(word.startswith(("--exec", "--native")) for word in words):
+                given.pop("explorer", None)  # another one is named
+            found: dict[str, Any] = {
+                param.name: partial(self._use, key, _value(key, given[key], param))
+                for key, param in mine.items()
+                if key in given
+            }
+        for word in reversed(name.split()):
+            found = {word: found}
+        return found
+
+    def _use(self, key: str, value: Any) -> Any:
+        self.used[key] = value
+        return value
+
+    def _keys(self) -> Iterator[str]:
+        for key, value in self.options.items():
+            yield from value if isinstance(value, dict) else (key,)
+
+
+def defaults_here() -> Defaults:
+    """The defaults of the nearest file: in the current directory, or in one above it.
+
+    In a directory ``allworlds.toml`` comes first.
+
+    Raises:
+        InputError: naming a file that is no TOML.
+    """
+    try:
+        here = Path.cwd()
+    except FileNotFoundError:  # this is told where the directory is needed
+        return Defaults()
+    for folder in (here, *here.parents):
+        for name, table in ((OWN, ""), (PROJECT, TABLE)):
+            file = folder / name
+            if file.is_file() and table in (text := read_text(str(file))):
+                found = _table(name, text, table)
+                if found is not None:
+                    return Defaults(str(file) if folder != here else name, found)
+    return Defaults()
+
+
+def _table(file: str, text: str, name: str) -> dict[str, Any] | None:
+    """The table of that name, with a table for each verb; None if there is none."""
+    try:
+        found: Any = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"file {show(file)} is not TOML: {error}") from None
+    for part in filter(None, name.split(".")):
+        if not isinstance(found := found.get(part), dict):
+            return None
+    return dict(_flat(found))
+
+
+def _flat(table: Mapping[str, Any], group: str = "") -> Iterator[tuple[str, Any]]:
+    """The entries, with the tables of a group's verbs by their whole names."""
+    for key, value in table.items():
+        inner = isinstance(value, dict) and any(isinstance(each, dict) for each in value.values())
+        if inner:
+            yield from _flat(value, f"{key} ")
+        else:
+            yield group + key, value
+
+
+def _commands(root: Any) -> Iterator[tuple[str, Any]]:
+    """Every verb by its name, which may have two words."""
+    for name, command in root.commands.items():
+        below = getattr(command, "commands", {})
+        yield from ((f"{name} {each}", inner) for each, inner in below.items())
+        if not below:
+            yield name, command
+
+
+def _options(command: Any) -> dict[str, Any]:
+    """The parameters by the names that a file uses: those of the options, without dashes."""
+    return {
+        max(param.opts, key=len).lstrip("-"): param
+        for param in command.params
+        if not param.is_eager and param.name != "arguments"
+    }
+
+
+def _ensure_known(
+    table: Mapping[str, Any], command: Any, verb: str, verbs: Mapping[str, Any]
+) -> None:
+    """Refuse a table that is of no verb, or has a key that is no option of it."""
+    if command is None:
+        raise InputError(f"there is no verb {show(verb)}{did_you_mean(verb, verbs)}")
+    known = _options(command)
+    for key in table:
+        if key not in known:
+            raise InputError(f"{key} is no option of {verb}{did_you_mean(key, known)}")
+
+
+def _value(key: str, value: object, param: Any) -> Any:
+    """The value as the command line gives it: a text, a list of texts, or whether a flag is set."""
+    if getattr(param, "is_flag", False):
+        if isinstance(value, bool):
+            return value
+        raise InputError(f"{key} = {show(value)} is not true or false")
+    if param.multiple and isinstance(value, list):
+        return [_value(f"{key}[{i}]", each, _Single) for i, each in enumerate(value)]
+    if isinstance(value, str | int | float) and not isinstance(value, bool):
+        return [str(value)] if param.multiple else str(value)
+    raise InputError(f"{key} = {show(value)} is neither a text nor a number")
+
+
+class _Single:
+    """A parameter that takes one value."""
+
+    is_flag = multiple = False

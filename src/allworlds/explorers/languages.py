@@ -1,0 +1,61 @@
+"""The languages of skeletons: the files of each, and the commands that try an explorer.
+
+A skeleton is files that build and run, and are still wrong.  Those of a language lie in the folder
+of its name in ``skeletons``, each with ``.template`` after its own name.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from msgspec import Struct
+
+SKELETONS = Path(__file__).with_name("skeletons")
+SUFFIX = ".template"
+
+
+class Language(Struct, frozen=True):
+    """A language, with the commands that try an explorer in its folder.
+
+    Attributes:
+        explorer: its file.
+        check: the command that builds it, if it must be built, and checks it.
+        test: the command that runs its test.
+        needs: the programs, besides this one, that these commands call.
+    """
+
+    explorer: str
+    check: str
+    test: str
+    needs: tuple[str, ...] = ()
+
+
+LANGUAGES = {
+    "python": Language(
+        "explorer.py", "allworlds check explorer.py:explore --edges 4", "python -m pytest"
+    ),
+    "javascript": Language(
+        "explorer.js", "allworlds check --exec 'node explorer.js' --edges 4", "npm test", ("node",)
+    ),
+    "c": Language(
+        "explorer.c",
+        "make && allworlds check --native ./explorer.so --edges 4",
+        "make test",
+        ("cc", "make"),
+    ),
+    "rust": Language(
+        "explorer.rs",
+        "make && allworlds check --native ./explorer.so --edges 4",
+        "make test",
+        ("rustc", "make"),
+    ),
+}
+"""Every language with a skeleton."""
+
+
+def templates(folder: Path) -> dict[str, str]:
+    """The texts of the files of a skeleton by their names, sorted."""
+    return {
+        file.relative_to(folder).as_posix().removesuffix(SUFFIX): file.read_text(encoding="utf-8")
+        for file in sorted(folder.rglob(f"*{SUFFIX}"))
+    }

@@ -1,0 +1,331 @@
+"""A shared library, loaded, and played as an explorer; each buffer is behind a protected page."""
+
+from __future__ import annotations
+
+import ctypes
+import mmap
+import os
+import time
+from collections.abc import Generator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, TypeVar, cast
+
+from allworlds.inputs.checks import InputError, existing_file, is_loop_of_links, show
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick as PickUp
+from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
+from allworlds.protocol.choices import KINDS, Choices
+from allworlds.protocol.faults import ExplorerFault, FaultLaw
+from allworlds.protocol.player import Told
+
+
+def header_text() -> str:
+    """The text of ``allworlds.h``."""
+    return Path(__file__).with_name("allworlds.h").read_text(encoding="utf-8")
+
+
+INTERFACE_VERSION = 2
+"""The value of ``ALLWORLDS_VERSION``."""
+
+ROOM = 1 << 18
+"""The least capacity of an answer, in darts."""
+
+MOVE, DROP, PICK, CHECKPOINT, ANSWER, AMBIGUOUS = range(1, 7)
+"""The kinds of actions; in the header their names begin with ``ALLWORLDS_``."""
+
+NOTHING = -1
+"""The entry for no bearing, and for no number told."""
+
+
+class CPercept(ctypes.Structure):
+    """The C type ``struct allworlds_percept``."""
+
+    _fields_ = tuple((name, ctypes.c_int32) for name in ("degree", "marks", "bearing"))
+
+
+class CAction(ctypes.Structure):
+    """The C type ``struct allworlds_action``."""
+
+    _fields_ = tuple((name, ctypes.c_int32) for name in ("kind", "motion"))
+
+
+_INTEGER, _ADDRESS = ctypes.c_int32, ctypes.c_void_p
+
+Pick = ctypes.CFUNCTYPE(_INTEGER, _ADDRESS, _INTEGER, _INTEGER, ctypes.POINTER(_INTEGER))
+"""The C type ``allworlds_pick``."""
+
+_FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "version": (_INTEGER, ()),
+    "new": (_ADDRESS, ()),
+    "delete": (None, (_ADDRESS,)),
+    "start": (None, (_ADDRESS, _ADDRESS, _INTEGER, _ADDRESS)),
+    "step": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
+    "answer": (_INTEGER, (_ADDRESS, _INTEGER, _ADDRESS, _ADDRESS, _ADDRESS)),
+    "choose": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
+    "quotient": (_INTEGER, (_ADDRESS, _INTEGER, *(_ADDRESS,) * 5)),
+}
+"""The types that each function returns and takes."""
+
+_OPTIONAL = ("choose", "quotient")
+"""The functions that a library need not have."""
+
+
+def library_path(path: str) -> Path:
+    """The file of a library, as an absolute path; raise InputError if there is none."""
+    if not path:
+        raise InputError("--native needs the path of a shared library, not an empty string")
+    file = existing_file("--native", path)
+    if file is None:
+        reason = "it is a loop of links" if is_loop_of_links(path) else "there is no such file"
+        reason = "it is a directory" if Path(path).is_dir() else reason
+        raise InputError(f"--native {show(path)}: {reason}")
+    return file
+
+
+class Library:
+    """A library whose functions can be called, and which has the present version.
+
+    Loading runs the user's code.
+
+    Raises:
+        InputError: if it cannot be loaded, or is no library of an explorer.
+    """
+
+    def __init__(self, path: str) -> None:
+        try:
+            self._loaded = ctypes.CDLL(str(library_path(path)))
+        except OSError as error:
+            said = str(error).split("\n", 1)[0]
+            raise InputError(f"--native {show(path)} is no library that loads: {said}") from None
+        functions = [self._function(name, path) for name in _FUNCTIONS]
+        has_version, self.new, self.delete, self.start, self.step, self.answer = functions[:6]
+        self.choose, self.quotient = functions[6:]
+        version = has_version()
+        if version != INTERFACE_VERSION:
+            raise InputError(
+                f"--native {show(path)} is built with version {version} of allworlds.h; legal is "
+                f"{INTERFACE_VERSION}: build it again with that of 'allworlds init --header'"
+            )
+
+    def print_line_by_line(self) -> None:
+        """Make stdio write each line of stdout at once: a killed process would lose it."""
+        program = ctypes.CDLL(None)
+        with suppress(ValueError):  # a C library that calls it otherwise
+            stdout = ctypes.c_void_p.in_dll(program, "stdout")
+            program.setvbuf(stdout, None, 1, ctypes.c_size_t(0))  # 1: _IOLBF
+
+    def _function(self, name: str, path: str) -> Any:
+        function = getattr(self._loaded, f"allworlds_{name}", None)
+        if function is not None:
+            function.restype, function.argtypes = _FUNCTIONS[name]
+        elif name not in _OPTIONAL:
+            needed = ", ".join(f"allworlds_{each}" for each in _FUNCTIONS if each not in _OPTIONAL)
+            raise InputError(
+                f"--native {show(path)} has no function allworlds_{name}; needed are {needed}"
+            )
+        return function
+
+    def addresses(self) -> list[int]:
+        """The addresses of start, step, answer and choose; 0 for one that is missing."""
+        functions = (self.start, self.step, self.answer, self.choose)
+        return [(ctypes.cast(each, _ADDRESS).value or 0) if each else 0 for each in functions]
+
+
+T = TypeVar("T")
+
+_NO_ACCESS = 0
+
+
+def guarded(kind: type[T]) -> T:
+    """A zeroed value of a type of :mod:`ctypes`, right in front of a page without access rights.
+
+    Source: mprotect(2).
+    """
+    size = ctypes.sizeof(kind)  # type: ignore[arg-type]
+    whole = -(-size // mmap.PAGESIZE) * mmap.PAGESIZE
+    # Private: a copy of the process, forked by the explorer, has memory of its own.
+    mine = mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS
+    pages = mmap.mmap(-1, whole + mmap.PAGESIZE, flags=mine)
+    start = ctypes.addressof(ctypes.c_char.from_buffer(pages))
+    protect = ctypes.CDLL(None, use_errno=True).mprotect
+    protect.argtypes = (ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int)
+    if protect(start + whole, mmap.PAGESIZE, _NO_ACCESS):
+        raise OSError(ctypes.get_errno(), "a page cannot be protected")
+    value: Any = kind.from_address(start + whole - size)  # type: ignore[attr-defined]
+    value.memory = pages  # keeps it
+    return cast("T", value)
+
+
+def _integers(length: int) -> ctypes.Array[ctypes.c_int32]:
+    return guarded(ctypes.c_int32 * length)
+
+
+THREADS_END = 0.5
+"""Seconds until a thread that has been joined is no longer listed."""
+
+
+class NativeExplorer:
+    """A library with one state, which plays one episode after the other.
+
+    Args:
+        library: loaded here.
+    """
+
+    def __init__(self, library: Library) -> None:
+        self.library = library
+        self._percept, self._action = guarded(CPercept), guarded(CAction)
+        self._here, self._rooms = _integers(1), [_integers(ROOM) for _ in range(4)]
+        self._sensed = 0
+        self._state: int | None = None
+        self._picks: Any = None
+
+    @property
+    def keywords(self) -> frozenset[str]:
+        """The keywords that the library takes besides percepts."""
+        return frozenset({"told", "choices"} if self.library.choose else {"told"})
+
+    def state(self) -> int:
+        """The library's state, which is made at the first use.
+
+        Raises:
+            ExplorerFault: if the library makes none.
+        """
+        if self._state is None:
+            self._state = self.library.new()
+            if self._state is None:
+                raise ExplorerFault("crash", "allworlds_new returned NULL")
+        return self._state
+
+    def handed(self) -> tuple[Any, ...]:
+        """Memory for percept, action, ``here``, sigma and alpha."""
+        return tuple(map(_integers, (3, 2, 1, ROOM, ROOM)))
+
+    def close(self) -> None:
+        """Delete the state."""
+        state, self._state = self._state, None
+        if state is not None:
+            self.library.delete(state)
+
+    def explore(
+        self, first: Percept, *, told: Told = None, choices: Choices | None = None
+    ) -> Generator[Action | Checkpoint, Percept, Answer]:
+        """Play one episode.
+
+        Raises:
+            ExplorerFault: for an illegal action or answer, and for threads left behind.
+        """
+        threads = threads_now()
+        library, action, state = self.library, self._action, self.state()
+        here, there = ctypes.addressof(self._percept), ctypes.addressof(action)
+        asked = _Asked(choices)
+        if library.choose is not None:
+            self._picks = Pick(asked.pick)  # who may still ask a picker must find it
+            library.choose(state, self._picks, None)
+        self._sensed = 0
+        self._sense(first)
+        action.kind = action.motion = 0
+        library.start(state, here, _one_number(told), there)
+        while True:
+            asked.complain()
+            kind = action.kind
+            if kind == MOVE:
+                self._sense((yield Move(action.motion)))
+            elif kind == CHECKPOINT:
+                sigma, alpha = self._said(library.answer, 2, "illegal-action")
+                yield Checkpoint(sigma, alpha, self._here[0])
+            elif kind in (ANSWER, AMBIGUOUS):
+                answer = self._estimate() if kind == ANSWER else self._ambiguous()
+                if left := threads_left(threads):
+                    what = "a thread" if left == 1 else f"{left} threads"
+                    raise ExplorerFault("crash", f"{what} left behind")
+                return answer
+            elif kind in (DROP, PICK):
+                self._sense((yield Drop() if kind == DROP else PickUp()))
+            else:
+                raise ExplorerFault("illegal-action", f"an action of kind {kind}")
+            action.kind = action.motion = 0
+            library.step(state, here, there)
+
+    def _sense(self, percept: Percept) -> None:
+        """Write the percept for the library."""
+        ours = self._percept
+        self._sensed += percept.degree
+        ours.degree, ours.marks = percept.degree, percept.marks
+        ours.bearing = NOTHING if percept.bearing is None else percept.bearing
+
+    def _said(self, function: Any, lists: int, law: FaultLaw) -> list[tuple[int, ...]]:
+        """Lists of integers, each with one entry for each dart, as the library fills them now."""
+        if self._sensed > len(self._rooms[0]):
+            self._rooms = [_integers(2 * self._sensed) for _ in range(4)]
+        self._here[0] = NOTHING
+        rooms, capacity = self._rooms[:lists], len(self._rooms[0])
+        addresses = map(ctypes.addressof, (*rooms, self._here))
+        darts = function(self.state(), capacity, *addresses)
+        if not 0 <= darts <= capacity:
+            raise ExplorerFault(law, f"{darts} darts, where there is room for {capacity}")
+        return [tuple(room[:darts]) for room in rooms]
+
+    def _estimate(self) -> Estimate:
+        sigma, alpha = self._said(self.library.answer, 2, "no-estimate")
+        try:
+            return Estimate(CombinatorialMap(sigma, alpha), self._here[0])
+        except InvalidMap as error:
+            raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
+
+    def _ambiguous(self) -> Ambiguous:
+        quotient = self.library.quotient
+        if quotient is None:
+            there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
+            raise ExplorerFault("illegal-action", there_is_none)
+        sigma, alpha, degree, marks = self._said(quotient, 4, "no-estimate")
+        return Ambiguous(sigma, alpha, degree, marks, self._here[0])
+
+
+def _one_number(told: Told) -> int:
+    """The one number that a library is told; rules refuse a lighthouse that tells several."""
+    if told is None or isinstance(told, int):
+        return NOTHING if told is None else told
+    return next(iter(told.values()), NOTHING)
+
+
+class _Asked:
+    """The answering of the choices of one episode."""
+
+    def __init__(self, choices: Choices | None) -> None:
+        self._choices = choices or Choices()
+        self._wrong = ""
+
+    def pick(self, _: int | None, of: int, options: int, cost: Any) -> int:
+        """Answer ``allworlds_pick``; an illegal choice is answered by 0, and reported later."""
+        try:
+            kind = KINDS[of] if 0 <= of < len(KINDS) else str(of)
+            costs = cost[: max(options, 0)] if cost else None
+            index: int = self._choices.pick(range(options), of=kind, cost=costs)  # type: ignore[arg-type]
+        except ValueError as error:
+            self._wrong = self._wrong or str(error)
+            return 0
+        return index
+
+    def complain(self) -> None:
+        """Raise the error of an illegal choice, if there was one."""
+        if self._wrong:
+            raise ExplorerFault("crash", f"a choice that is none: {self._wrong}")
+
+
+def threads_now() -> int:
+    """The number of threads of this process; 0 where that cannot be known."""
+    with suppress(OSError):
+        return len(os.listdir("/proc/self/task"))  # noqa: PTH208  # as short as it can be
+    return 0
+
+
+def threads_left(before: int) -> int:
+    """The number of threads that are more than before, and stay.
+
+    One that has been joined is listed for some microseconds more.
+    """
+    deadline = time.monotonic() + THREADS_END
+    while (more := threads_now() - before) > 0 and time.monotonic() < deadline:
+        time.sleep(0.001)
+    return max(0, more)

@@ -1,0 +1,176 @@
+"""Solvers of formulas, each in a way that can be stopped; the only importer of z3 and pysat.
+
+``python -m allworlds.studies.ambiguity.solvers FORMULA PROOF`` is a process of its own for
+python-sat's CaDiCaL, which cannot be interrupted.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from time import monotonic
+from typing import Literal, TypeAlias
+
+from msgspec import Struct
+
+from allworlds.inputs.checks import InputError, show
+from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT, dimacs, read_dimacs
+
+REQUIREMENTS = (DIFFERENT, ALIKE)
+"""The sections of a formula that only together can rule out a pair."""
+
+Status: TypeAlias = Literal["sat", "unsat", "unknown"]
+
+OLDEST = 2
+"""The first major version of CaDiCaL that writes LRAT."""
+
+LONGEST_WAIT = 10**6
+"""The most seconds that a solver can be waited for: both count milliseconds in 32 bits."""
+
+
+class SolverAnswer(Struct, frozen=True):
+    """A solver's answer; ``model`` holds the true variables, if the formula has a model."""
+
+    status: Status
+    model: frozenset[int] = frozenset()
+
+
+UNKNOWN = SolverAnswer("unknown")
+
+
+def has_model_without(formula: Path, requirement: str) -> bool:
+    """Whether z3 finds a model of a formula's file, one requirement left out.
+
+    Raises:
+        ValueError: if the formula has no such section.
+    """
+    import z3
+
+    solver = z3.Solver()
+    solver.from_string("\n".join(dimacs(*read_dimacs(formula, leave_out=requirement))))
+    found: bool = solver.check() == z3.sat
+    return found
+
+
+def solve_with_z3(formula: Path, deadline: float | None) -> SolverAnswer:
+    """The answer of z3; unknown when the time is over."""
+    import z3
+
+    left = _seconds_left(deadline)
+    if left == 0:
+        return UNKNOWN
+    solver = z3.Solver()
+    if left is not None:
+        solver.set("timeout", max(int(left * 1000), 1))
+    solver.from_file(str(formula))
+    verdict = solver.check()
+    if verdict == z3.unsat:
+        return SolverAnswer("unsat")
+    if verdict == z3.unknown:
+        return UNKNOWN
+    model = solver.model()
+    # The variable 17 of the file is called k!17; one without a value may have any.
+    true = (int(d.name().removeprefix("k!")) for d in model.decls() if z3.is_true(model[d]))
+    return SolverAnswer("sat", frozenset(true))
+
+
+def python_sat_is_installed() -> bool:
+    """Whether the extra ``proofs`` is installed."""
+    return find_spec("pysat") is not None
+
+
+def solve_with_python_sat(formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
+    """The answer of python-sat's CaDiCaL, with a DRAT proof in ``proof`` when unsat."""
+    return _solve_with_process([sys.executable, "-m", __name__], formula, proof, deadline)
+
+
+def solve_here(formula: str, proof: str) -> None:
+    """Solve the DIMACS file by python-sat, and print the verdict as solvers do.
+
+    When unsat, write a DRAT proof.
+    """
+    from pysat.formula import CNF
+    from pysat.solvers import Cadical153
+
+    with Cadical153(bootstrap_with=CNF(from_file=formula).clauses, with_proof=True) as solver:
+        if solver.solve():
+            sys.stdout.write(f"s SATISFIABLE\nv {' '.join(map(str, solver.get_model()))} 0\n")
+        else:
+            lines = "".join(line + "\n" for line in solver.get_proof())
+            Path(proof).write_text(lines, encoding="ascii")
+            sys.stdout.write("s UNSATISFIABLE\n")
+
+
+class ExternalSolver(Struct, frozen=True):
+    """A CaDiCaL of version 2 or later, which writes LRAT.
+
+    Raises:
+        InputError: if the file cannot be run, or is another or an older program.
+    """
+
+    path: str
+
+    def __post_init__(self) -> None:
+        try:
+            said = subprocess.run(  # noqa: S603  # the user names the program
+                [self.path, "--version"], capture_output=True, text=True, timeout=10, check=False
+            ).stdout.strip()
+        except (OSError, subprocess.TimeoutExpired, UnicodeDecodeError) as error:
+            reason = getattr(error, "strerror", None) or type(error).__name__
+            raise InputError(f"solver {show(self.path)} cannot be run: {reason}") from None
+        version = re.match(r"([0-9]+)\.", said)
+        if version is None or int(version[1]) < OLDEST:
+            raise InputError(
+                f"solver {show(self.path)} calls itself {said.splitlines()[:1] or 'nothing'}; "
+                f"legal is CaDiCaL {OLDEST} or later"
+            )
+
+    def solve(self, formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
+        """The program's answer, with an LRAT proof in ``proof`` when unsat."""
+        command = [self.path, "-q", "--lrat", "--no-binary"]
+        return _solve_with_process(command, formula, proof, deadline)
+
+
+def _solve_with_process(
+    command: Sequence[str], formula: Path, proof: Path, deadline: float | None
+) -> SolverAnswer:
+    """The verdict and the model that a solver prints.
+
+    Raises:
+        RuntimeError: if it prints no verdict.
+    """
+    left = _seconds_left(deadline)
+    if left == 0:
+        return UNKNOWN
+    try:
+        ran = subprocess.run(  # noqa: S603  # as above
+            [*command, str(formula), str(proof)],
+            capture_output=True,
+            text=True,
+            timeout=left,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return UNKNOWN
+    lines = ran.stdout.splitlines()
+    if "s UNSATISFIABLE" in lines:
+        return SolverAnswer("unsat")
+    if "s SATISFIABLE" in lines:
+        values = (int(word) for line in lines if line[:1] == "v" for word in line[1:].split())
+        return SolverAnswer("sat", frozenset(value for value in values if value > 0))
+    if "s UNKNOWN" in lines or "c UNKNOWN" in lines:
+        return UNKNOWN
+    raise RuntimeError(f"{command[0]} printed no verdict: {(ran.stderr or ran.stdout)[-500:]}")
+
+
+def _seconds_left(deadline: float | None) -> float | None:
+    """Seconds until the deadline, at least 0; None without one."""
+    return None if deadline is None else max(deadline - monotonic(), 0.0)
+
+
+if __name__ == "__main__":
+    solve_here(*sys.argv[1:])

@@ -1,0 +1,281 @@
+"""A run directory is believed where it is whole, and refused in one line where it is not."""
+
+import random
+import shutil
+import sqlite3
+from contextlib import closing
+
+import pytest
+from msgspec import Struct
+
+from allworlds import check
+from allworlds.document.struct import replace
+from allworlds.engines import run_directory
+from allworlds.engines.job_records import Identity
+from allworlds.engines.progress import Silent
+from allworlds.engines.run_directory import FILE, SCHEMA, checksum, reading, records_in
+from allworlds.inputs.checks import InputError
+
+JOB = Identity(
+    verb="check",
+    parameters={"edges": 2, "bound": "n+m"},
+    explorer={"name": "a", "digest": "1"},
+    shard="0/1",
+)
+
+
+class Rows(Struct):
+    """A result."""
+
+    rows: list[int]
+
+    @property
+    def worlds(self):
+        return max(self.rows, default=1)
+
+
+def nothing(text):
+    raise AssertionError(text)
+
+
+@pytest.fixture
+def finished(tmp_path):
+    """A run directory with some units in it."""
+    with records_in(tmp_path / "run", lambda: JOB, nothing) as records:
+        for number in range(9):
+            records.keep(f"2:-{number}", Rows([number] * 9))
+        records.note("ended", "complete")
+    return tmp_path / "run"
+
+
+def opened(run, job=JOB):
+    with records_in(run, lambda: job, nothing) as records:
+        return [records.result(f"2:-{number}") for number in range(10)]
+
+
+def test_what_is_kept_is_there_again(finished):
+    assert opened(finished) == [{"rows": [number] * 9} for number in range(9)] + [None]
+    with reading(finished) as read:
+        assert read.identity == JOB
+        assert sorted(read.keys()) == [f"2:-{number}" for number in range(9)]
+        assert {key: (worlds, result) for key, worlds, _, result in read.rows()} == {
+            f"2:-{number}": (number, {"rows": [number] * 9}) for number in range(9)
+        }
+        assert read.recall("ended") == "complete"
+        assert read.recall("something else") is None
+
+
+OTHERS = {
+    "verb": (replace(JOB, verb="worst"), "is of 'check', not 'worst'"),
+    "version": (replace(JOB, version="9.9"), "not '9.9'"),
+    "edges": (replace(JOB, parameters={"edges": 3, "bound": "n+m"}), "is of edges = 2, not 3"),
+    "bound": (
+        replace(JOB, parameters={"edges": 2, "bound": None}),
+        "is of bound = 'n+m', not the default",
+    ),
+    "laws": (
+        replace(JOB, parameters={"edges": 2, "bound": ["map", "pose"]}),
+        "is of bound = 'n+m', not map,pose",
+    ),
+    "name": (
+        replace(JOB, explorer={"name": "b", "digest": "1"}),
+        "is of the explorer 'a', not 'b'",
+    ),
+    "text": (
+        replace(JOB, explorer={"name": "a", "digest": "2"}),
+        "another text of the explorer 'a'",
+    ),
+    "shards": (replace(JOB, shard="0/2"), "is of the whole job, and not of a job in 2 parts"),
+}
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_a_directory_of_another_job_is_refused(finished, name):
+    job, said = OTHERS[name]
+    before = (finished / FILE).read_bytes()
+    with pytest.raises(InputError, match=r"run directory .*") as refusal:
+        opened(finished, job)
+    assert said in str(refusal.value)
+    assert "\n" not in str(refusal.value)
+    assert (finished / FILE).read_bytes() == before
+
+
+def test_another_shard_of_the_same_job_is_refused(tmp_path):
+    first, second = (replace(JOB, shard=f"{k}/2") for k in range(2))
+    opened(tmp_path, first)
+    with pytest.raises(InputError, match="is of shard 0/2, not 1/2"):
+        opened(tmp_path, second)
+
+
+def test_a_directory_of_other_files_is_refused(tmp_path):
+    (tmp_path / "letters.txt").touch()
+    with pytest.raises(InputError, match=r"holds 'letters\.txt', which is not ours"):
+        opened(tmp_path)
+
+
+def test_a_directory_that_nobody_can_write_is_refused():
+    with pytest.raises(InputError, match="run directory '/proc/run' cannot be written: "):
+        opened("/proc/run")
+
+
+def test_a_directory_in_use_is_refused(finished, monkeypatch):
+    monkeypatch.setattr("allworlds.engines.run_directory.PATIENCE", 0.1)
+    with (
+        records_in(finished, lambda: JOB, nothing),
+        pytest.raises(InputError, match="is in use by another command"),
+    ):
+        opened(finished)
+    assert len(opened(finished)) == 10
+
+
+def test_a_creation_that_was_ended_is_begun_anew(tmp_path):
+    (tmp_path / run_directory.DRAFT).write_bytes(b"SQLite format 3\0, and no more")
+    assert opened(tmp_path) == [None] * 10
+    assert not (tmp_path / run_directory.DRAFT).exists()
+
+
+@pytest.mark.parametrize(
+    ("statement", "said"),
+    [
+        ("PRAGMA application_id = 7", "somebody else's"),
+        (f"PRAGMA user_version = {SCHEMA + 1}", f"is of schema {SCHEMA + 1}; this program reads"),
+        ("UPDATE meta SET value = replace(value, '2', '3') WHERE name = 'identity'", "is damaged"),
+        ("DELETE FROM meta", "is damaged"),
+        ("UPDATE units SET result = '{}'", "is damaged: unit 2:-0 is not what was written"),
+        ("UPDATE units SET worlds = 7", "is damaged: unit 2:-0"),
+        ("UPDATE units SET key = '2:-99' WHERE key = '2:-0'", None),
+        ("DROP TABLE units", "cannot be used: no such table"),
+    ],
+)
+def test_a_file_that_was_changed_is_refused(finished, statement, said):
+    with closing(sqlite3.connect(finished / FILE)) as connection, connection:
+        connection.execute(statement)
+    if said is None:
+        # The unit has gone, and is done again; whoever reads all finds the other one.
+        assert opened(finished)[0] is None
+        with (
+            pytest.raises(InputError, match="unit 2:-99 is not what was written"),
+            reading(finished) as read,
+        ):
+            list(read.rows())
+        return
+    with pytest.raises(InputError, match=said):
+        opened(finished)
+
+
+def test_rows_of_another_directory_are_refused(finished, tmp_path):
+    other = replace(JOB, parameters={"edges": 3})
+    with records_in(tmp_path / "other", lambda: other, nothing) as records:
+        records.keep("2:-1", Rows([]))
+    for name in ("run", "other"):
+        with closing(sqlite3.connect(tmp_path / name / FILE)) as connection, connection:
+            connection.execute("DELETE FROM units WHERE key != '2:-1'")
+            if name == "other":
+                connection.execute("ATTACH ? AS whole", (str(finished / FILE),))
+                connection.execute("DELETE FROM units")
+                connection.execute("INSERT INTO units SELECT * FROM whole.units")
+    with pytest.raises(InputError, match="unit 2:-1 is not what was written"):
+        opened(tmp_path / "other", other)
+
+
+def test_no_file_is_no_run_directory(tmp_path):
+    with (
+        pytest.raises(InputError, match=r"is no run directory: it holds no units\.sqlite"),
+        reading(tmp_path),
+    ):
+        pass
+    (tmp_path / FILE).write_text("no database\n" * 500)
+    for look in (lambda: opened(tmp_path), lambda: reading(tmp_path).__enter__()):
+        with pytest.raises(InputError, match="is damaged: file is not a database"):
+            look()
+
+
+def test_a_checksum_depends_on_every_field():
+    row = ("2:-1", 3, 1.5, "{}")
+    changed = [("2:-2", 3, 1.5, "{}"), ("2:-1", 4, 1.5, "{}"), ("2:-1", 3, 1.25, "{}")]
+    sums = [checksum("a", *one) for one in (row, *changed, (*row[:3], "[]"))]
+    assert len({*sums, checksum("b", *row)}) == 6
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+def test_a_flipped_byte_is_detected_or_harms_nothing(tmp_path):
+    job = lambda run: check(edges=3, engine="python", run=run).to_json()  # noqa: E731
+    whole = job(tmp_path / "run")
+    content = (tmp_path / "run" / FILE).read_bytes()
+    results = [i for i in range(len(content)) if content.startswith(b'{"checkpoints"', i)]
+    draw = random.Random(13)
+    inside = [start + draw.randrange(100) for start in results]
+    anywhere = [draw.randrange(len(content)) for _ in range(60)]
+    refused = 0
+    for number, place in enumerate([*inside, *anywhere]):
+        copy = tmp_path / f"copy-{number}"
+        shutil.copytree(tmp_path / "run", copy)
+        flipped = bytearray(content)
+        flipped[place] ^= 1 << draw.randrange(8)
+        (copy / FILE).write_bytes(flipped)
+        try:
+            again = job(copy)
+        except InputError as error:
+            said = str(error)
+            refused += "run directory" in said
+        else:
+            assert again == whole
+            assert place not in inside
+    assert len(inside) <= refused < len(inside) + len(anywhere)
+
+
+def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
+    said = []
+    whole = check(edges=4, engine="kernel").to_json()
+    real = run_directory._write_ahead
+
+    def small(connection):
+        real(connection)
+        connection.execute("PRAGMA max_page_count = 7")
+
+    class Hears(Silent):
+        notice = staticmethod(said.append)
+
+    monkeypatch.setattr(run_directory, "_write_ahead", small)
+    assert check(edges=4, engine="kernel", run=tmp_path, listener=Hears()).to_json() == whole
+    (line,) = [text for text in said if "run directory" in text]
+    assert "takes no more: database or disk is full; what it holds is kept" in line
+    with reading(tmp_path) as read:
+        kept = read.keys()
+    assert 0 < len(kept) < 20
+    monkeypatch.setattr(run_directory, "_write_ahead", real)
+    assert check(edges=4, engine="kernel", run=tmp_path).to_json() == whole
+    with reading(tmp_path) as read:
+        assert set(kept) < set(read.keys())
+
+
+def test_a_file_that_cannot_be_read_is_left_closed(finished, monkeypatch):
+    real, made = sqlite3.connect, []
+
+    def noted(*address, **options):
+        made.append(real(*address, **options))
+        return made[-1]
+
+    (finished / FILE).write_bytes(b"somebody else's" * 100)
+    monkeypatch.setattr(sqlite3, "connect", noted)
+    with pytest.raises(InputError, match="not a database"), reading(finished):
+        pass
+    (connection,) = made
+    with pytest.raises(sqlite3.ProgrammingError, match="closed"):
+        connection.execute("SELECT 1")
+
+
+def test_a_directory_that_cannot_be_written_can_be_read(finished, monkeypatch):
+    real, refused = sqlite3.connect, []
+
+    def read_only(address, *more, **options):
+        if "mode=ro" in address and not refused:
+            refused.append(address)
+            raise sqlite3.OperationalError("unable to open database file")
+        return real(address, *more, **options)
+
+    monkeypatch.setattr(sqlite3, "connect", read_only)
+    with reading(finished) as read:
+        assert len(read.keys()) == 9
+    assert refused
