@@ -15,7 +15,7 @@ from allworlds.document.struct import replace
 from allworlds.words import number
 
 if TYPE_CHECKING:
-    from allworlds.judging.explanations.story import Spending, Walked
+    from allworlds.judging.explanations.story import Walked
     from allworlds.maps.combinatorial import Dart
     from allworlds.outcome import Result
     from allworlds.protocol.actions import Percept
@@ -221,12 +221,6 @@ class Costs(Struct, frozen=True):
     cells: Sequence[SizeCost]
 
 
-class Curve(Struct, frozen=True):
-    """Traversals against the edges that they found."""
-
-    spent: Spending
-
-
 class Quote(Struct, frozen=True):
     """Lines that are shown unchanged.
 
@@ -260,7 +254,7 @@ class ToldRecord(Struct, frozen=True):
 
 
 Block: TypeAlias = (
-    Words | ToldFacts | ToldTable | ToldPicture | ToldWalk | Costs | Curve | Quote | ToldRecord
+    Words | ToldFacts | ToldTable | ToldPicture | ToldWalk | Costs | Quote | ToldRecord
 )
 """A part of a section."""
 

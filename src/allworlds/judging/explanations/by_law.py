@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from allworlds.explorers.loading import is_program
-from allworlds.inputs.checks import InputError, an_integer
+from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.explanations.slips import bearings_anticlockwise, mirror_image, the_slip
 from allworlds.judging.explanations.story import (
@@ -17,7 +17,6 @@ from allworlds.judging.explanations.story import (
     Telling,
     Walked,
     round_at_the_end,
-    spending,
 )
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import Parting
@@ -574,15 +573,14 @@ def tell_folding(story: Story) -> Telling:
 
 def tell_bound(story: Story) -> Telling:
     """Tell that the answer is right, whose bound was exceeded, and the uses of the traversals."""
-    spent = spending(story, an_integer("expected", story.finding.expected))
-    traversals = plural(spent.cost, "traversal")
-    out = spent.cost - spent.back
+    cost, back = story.transcript.cost, story.steps_back
+    made = plural(cost, "traversal")
     told = [
         *tell_whose_bound(story.finding),
-        f"The robot made {traversals}: {out} forward and {spent.back} back along the way it came.",
-        f"Of those forward {len(spent.found)} found a new edge.",
+        f"The robot made {made}: {cost - back} forward and {back} back along the way it came.",
+        f"Of those forward {len(story.discoveries)} found a new edge.",
     ]
-    return Telling(told, spent=spent)
+    return Telling(told)
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:

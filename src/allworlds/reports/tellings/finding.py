@@ -15,7 +15,6 @@ from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
 from allworlds.reports.telling import (
     Block,
-    Curve,
     Elsewhere,
     Quote,
     Section,
@@ -68,8 +67,6 @@ def finding_section(
     if finding.law == "no-estimate":
         blocks += detail
     blocks.append(_walk(story, told, f"The walk of finding {number}"))
-    if told.spent:
-        blocks.append(Curve(told.spent))
     blocks += [ToldFacts([*_remarks(finding, origin, checked=checked)])]
     blocks.append(Quote("command", "reproduce", finding.reproduce, command=True))
     if finding.law != "no-estimate":

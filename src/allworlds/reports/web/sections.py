@@ -11,12 +11,10 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Move
 from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
 from allworlds.reports.drawing.layout import Layout, layout
-from allworlds.reports.plain_text import cost_picture
 from allworlds.reports.rendering import record, tag
 from allworlds.reports.telling import (
     Block,
     Costs,
-    Curve,
     Quote,
     Section,
     ShownMap,
@@ -250,8 +248,6 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
             if any(cell.bound is not None for cell in block.cells):
                 keys.append(tag("span", "the largest bound", class_="key bound-key"))
             yield tag("p", *keys, class_="legend")
-        case Curve():
-            yield cost_picture(block.spent, f"{name}-cost")
         case Quote():
             yield from [tag("h3", block.title.capitalize())] if block.title else []
             yield _lines(block.text, f"{name}-{block.name}")
