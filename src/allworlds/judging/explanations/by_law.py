@@ -511,9 +511,9 @@ def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
     unsettled = [dart for dart, end in enumerate(folded.alpha) if dart == end]
     for leaves in range(len(unsettled) % 2, len(unsettled) + 1, 2):
         for pairs in _matchings(unsettled, leaves):
-            yield _completed(folded, pairs, [1] * leaves)
+            yield _completed(folded, pairs)
     # Leaves everywhere may be the world itself; then one of them goes on.
-    yield _completed(folded, [], [2, *[1] * (len(unsettled) - 1)])
+    yield _completed(folded, [], longer=unsettled[0])
 
 
 def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart]]]:
@@ -530,31 +530,20 @@ def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart
 
 
 def _completed(
-    folded: Folded, pairs: list[tuple[Dart, Dart]], degrees: list[int]
+    folded: Folded, pairs: list[tuple[Dart, Dart]], longer: Dart | None = None
 ) -> CombinatorialMap:
-    """The folded log with these darts joined; the others lead to new vertices of these degrees.
+    """The folded log with these darts joined; each of the others leads to a leaf.
 
-    From a new vertex of degree 2 an edge leads on to a leaf.
+    From one dart a ``longer`` way of two edges leads there, if it is named.
     """
     sigma, alpha = [*folded.sigma], [*folded.alpha]
-
-    def join(a: Dart, b: Dart) -> None:
-        alpha[a], alpha[b] = b, a
-
-    def grow(degree: int) -> list[Dart]:
-        new = [*range(len(sigma), len(sigma) + degree)]
-        sigma.extend([*new[1:], new[0]])
-        alpha.extend(new)
-        return new
-
     for a, b in pairs:
-        join(a, b)
-    unsettled = [dart for dart, end in enumerate(alpha) if dart == end]
-    for dart, degree in zip(unsettled, degrees, strict=True):
-        back, *onward = grow(degree)
-        join(dart, back)
-        for end in onward:
-            join(end, *grow(1))
+        alpha[a], alpha[b] = b, a
+    for dart in [dart for dart, end in enumerate(alpha) if dart == end]:
+        new = len(sigma)
+        alpha[dart] = new
+        sigma += [new] if dart != longer else [new + 1, new, new + 2]
+        alpha += [dart] if dart != longer else [dart, new + 2, new + 1]
     return CombinatorialMap(sigma, alpha)
 
 
