@@ -25,7 +25,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import explorers
 from allworlds import Checkpoint, Choices, Move, Percept, World
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.claims import Algorithm1
 from corridors import Dart, Shape, drawn_corridor
 from matching import augmented
 from playing import Played, played, run_here

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from allworlds import CombinatorialMap, World, check, worlds
-from allworlds.claims import Found, Means, Unfinished, of_check, truth
-from allworlds.explorers.builtin.folding import FoldedLog
+from allworlds.claims import FoldedLog, Found, Means, Unfinished, of_check, truth
 from allworlds.maps import from_rotation
 from playing import run_here
 

@@ -7,7 +7,7 @@ others, so their darts keep their numbers.
 from __future__ import annotations
 
 from allworlds import Percept
-from allworlds.explorers.builtin.folding import FoldedLog
+from allworlds.claims import FoldedLog
 
 OPEN = -1
 """The other end of a dart that the robot has not gone through."""

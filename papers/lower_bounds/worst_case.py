@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from allworlds import worst
-from allworlds.claims import Found, Means, Unfinished, truth
+from allworlds.claims import EverySchedule, Found, Means, Unfinished, truth
 from allworlds.maps import rooted_maps
-from allworlds.studies.worst.every_schedule import EverySchedule
 
 READABLE_EDGES = 3
 """The largest m for which the readable search over schedules takes seconds."""

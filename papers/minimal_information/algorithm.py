@@ -8,10 +8,17 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from allworlds import Choices, CombinatorialMap, World, ambiguity, check, run, worlds, worst
-from allworlds.claims import Found, Means, Picture, Unfinished, of_check, truth
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.claims import (
+    Algorithm1,
+    EverySchedule,
+    Found,
+    Means,
+    Picture,
+    Unfinished,
+    of_check,
+    truth,
+)
 from allworlds.maps import project, rooted_maps
-from allworlds.studies.worst.every_schedule import EverySchedule
 from passes import played
 from position import marked, pair_of_corpus
 

@@ -9,7 +9,7 @@ from typing import Any
 from msgspec import Struct, field
 
 from allworlds import CombinatorialMap
-from allworlds.reports.drawing.layout import layout
+from allworlds.claims import layout
 
 INK, FAINT, PAPER = "#1a1a1a", "#c9c9c9", "white"
 """Colours of known parts, of unknown parts, and of the ground."""

@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 
 from algorithm import worst_rows
 from allworlds import World, check, compare
-from allworlds.claims import Found, Means, NotChecked, Picture, of_check, truth
+from allworlds.claims import EverySchedule, Found, Means, NotChecked, Picture, of_check, truth
 from allworlds.maps import family as map_of, rooted_maps
-from allworlds.studies.worst.every_schedule import EverySchedule
 from formulas import paper_bound, printed_bound
 from passes import PassWalked, every_run, pass_bound
 

@@ -17,8 +17,7 @@ from allworlds import (
     run,
     worlds,
 )
-from allworlds.claims import Found, Means, of_check, truth
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.claims import Algorithm1, Found, Means, of_check, truth
 from allworlds.maps import rooted_maps, unrooted_code
 
 

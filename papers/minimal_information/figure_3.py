@@ -14,8 +14,8 @@ from typing import Any
 from msgspec import Struct
 
 from allworlds import CombinatorialMap, Percept, run
+from allworlds.claims import mean_interval
 from allworlds.maps import family, rooted_code
-from allworlds.studies.compare.intervals import mean_interval
 from drawn import Table
 from formulas import paper_bound, printed_bound
 

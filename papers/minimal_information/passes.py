@@ -14,8 +14,7 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds import Checkpoint, Choices, Estimate, Percept, World, worlds
-from allworlds.claims import Unfinished
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.claims import Algorithm1, Unfinished
 from formulas import paper_bound
 
 

@@ -14,7 +14,7 @@ import matplotlib as mpl
 from growth import Costs, by_family, costs, exact_sizes, read
 from matplotlib.figure import Figure
 
-from allworlds.studies.compare.intervals import mean_interval
+from allworlds.claims import mean_interval
 
 FILE = Path(__file__).with_suffix(".svg")
 WHO = {"algorithm1": ("Algorithm 1", "#b3261e"), "greedy": ("greedy", "#1d5fa8")}

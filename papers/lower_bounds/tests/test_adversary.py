@@ -10,7 +10,7 @@ import adversary
 import explorers
 from adversary import Deciding, against
 from allworlds import Checkpoint, Choices, Move, World, run
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.claims import Algorithm1
 from allworlds.maps import family, rooted_isomorphism
 from allworlds.protocol.choices import policy_named
 from corridors import Shape, usual_shape

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from allworlds import Checkpoint, Choices, Percept
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.claims import Algorithm1
 from allworlds.maps import from_cycles, rooted_code, rooted_maps
 from allworlds.maps.build import dense, lattice
 from allworlds.protocol.choices import policy_named

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from statistics import mean
 
-from allworlds.studies.compare.intervals import mean_interval
+from allworlds.claims import mean_interval
 
 
 def means(rows: Iterable[dict[str, str]]) -> Iterator[list[object]]:

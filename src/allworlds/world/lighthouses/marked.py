@@ -26,7 +26,7 @@ from allworlds.world.lighthouses.options import InvalidWorld, ensure_legal, the_
 # ---------------------------------------------------------------- at one or two vertices
 
 
-class AtStart(ReferenceLighthouse):
+class MarkedStart(ReferenceLighthouse):
     """A lighthouse at the start's vertex v0, of which all that is sensed follows from its dart."""
 
     dart: Dart
@@ -46,7 +46,7 @@ class AtStart(ReferenceLighthouse):
             )
 
 
-class TowardsNeighbour(AtStart):
+class TowardsNeighbour(MarkedStart):
     """A lighthouse at v0 and at the vertex v1 to which its dart leads."""
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
@@ -67,7 +67,7 @@ class TowardsNeighbour(AtStart):
 
 
 @dataclass(frozen=True, slots=True)
-class Position(AtStart):
+class Position(MarkedStart):
     """One marker at the start vertex v0 that points nowhere.
 
     Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0.  It is
@@ -88,7 +88,7 @@ class Position(AtStart):
 
 
 @dataclass(frozen=True, slots=True)
-class Directional(AtStart):
+class Directional(MarkedStart):
     """One marker at the start vertex v0 that points to one of its darts.
 
     Sensed at v0: one mark, and the bearing of ``dart``; elsewhere only the degree.
