@@ -23,7 +23,7 @@ from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.scope import LevelRuns, Scope, numbered_runs
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps import MapClass, rooted_code, rooted_maps
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting.any_genus import rooted_maps as counted
@@ -158,7 +158,7 @@ def test_both_engines_give_the_same_report(options):
 @pytest.mark.parametrize("explore", ["algorithm1-cluster", "algorithm1-natural"])
 def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(explore):
     # Under one of them the explorer is told the degree of v1; few small worlds have it.
-    rules = AskedRules().rules_of(load(explore), load(explore).lighthouse)
+    rules = RuleOptions().rules_of(load(explore), load(explore).lighthouse)
     scope = Scope(Extent(MapClass.SIMPLE, 7), rules)
     assert compared_to(scope) == 6
     assert compared_to(replace(scope, extent=Extent(MapClass.MAPS, 7))) == 4

@@ -23,8 +23,8 @@ class Explanation(Report):
     Vertices and darts are those of the world, in the numbering of the finding.
     """
 
-    explorer: Annotated[str, about("its name")] = computed(lambda told: told.finding.explorer)
-    law: Annotated[LawName, about("the broken one")] = computed(lambda told: told.finding.law)
+    explorer: Annotated[str, about("its name")] = computed(lambda made: made.finding.explorer)
+    law: Annotated[LawName, about("the broken one")] = computed(lambda made: made.finding.law)
     step: Annotated[
         Natural | None,
         about(
@@ -34,7 +34,7 @@ class Explanation(Report):
     ]
     sentences: Annotated[Some[Text], about("in plain words")]
     world: Annotated[World, about("that of the finding")] = computed(
-        lambda told: told.finding.world
+        lambda made: made.finding.world
     )
     robot: Annotated[Dart, about("where the robot is at the end")]
     answer: Annotated[Estimate | None, about("the wrong answer; null where the finding holds none")]

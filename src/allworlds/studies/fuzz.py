@@ -42,7 +42,7 @@ from allworlds.world.own_condition import WhereOptions
 from allworlds.world.world import World
 
 
-class AskedSample(Request):
+class SampleOptions(Request):
     """Options for drawing worlds: their sizes and their number."""
 
     edges: Annotated[int, Option(SCOPE, "M", "At most M edges.", parse=integer_of)]
@@ -63,7 +63,7 @@ class MapsRequest(ManyRuns, WhereOptions):
     """Request for runs in given maps: an explorer, the class and a condition, rules and effort."""
 
 
-class FuzzRequest(AskedDirectory, AskedCluster, AskedShard, MapsRequest, AskedSample):
+class FuzzRequest(AskedDirectory, AskedCluster, AskedShard, MapsRequest, SampleOptions):
     """Request of ``fuzz``: an explorer, the sample, rules and effort."""
 
 

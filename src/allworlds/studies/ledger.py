@@ -124,12 +124,12 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
         Picture(f"the smallest world in which {whole.explorer} fails", finding.world)
         for finding in whole.findings[:1]
     )
-    told = "".join(
+    refutation = "".join(
         f"the law {finding.law} is broken in a world with {finding.world.map.edge_count} edges and "
         f"{finding.world.map.vertex_count} vertices"
         for finding in whole.findings[:1]
     )
-    return Found(truth(whole.verdict is Verdict.HOLDS), seen, figures, pictures, told)
+    return Found(truth(whole.verdict is Verdict.HOLDS), seen, figures, pictures, refutation)
 
 
 # ---------------------------------------------------------------- ledger.toml
@@ -283,19 +283,19 @@ def _differences(one: CheckedClaim) -> tuple[str, ...]:
         return ()
     if one.disagreement:
         return (f"a disagreement within this program: {one.disagreement}",)
-    told = []
+    differ = []
     if one.verdict != one.expected:
-        told.append(f"verdict: {one.expected} expected, {one.verdict} found")
+        differ.append(f"verdict: {one.expected} expected, {one.verdict} found")
     for expected, seen in (
         (one.expected_witnesses, one.witnesses),
         (one.expected_figures, one.figures),
     ):
-        told += [
+        differ += [
             f"{name}: {expected.get(name)} expected, {seen.get(name)} found"
             for name in sorted({*expected, *seen})
             if expected.get(name) != seen.get(name)
         ]
-    return tuple(told)
+    return tuple(differ)
 
 
 class CheckedClaim(Sentence):
@@ -500,8 +500,8 @@ def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0)
     if isinstance(found, Found):
         shown = found
     else:
-        told = found.traceback if isinstance(found, InternalError) else found.reason
-        shown = Found("refuted", {}, told=told)
+        reason = found.traceback if isinstance(found, InternalError) else found.reason
+        shown = Found("refuted", {}, told=reason)
     sentence = {name: getattr(claim, name) for name in Sentence.__struct_fields__}
     return CheckedClaim(
         **{**sentence, "scope": claim.scope_under(budget)},

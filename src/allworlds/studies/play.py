@@ -14,7 +14,7 @@ from allworlds.engines.single import single_run, subject_of
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import integer_of
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
-from allworlds.judging.findings.rules import AskedRules
+from allworlds.judging.findings.rules import RuleOptions
 from allworlds.maps.surgery import covering_walk
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.faults import IllegalAction
@@ -62,7 +62,7 @@ def _costs(world: World) -> Iterator[CostBeside]:
     kind = world.lighthouse.kind
     if world.map.edge_count <= LARGEST and kind in VARIANTS:
         subject = subject_of(VARIANTS[kind], Limits())
-        rules = AskedRules().rules_of(subject, kind_of(world.lighthouse))
+        rules = RuleOptions().rules_of(subject, kind_of(world.lighthouse))
         cost = single_run(subject, world, rules, (), Limits()).cost
         yield CostBeside(who=Walker.ALGORITHM_1, cost=cost)
     yield CostBeside(who=Walker.EVERY_EDGE, cost=covering_walk(world.map, world.start))

@@ -293,7 +293,7 @@ class FindingWords(Request):
         return self.chosen().finding
 
 
-class AskedFinding(Request, kw_only=False):
+class FindingOptions(Request, kw_only=False):
     """The part of a request that names a finding."""
 
     finding: Annotated[Finding, Named(FindingWords, "the finding")]

@@ -58,7 +58,7 @@ from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Named, Option, Taken
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps.classes import Extent, ExtentOptions
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import FORMS
@@ -373,7 +373,7 @@ class ComparedName(Document):
     name: Annotated[Text, about("the explorer's")]
 
 
-class Compared(ComparedName, of=(LighthouseOptions, AskedRules)):
+class Compared(ComparedName, of=(LighthouseOptions, RuleOptions)):
     """An explorer of a comparison, with the rules of its runs."""
 
     places: TriedPlaces
@@ -440,7 +440,7 @@ class ContestReport(SweptReport):
         """The part of the document that tells of an explorer."""
         return Compared(
             name=one.name,
-            **one.rules.told,
+            **one.rules.in_effect,
             places=tried_places(one.rules.lighthouse, self.extent),
             shared_file=one.rules.shared_file,
         )
