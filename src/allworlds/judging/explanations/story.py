@@ -116,8 +116,12 @@ class Belief:
     """
 
     def __init__(self, story: Story) -> None:
-        self.story = story
-        self.answer = _answer(story.finding.seen)
+        seen = story.finding.seen
+        if not isinstance(seen, Estimate):
+            raise InputError(
+                f"seen = {show(seen)} is no rooted map, but the law is about the answer"
+            )
+        self.story, self.answer = story, seen
         self.walk = believed_walk(story.world, self.answer, story.transcript)
 
     @property
@@ -125,12 +129,6 @@ class Belief:
         """The first step at which belief and truth diverge."""
         parting = self.walk.parting
         return parting.step if parting else None
-
-
-def _answer(seen: object) -> Estimate:
-    if not isinstance(seen, Estimate):
-        raise InputError(f"seen = {show(seen)} is no rooted map, but the law is about the answer")
-    return seen
 
 
 LONGEST = 200

@@ -9,7 +9,7 @@ from allworlds.engines.single import SingleRun
 from allworlds.judging.episode import Answered, Over, Said, Undecided
 from allworlds.judging.explanations.story import Walked
 from allworlds.judging.findings.walks import believed_walk, true_trail
-from allworlds.judging.laws.laws import BrokenInvariant, embed
+from allworlds.judging.laws.laws import embed
 from allworlds.protocol.answers import Ambiguous
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
@@ -46,7 +46,7 @@ def known(run: SingleRun) -> ShownMap | None:
     seen = ShownMap({}, {})
     for step, checkpoint in episode.checkpoints:
         place = embed(world.map, trail[step], checkpoint)
-        if isinstance(place, BrokenInvariant):
+        if isinstance(place, str):
             return None
         for dart, other in enumerate(checkpoint.alpha):
             seen.darts.setdefault(place[dart], step)
