@@ -392,7 +392,7 @@ def _generators(extent: Extent) -> tuple[Generator, ...]:
     map_class, where = extent.map_class, extent.where
     if narrowing(where):
         return (glued(map_class, where),)
-    return GENERATORS[map_class]
+    return GENERATORS.get(map_class, (glued(map_class),))
 
 
 def _rerooted(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
@@ -476,4 +476,4 @@ GENERATORS: dict[MapClass, tuple[Generator, ...]] = {
     MapClass.SIMPLE: (glued(MapClass.SIMPLE), a_lattice, glued(MapClass.PLANAR_SIMPLE)),
     MapClass.PLANAR_SIMPLE: (glued(MapClass.PLANAR_SIMPLE), a_lattice),
 }
-"""The generators of a class, taken in turn."""
+"""The generators of a class, taken in turn; of one that has none here, its random histories."""

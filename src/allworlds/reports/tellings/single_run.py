@@ -9,7 +9,7 @@ from allworlds.engines.single import SingleRun
 from allworlds.judging.episode import Answered, Over, Said, Undecided
 from allworlds.judging.explanations.story import Walked
 from allworlds.judging.findings.walks import believed_walk, true_trail
-from allworlds.judging.laws.laws import embed
+from allworlds.judging.laws.finished_run import embed
 from allworlds.protocol.answers import Ambiguous
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
