@@ -1,7 +1,8 @@
 """The laws that a finished run is held to.
 
-A new one is a function of a :class:`~allworlds.judging.laws.finished_run.Case` and an entry of ``LAWS``;
-a law that ends a run before it is finished, such as ``timeout``, stands in ``ALWAYS`` alone.
+A new one is a function of a :class:`~allworlds.judging.laws.finished_run.Case` and an entry of
+``LAWS``; a law that ends a run before it is finished, such as ``timeout``, stands in ``ALWAYS``
+alone.
 """
 
 from __future__ import annotations
