@@ -198,6 +198,14 @@ def test_one_vertex_more_or_less_decides(tmp_path):
     assert [found.sizes.two.edges for found in result.levels] == [1, 2, 3]
 
 
+def test_sizes_without_any_world_are_left_out():
+    sizes = [one for one, _ in question("position", "simple", 4, 7).sizes()]
+    wanted = [(1, 2, 2), (2, 3, 3), (3, 3, 4), (4, 4, 4), (5, 4, 4), (6, 4, 4)]
+    assert [(size.edges, size.fewest, size.most) for size in sizes] == wanted
+    *_, (largest, _) = question("position", "planar-simple", 5, 10).sizes()  # K5 has ten edges
+    assert (largest.edges, largest.fewest, largest.most) == (9, 5, 5)
+
+
 @pytest.mark.parametrize(
     "bounds",
     [
