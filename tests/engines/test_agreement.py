@@ -20,7 +20,7 @@ from allworlds.engines.compiled_engine import (
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.scope import Scope
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import rooted_maps as counted
@@ -127,7 +127,7 @@ def test_both_engines_give_the_same_report(options):
 @pytest.mark.parametrize("explore", ["algorithm1-cluster", "algorithm1-natural"])
 def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(explore):
     # Under one of them the explorer is told the degree of v1; few small worlds have it.
-    rules = AskedRules().rules_of(load(explore), load(explore).lighthouse)
+    rules = RuleOptions().rules_of(load(explore), load(explore).lighthouse)
     scope = Scope(Extent(MapClass.SIMPLE, 7), rules)
     assert compared_to(scope) == 6
     assert compared_to(replace(scope, extent=Extent(MapClass.MAPS, 7))) == 4

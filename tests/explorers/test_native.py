@@ -33,7 +33,7 @@ from allworlds.protocol.choices import KINDS, Choices
 from allworlds.protocol.faults import ExplorerFault
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import most_expensive_runs
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Directional, Position, World

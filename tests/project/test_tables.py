@@ -26,7 +26,7 @@ from allworlds.explorers.languages import LANGUAGES
 from allworlds.explorers.loading import load
 from allworlds.inputs.requests import fields_of
 from allworlds.judging.explanations.by_law import TELLERS
-from allworlds.judging.findings.rules import AskedRules, RecordedRules, Rules
+from allworlds.judging.findings.rules import RecordedRules, RuleOptions, Rules
 from allworlds.judging.laws.bounds import bound_named
 from allworlds.judging.laws.law_table import LAWS, PRECEDENCE
 from allworlds.judging.tasks import task_named
@@ -42,7 +42,7 @@ from allworlds.reports.formats import FORMATS, formats_of, text
 from allworlds.studies.ambiguity.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growth import GROWING
-from allworlds.studies.fuzz.sample import GENERATORS, batches
+from allworlds.studies.fuzz import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, VERBS
 from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses
@@ -188,7 +188,7 @@ def test_the_command_line_takes_what_the_function_takes(name):
     assert taken - shown == ONLY_PYTHON.get(name, set())
 
 
-RULES = {field.name for field in fields_of(AskedRules)}
+RULES = {field.name for field in fields_of(RuleOptions)}
 
 
 def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
@@ -436,7 +436,7 @@ def test_what_is_said_of_a_new_thing_is_so(row):
 def test_every_table_says_where_a_new_entry_goes():
     told = {name for new, *_ in PLACES for name in re.findall(r"`(\w+)`", new)}
     assert {"BUILT_IN", "LIGHTHOUSES", "LAWS", "VERBS", "FORMATS", "ENGINES", "POLICIES"} <= told
-    assert {"AskedRules", "Limits", "MapClass", "Transport"} <= told
+    assert {"RuleOptions", "Limits", "MapClass", "Transport"} <= told
 
 
 # ---------------------------------------------------------------- policies, explorers, exit codes

@@ -19,9 +19,9 @@ from allworlds.studies.check.exhaustive import check
 from allworlds.studies.compare.comparison import compare
 from allworlds.studies.count import count
 from allworlds.studies.explain import explain
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 from allworlds.studies.init import init
-from allworlds.studies.ledger.checked_claims import ledger
+from allworlds.studies.ledger import ledger
 from allworlds.studies.merge import merge
 from allworlds.studies.play import play
 from allworlds.studies.replay import replay

@@ -6,7 +6,7 @@ from allworlds.engines.progress import Silent
 from allworlds.inputs.checks import InputError
 from allworlds.reports.content.check import scope_words, size_table
 from allworlds.reports.formats import file_of, text as text_of
-from allworlds.studies.fuzz.drive import fuzz, shrink
+from allworlds.studies.fuzz import fuzz, shrink
 from small import slow
 
 
@@ -139,7 +139,7 @@ def test_what_has_been_reached_when_the_time_is_up_is_reported(planted, monkeypa
         yield step
         raise TimeIsUp
 
-    monkeypatch.setattr("allworlds.studies.fuzz.drive.shrink", out_of_time)
+    monkeypatch.setattr("allworlds.studies.fuzz.shrink", out_of_time)
     report = fuzz(planted(5, 4), edges=7, runs=40, seed=1)
     assert report.verdict == "refuted"
     assert [found.key for found in report.findings] == [found.key for found in reached]

@@ -4,7 +4,7 @@ import pytest
 
 from allworlds import ambiguity, check, compare, count, fuzz
 from allworlds.inputs.requests import in_scope
-from allworlds.judging.findings.rules import AskedRules
+from allworlds.judging.findings.rules import RuleOptions
 from allworlds.reports.formats import text
 from allworlds.verbs import VERBS
 from allworlds.world.lighthouses.kinds import lighthouse_kind
@@ -62,7 +62,7 @@ def test_the_worlds_that_were_asked_for_are_told_in_document_and_text(name):
 
 @pytest.mark.parametrize("name", JUDGED)
 def test_every_rule_is_told_in_document_and_text(name):
-    assert {*ALL_RULES} == {one.name for one in in_scope(AskedRules)}
+    assert {*ALL_RULES} == {one.name for one in in_scope(RuleOptions)}
     report = STUDIES[name](edges=2, **ALL_RULES)
     for scope in of_all(report):
         effective = {**ALL_RULES, "laws": ["task", "bound"]}

@@ -7,8 +7,8 @@ from allworlds.document.struct import replace
 from allworlds.engines.examiner import LOST, Outcome
 from allworlds.inputs.checks import show
 from allworlds.judging.episode import Log, fault_of
+from allworlds.judging.laws.finished_run import Violation
 from allworlds.judging.laws.law_table import PRECEDENCE
-from allworlds.judging.laws.laws import Violation
 from allworlds.protocol.actions import action_numbered
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4

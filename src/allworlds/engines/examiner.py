@@ -9,8 +9,8 @@ from allworlds.inputs.checks import show
 from allworlds.judging.episode import Answered, Ending, Episode, Fault, Undecided, play
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import Rules
+from allworlds.judging.laws.finished_run import Case, Violation, first_wrong
 from allworlds.judging.laws.law_table import LAWS, judge
-from allworlds.judging.laws.laws import Case, Violation, first_wrong
 from allworlds.maps.canonical import rooted_code
 from allworlds.protocol.answers import Answer
 from allworlds.protocol.choices import Choices

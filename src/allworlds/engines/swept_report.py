@@ -157,7 +157,7 @@ def told_scope(
     """
     keys = {*kind.__struct_fields__}
     asked = {one.name: as_json(getattr(request, one.name)) for one in in_scope(type(request))}
-    told = {**asked, **(rules.told if rules else {})}
+    told = {**asked, **(rules.in_effect if rules else {})}
     return kind(**({name: told[name] for name in told if name in keys} | more))
 
 

@@ -220,7 +220,9 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
         steps.pop()  # it was one too many
     known = None if too_often else refused
     ending = known or ending_of(log, budget, maps=maps)
-    shown = tuple([(at, Checkpoint(*published)) for at, *published in log.checkpoints])
+    shown = tuple(
+        [(at, Checkpoint(sigma, alpha, here)) for at, sigma, alpha, here in log.checkpoints]
+    )
     return Episode(Transcript(world.first, tuple(steps)), shown, ending)
 
 

@@ -23,7 +23,7 @@ from allworlds.explorers.asked import ProgramWords
 from allworlds.explorers.loading import own_bound
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import SCOPE, Named, Option, Request, answers
-from allworlds.judging.findings.finding import AskedFinding, Finding
+from allworlds.judging.findings.finding import Finding, FindingOptions
 from allworlds.judging.findings.walks import recorded_trail
 from allworlds.judging.laws.law_table import LawName
 from allworlds.outcome import Exit, Facts
@@ -57,7 +57,7 @@ class AnotherExplorer(Request):
         return ProgramWords(command=self.command, native=self.native).named(self.explorer)
 
 
-class ReplayRequest(AskedPatience, AskedFinding, kw_only=False):
+class ReplayRequest(AskedPatience, FindingOptions, kw_only=False):
     """Request of ``replay``: a finding, and another explorer if wanted."""
 
     explore: Annotated[

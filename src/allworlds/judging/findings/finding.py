@@ -25,8 +25,8 @@ from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bo
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
 from allworlds.inputs.requests import SCOPE, Argument, Named, Option, Request
 from allworlds.judging.findings.rules import RecordedRules, Rules
+from allworlds.judging.laws.finished_run import Value
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName
-from allworlds.judging.laws.laws import Value
 from allworlds.maps.canonical import Code, numbering, rooted_code
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
@@ -293,7 +293,7 @@ class FindingWords(Request):
         return self.chosen().finding
 
 
-class AskedFinding(Request, kw_only=False):
+class FindingOptions(Request, kw_only=False):
     """The part of a request that names a finding."""
 
     finding: Annotated[Finding, Named(FindingWords, "the finding")]

@@ -193,8 +193,8 @@ class CheckSweep(TallySweep[CheckReport]):
     verb, asked = "check", CheckRequest
 
     def __init__(self, request: CheckRequest, job: Job, engine: EngineKind) -> None:
-        told = None if isinstance(job.scope.coverage, Given) else job.scope.extent
-        super().__init__(request, job.scope, job.subject, job.keep, told)
+        extent = None if isinstance(job.scope.coverage, Given) else job.scope.extent
+        super().__init__(request, job.scope, job.subject, job.keep, extent)
         self._engine = engine
         named = request.corpus
         self._corpus = None if named is None else UserCorpus(a_path("corpus", named))

@@ -305,8 +305,8 @@ class CheckReport(EndedReport):
 def _rows(tally: Tally) -> Iterator[CheckRow]:
     counts = CheckRow.__struct_fields__[2:]
     for (edges, vertices), row in sorted(tally.rows.items()):
-        told = {name: getattr(row, name) for name in counts}
-        yield CheckRow(edges=edges, vertices=vertices, **told)
+        values = {name: getattr(row, name) for name in counts}
+        yield CheckRow(edges=edges, vertices=vertices, **values)
 
 
 def _remarks(tally: Tally) -> Iterator[str]:

@@ -51,7 +51,7 @@ from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Named, Option, Taken
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps.classes import Extent, ExtentOptions
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import FORMS
@@ -339,7 +339,7 @@ class ComparedName(Document):
     name: Annotated[Text, about("the explorer's")]
 
 
-class Compared(ComparedName, of=(LighthouseOptions, AskedRules)):
+class Compared(ComparedName, of=(LighthouseOptions, RuleOptions)):
     """An explorer of a comparison, with the rules of its runs."""
 
     places: TriedPlaces
@@ -366,7 +366,7 @@ class ContestReport(SweptReport):
         lambda report: tuple(
             Compared(
                 name=one.name,
-                **one.rules.told,
+                **one.rules.in_effect,
                 places=tried_places(one.rules.lighthouse, report.extent),
                 shared_file=one.rules.shared_file,
             )

@@ -42,7 +42,7 @@ from allworlds.inputs.checks import InputError, an_integer, ensure_installed, in
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Option, Request, Taken, answers
 from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps.classes import ClassOptions, Extent
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -164,7 +164,7 @@ class WorstRow(Document):
         return bool(self.wrong_tests) or (self.bound is not None and self.worst > self.bound)
 
 
-class WorstScope(Document, of=(ClassOptions, LighthouseOptions, WorstRequest, AskedRules)):
+class WorstScope(Document, of=(ClassOptions, LighthouseOptions, WorstRequest, RuleOptions)):
     """The scope of a search for the worst case."""
 
     schedules: Annotated[Literal["all"], about("each was searched")]
@@ -244,7 +244,7 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
         super().__init__(request, Extent(request.map_class, request.edges))
         self.result = ScheduleCostsBySize  # type: ignore[misc]  # loaded now, with the kernel
         self._subject = load("algorithm1")
-        self._rules = AskedRules().rules_of(self._subject, Directional.kind)
+        self._rules = RuleOptions().rules_of(self._subject, Directional.kind)
         self._rows: list[WorstRow] = []
         self._missing = ""
 

@@ -1,50 +1,225 @@
-"""The ledger of a paper: every claim is checked, the outcome compared with the expected one."""
+"""``ledger``: the sentences of a paper that can be checked, each with the check that decides it.
+
+Expected verdicts and numbers stand in ``ledger.toml`` alone; the functions that find them do not
+read it.
+"""
 
 from __future__ import annotations
 
+import re
 import time
+import tomllib
 import traceback
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import KW_ONLY
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias, cast, get_args
 
-from msgspec import Struct
+from msgspec import Meta, Struct, field
 from typing_extensions import override
 
+from allworlds.document.reading import taken
 from allworlds.document.struct import (
     EXIT_CODE,
     Aside,
+    Document,
     ExitCode,
     Natural,
     Positive,
+    Text,
     about,
     computed,
+    key,
     one_of,
 )
 from allworlds.engines.effort import AskedListener, AskedWorkers
 from allworlds.engines.progress import Listener
 from allworlds.engines.swept_report import RowsReport
 from allworlds.engines.tally import EnginesDisagree
-from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.inputs.checks import InputError, a_path, read_text, show
 from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Option, Taken, answers
-from allworlds.outcome import Disagreement, Exit, until_interrupted
+from allworlds.outcome import Disagreement, Exit, Verdict, until_interrupted
 from allworlds.protocol.importing import attribute_of, module_of_text, text_of
-from allworlds.studies.ledger.claim import (
-    Budget,
-    Check,
-    Claim,
-    Found,
-    Means,
-    NotChecked,
-    Sentence,
-    Shown,
-    Truth,
-    Unfinished,
-    claims_in,
-)
+from allworlds.studies.check.report import CheckReport
 from allworlds.world.world import World
+
+# ---------------------------------------------------------------- what decides a claim
+
+Truth: TypeAlias = Literal["holds", "refuted"]
+Budget: TypeAlias = Literal["quick", "full"]
+Shown: TypeAlias = int | float | str | Sequence[int | float | str]
+"""A figure of a claim: a number, a name, or a list of these."""
+
+
+class Picture(Struct, frozen=True):
+    """A world to be drawn beside a claim."""
+
+    caption: str
+    world: World
+
+
+class Found(Struct, frozen=True):
+    """The result of checking a sentence, independent of any expectation.
+
+    Attributes:
+        verdict: whether it holds in the scope that was asked for.
+        witnesses: how often each thing was met that the sentence is about; where one of them was
+            never met nothing was checked.
+        figures: the numbers that the sentence names.
+        pictures: worlds that show it.
+        told: in words, what refutes it or what is to be seen; may be empty.
+    """
+
+    verdict: Truth
+    witnesses: Mapping[str, int]
+    figures: Mapping[str, Shown] = field(default_factory=dict)
+    pictures: tuple[Picture, ...] = ()
+    told: str = ""
+
+
+class NotChecked(Struct, frozen=True):
+    """The reason why the sentence could not be checked here."""
+
+    reason: str
+
+
+class Unfinished(RuntimeError):
+    """Raised where another part of the program gives no answer: the claim counts as refuted."""
+
+
+class Means(Struct, frozen=True):
+    """Resources for checking claims.
+
+    Attributes:
+        workers: processes, or threads.
+        budget: how much may be done.
+    """
+
+    workers: int = 1
+    budget: Budget = "quick"
+
+
+Check: TypeAlias = Callable[..., Found | NotChecked]
+"""Takes the means, and the bounds of its scope as keywords."""
+
+
+def truth(holds: object) -> Truth:
+    """The verdict for a truth value."""
+    return "holds" if holds else "refuted"
+
+
+def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
+    """The outcome of an exhaustive check. Its worlds, runs and named events are witnesses.
+
+    Raises:
+        Unfinished: where it neither holds nor is refuted.
+    """
+    whole = report.uninterrupted()
+    if whole.verdict not in (Verdict.HOLDS, Verdict.REFUTED):
+        raise Unfinished(f"the check of {whole.explorer} ended as {whole.verdict.value}")
+    seen: dict[str, Any] = {"worlds": whole.worlds, "runs": whole.runs}
+    seen |= {event: whole.tally.witnesses.get(event, 0) for event in events}
+    pictures = tuple(
+        Picture(f"the smallest world in which {whole.explorer} fails", finding.world)
+        for finding in whole.findings[:1]
+    )
+    refutation = "".join(
+        f"the law {finding.law} is broken in a world with {finding.world.map.edge_count} edges and "
+        f"{finding.world.map.vertex_count} vertices"
+        for finding in whole.findings[:1]
+    )
+    return Found(truth(whole.verdict is Verdict.HOLDS), seen, figures, pictures, refutation)
+
+
+# ---------------------------------------------------------------- ledger.toml
+
+
+class ClaimScope(Document):
+    """The scope of a claim under a budget, and the numbers that must be found there.
+
+    The bounds are the keywords of its function.
+    """
+
+    bounds: dict[str, Any] = key(default_factory=dict)
+    witnesses: Annotated[dict[str, Positive], Meta(min_length=1)]
+    figures: dict[str, Shown] = key(default_factory=dict)
+
+
+class Sentence(Document):
+    """A sentence that can be checked, and the expected verdict."""
+
+    id: Annotated[Text, about("its name, for `--only` and `--require`")]
+    section: Annotated[Text, about("of the paper")]
+    statement: Annotated[Text, about("the sentence in short")]
+    method: Annotated[Text, about("how it is decided")]
+    scope: Annotated[Text, about("on what it was decided under this budget")]
+    source: Annotated[
+        Text, about("where the sentence stands, and where the expected numbers come from")
+    ]
+    expected: Annotated[Truth, about("the verdict that it must get; `refuted`: an erratum")]
+
+
+class Claim(Sentence):
+    """A sentence and its expected outcome: a table of ``ledger.toml``.
+
+    ``{names}`` in the scope are those of the bounds.
+    """
+
+    quick: ClaimScope
+    full: ClaimScope | None = None
+
+    @property
+    def scopes(self) -> Mapping[Budget, ClaimScope]:
+        """The scopes of the claim, by budget."""
+        return {"quick": self.quick, "full": self.full or self.quick}
+
+    def scope_under(self, budget: Budget) -> str:
+        """The scope under a budget, in words."""
+        return self.scope.format(**self.scopes[budget].bounds)
+
+    @property
+    def function(self) -> str:
+        """The name of the function that decides it: the id with ``_`` for ``-``."""
+        return self.id.replace("-", "_")
+
+
+def claims_in(file: Path) -> tuple[Claim, ...]:
+    """The claims of a ``ledger.toml``, as they stand in it.
+
+    Raises:
+        InputError: naming the file, the claim and what is wrong with it.
+    """
+    text = read_text(str(file))
+    try:
+        tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"file {show(str(file))} is not TOML: {error}") from None
+    return tuple(_claim(file, name, table) for name, table in tables.items())
+
+
+def _claim(file: Path, name: str, table: Any) -> Claim:
+    said = f"file {show(str(file))}: claim {name}"
+    if not re.fullmatch(r"[a-zA-Z][a-zA-Z0-9-]*", name):
+        raise InputError(f"{said}: an id is a letter, and then letters, digits and '-'")
+    if not isinstance(table, dict):
+        raise InputError(f"{said}: {show(table)} is no table")
+    try:
+        claim = taken({"id": name, **table}, Claim, "it")
+    except InputError as error:
+        raise InputError(f"{said}: {error}") from None
+    for budget, scope in claim.scopes.items():
+        try:
+            claim.scope_under(budget)
+        except (KeyError, IndexError, ValueError):
+            raise InputError(
+                f"{said}: scope {show(claim.scope)} does not fit the bounds "
+                f"{', '.join(scope.bounds) or '(none)'} of {budget}"
+            ) from None
+    return claim
+
+
+# ---------------------------------------------------------------- found beside expected
 
 Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked", "error"]
 Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
@@ -108,19 +283,19 @@ def _differences(one: CheckedClaim) -> tuple[str, ...]:
         return ()
     if one.disagreement:
         return (f"a disagreement within this program: {one.disagreement}",)
-    told = []
+    differ = []
     if one.verdict != one.expected:
-        told.append(f"verdict: {one.expected} expected, {one.verdict} found")
+        differ.append(f"verdict: {one.expected} expected, {one.verdict} found")
     for expected, seen in (
         (one.expected_witnesses, one.witnesses),
         (one.expected_figures, one.figures),
     ):
-        told += [
+        differ += [
             f"{name}: {expected.get(name)} expected, {seen.get(name)} found"
             for name in sorted({*expected, *seen})
             if expected.get(name) != seen.get(name)
         ]
-    return tuple(told)
+    return tuple(differ)
 
 
 class CheckedClaim(Sentence):
@@ -322,21 +497,14 @@ def found_by(check: Check, means: Means, bounds: Mapping[str, Any]) -> Outcome:
 def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
     """The claim with the outcome found on its scope."""
     scope = claim.scopes[budget]
-    match found:
-        case Found():
-            shown = found
-        case InternalError():
-            shown = Found("refuted", {}, told=found.traceback)
-        case _:
-            shown = Found("refuted", {}, told=found.reason)
+    if isinstance(found, Found):
+        shown = found
+    else:
+        reason = found.traceback if isinstance(found, InternalError) else found.reason
+        shown = Found("refuted", {}, told=reason)
+    sentence = {name: getattr(claim, name) for name in Sentence.__struct_fields__}
     return CheckedClaim(
-        id=claim.id,
-        section=claim.section,
-        statement=claim.statement,
-        method=claim.method,
-        scope=claim.scope_under(budget),
-        source=claim.source,
-        expected=claim.expected,
+        **{**sentence, "scope": claim.scope_under(budget)},
         witnesses=dict(shown.witnesses),
         expected_witnesses=scope.witnesses,
         figures=dict(shown.figures),
@@ -352,23 +520,11 @@ def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0)
 
 
 def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> None:
-    """Raise InputError unless all of these are claims.
-
-    Raises:
-        InputError: naming the first that is none.
-    """
+    """Raise InputError, naming the first that is none, unless all of these are claims."""
     for name in names:
         if name not in legal:
-            hint = _hint(option, str(name), legal)
-            raise InputError(f"{option} {show(name)} is no claim{hint}")
-
-
-def _hint(option: str, name: str, legal: Sequence[str]) -> str:
-    """Words about a name that is no claim: several in one text, or one that is nearly right."""
-    several = [part.strip() for part in name.split(",")]
-    if len(several) > 1 and set(several) <= {*legal}:
-        return f"; claims are named one by one: {' '.join(f'--{option} {c}' for c in several)}"
-    near = get_close_matches(name, legal, 3, 0.4)
-    if near:
-        return f"; near it are {', '.join(near)}"
-    return f"; the first of {len(legal)} are {', '.join(legal[:3])}"
+            near = get_close_matches(str(name), legal, 3, 0.4)
+            hint = f"near it are {', '.join(near)}"
+            if not near:
+                hint = f"the first of {len(legal)} are {', '.join(legal[:3])}"
+            raise InputError(f"{option} {show(name)} is no claim; {hint}")
