@@ -62,7 +62,7 @@ if TYPE_CHECKING:
     from allworlds.studies.worst.all_worlds import worst as worst
     from allworlds.version import __version__ as __version__
     from allworlds.world.lighthouses.base import Lighthouse as Lighthouse
-    from allworlds.world.own_condition import worlds as worlds
+    from allworlds.world.selection import worlds as worlds
     from allworlds.world.world import World as World
 else:
     open_door(__name__)

@@ -23,7 +23,7 @@ from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import AskedRules, Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.any_genus import rooted_maps as counted
+from allworlds.maps.counting import rooted_maps as counted
 from allworlds.maps.enumeration import Gluing, prefixes
 
 pytestmark = pytest.mark.usefixtures("compiled")

@@ -14,7 +14,7 @@ from allworlds.maps import (
     unrooted_code,
 )
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes
 
 LEVELS = [(map_class, edges) for map_class in MapClass for edges in (1, 2, 3, 4)]

@@ -33,7 +33,7 @@ from allworlds.judging.tasks import task_named
 from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.maps.families import FAMILIES
 from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol.choices import POLICIES, SEEDED, Schedule

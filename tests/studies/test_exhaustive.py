@@ -13,7 +13,7 @@ from allworlds.engines.progress import Silent
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
-from allworlds.maps.counting.sources import CountSource
+from allworlds.maps.counting import CountSource
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate

@@ -7,7 +7,7 @@ from allworlds.inputs.requests import in_scope
 from allworlds.judging.findings.rules import AskedRules
 from allworlds.reports.formats import text
 from allworlds.verbs import VERBS
-from allworlds.world.lighthouses.kinds import lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
@@ -91,6 +91,8 @@ def test_places_that_are_not_tried_are_told_from_the_size_on_where_they_are_left
 
 
 def test_of_two_lighthouses_the_places_of_both_are_told():
-    both = lighthouse_named("position+compass")
+    both = lighthouse_kind("position+compass").as_class
     assert both.tried_in_maps_of(4) == PLACES
-    assert both.tried_in_maps_of(3) == lighthouse_named("position").tried_in_maps_of(9) == ""
+    assert (
+        both.tried_in_maps_of(3) == lighthouse_kind("position").as_class.tried_in_maps_of(9) == ""
+    )

@@ -17,7 +17,7 @@ from allworlds.inputs.requests import RARE_SCOPE, Option, Request, Taken
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.count_source import completions, source_of
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
 from allworlds.world.lighthouses.base import Lighthouse
 

@@ -23,7 +23,7 @@ from allworlds.maps.canonical import automorphisms
 from allworlds.maps.classes import Extent, ExtentOptions, MapClass
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Ending
-from allworlds.world.own_condition import WhereOptions
+from allworlds.world.selection import WhereOptions
 
 TOLD_EVERY = 1000
 """Maps after which the listener is told."""

@@ -206,7 +206,7 @@ def finding_section(
 
     Args:
         finding: which one.
-        number: which of those that are told.
+        number: which of those that are shown.
         origin: where it comes from; empty where a check has come upon it by itself.
         title: in place of its number, its explorer and its law.
         checked: it comes from a check, which has confirmed it, or tried to.
@@ -242,7 +242,7 @@ def _detail(finding: Finding) -> list[Block]:
     """The detail of the finding, under what it is."""
     detail = finding.detail
     if finding.law == "no-estimate":
-        # The explanation has told the line of the call.
+        # The explanation names the line of the call.
         detail = "" if detail.startswith(BUILT) else detail.partition(f"\n\n{BUILT}")[0]
         title = "the permutations that were tried"
     elif finding.law == "nondeterministic":

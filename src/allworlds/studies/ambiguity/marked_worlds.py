@@ -45,11 +45,10 @@ from allworlds.maps.quotient import Quotient, class_size, is_ambiguous
 from allworlds.outcome import Disagreement, Ending
 from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
 from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
-from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.lighthouses.options import InvalidWorld
-from allworlds.world.own_condition import WhereOptions
+from allworlds.world.selection import WhereOptions, tried_kind
 from allworlds.world.world import World
 
 BATCH = 200

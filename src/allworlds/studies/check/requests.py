@@ -17,8 +17,7 @@ from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Option, Ta
 from allworlds.judging.findings.rules import Among, AskedRules, Rules
 from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
 from allworlds.protocol.choices import Schedule, a_schedule
-from allworlds.world.asked_lighthouse import LighthouseOptions
-from allworlds.world.own_condition import WhereOptions, files_of_condition
+from allworlds.world.selection import LighthouseOptions, WhereOptions, files_of_condition
 from allworlds.world.world import World
 
 SharedFile: TypeAlias = Annotated[

@@ -58,9 +58,8 @@ from allworlds.maps.families import FORMS
 from allworlds.outcome import Completed, Ending, Verdict
 from allworlds.studies.check.requests import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
-from allworlds.world.asked_lighthouse import LighthouseOptions
 from allworlds.world.named import HOLES
-from allworlds.world.own_condition import WhereOptions
+from allworlds.world.selection import LighthouseOptions, WhereOptions
 from allworlds.world.world import World
 
 

@@ -32,7 +32,7 @@ from allworlds.studies.check.report import CheckReport
 from allworlds.studies.check.requests import ManyRuns
 from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
 from allworlds.studies.fuzz.sample import batches
-from allworlds.world.own_condition import WhereOptions
+from allworlds.world.selection import WhereOptions
 from allworlds.world.world import World
 
 

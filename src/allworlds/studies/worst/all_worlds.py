@@ -49,8 +49,8 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.words import size
-from allworlds.world.asked_lighthouse import LighthouseOptions
 from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.selection import LighthouseOptions
 from allworlds.world.world import World
 
 if TYPE_CHECKING:
