@@ -1,4 +1,4 @@
-"""What a finished unit leaves: the identity of its job, its records, and its result as JSON.
+"""The identity of a job, its records, and the results of its finished units as JSON.
 
 The form of a result follows from the types of its fields.  A struct, or a dataclass, is kept by
 its fields; a counter, or a dictionary whose keys are no texts, as pairs; and whatever has a

@@ -266,7 +266,7 @@ class PythonJudge:
         return self.message("record", rows, order)
 
     def _row(self, run: Due | Recorded, place: Any, *, over: bool = False) -> tuple[Any, ...]:
-        """What a player gets of a run: where it plays, and what is said of the run."""
+        """The row of a message for a run: where it is played, and what is said of it."""
         rules, world = self.rules, run.world
         told: Any = world.told
         if not (told is None or type(told) is int):  # marshal writes no other mapping
