@@ -530,5 +530,11 @@ def test_options_out_of_their_range_are_refused(options):
     assert "\n" not in str(refusal.value)
 
 
+def test_a_corpus_cannot_be_given_with_a_run_directory(tmp_path):
+    with pytest.raises(InputError, match="cannot be given with run"):
+        check(edges=1, corpus=tmp_path / "corpus", run=tmp_path / "run")
+    assert not any(tmp_path.iterdir())
+
+
 def test_a_huge_bound_costs_nothing_when_a_finding_ends_the_check(explorers):
     assert check(explorers("everywhere"), edges=100_000).levels == (1,)
