@@ -16,15 +16,6 @@ def test_worst_prints_one_document(cli):
     assert all(row["replayed"] == row["worst"] for row in document["rows"])
 
 
-@pytest.mark.slow
-def test_worst_prints_a_table(cli):
-    code, out, _ = cli("worst", "--edges", 2, "--class", "simple", "--workers", 1)
-    assert code == 0
-    assert out.startswith("WORST ")
-    header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
-    assert header in [line.split() for line in out.splitlines()]
-
-
 @pytest.mark.parametrize(
     ("option", "value"),
     [("--transit", "fast"), ("--class", "round"), ("--edges", "0"), ("--workers", "none")],

@@ -215,16 +215,6 @@ def grown(random):
     return map_, shown
 
 
-@pytest.mark.slow
-def test_a_right_s_is_embedded_step_by_step():
-    random = Random(1)
-    for _ in range(30):
-        map_, shown = grown(random)
-        said, remembered, law = judge(shown, map_)
-        assert (said[-1][0], law) == (0, 0)
-        assert remembered == len(shown)
-
-
 @pytest.mark.no_cover
 @pytest.mark.parametrize("change", CHANGES)
 def test_a_changed_s_is_judged_as_without_memory(change):

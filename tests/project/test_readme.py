@@ -115,7 +115,10 @@ def paths_in(text):
 
 def modules_in(text):
     """Parts of the package that a page names, each with its full dotted path."""
-    return set(re.findall(r"`(allworlds(?:\.[a-z_]\w*)+)", text)) - {"allworlds.h", "allworlds.toml"}
+    return set(re.findall(r"`(allworlds(?:\.[a-z_]\w*)+)", text)) - {
+        "allworlds.h",
+        "allworlds.toml",
+    }
 
 
 def is_there(name):

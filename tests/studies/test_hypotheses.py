@@ -8,7 +8,6 @@ from allworlds.judging.findings.walks import true_trail
 from allworlds.protocol.actions import Percept
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run.hypotheses import TELLING, hypotheses_in
-from small import slow
 
 LIGHTHOUSES = dict(zip(TELLING, ("directional", "cluster:single=true", "natural"), strict=True))
 
@@ -20,7 +19,7 @@ def runs(explorer, edges, **options):
 
 @pytest.mark.parametrize(
     ("explorer", "edges"),
-    [("algorithm1", 3), ("algorithm1-cluster", 3), *(slow(name, 4) for name in TELLING)],
+    [("algorithm1", 3), ("algorithm1-cluster", 3)],
 )
 def test_a_hypothesis_is_right_just_where_it_is_true(explorer, edges):
     right = wrong = 0
