@@ -1,7 +1,7 @@
 """The judge's own comparison against the second opinion, which shares no code with it.
 
 The second opinion takes its time, so four edges, and all pairs of maps with three, are left to
-``-m slow`` but for a few; there they are cut into parts that can be done side by side.
+``tests/slow`` but for a few; there they are cut into parts that can be done side by side.
 """
 
 from functools import cache
