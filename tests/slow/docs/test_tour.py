@@ -1,15 +1,11 @@
 """The notebook of the examples runs from its first cell to its last, and shows what is kept."""
 
-from pathlib import Path
-
+from docs import tour
 from docs.test_tour import SVG, outputs, substance
 
 
-def test_the_tour_runs_shows_its_pictures_and_keeps_what_it_puts_out(tmp_path, monkeypatch):
+def test_the_tour_runs_shows_its_pictures_and_keeps_what_it_puts_out(tmp_path):
     # Without the extra 'notebook' it fails, so that no skipped test is taken for a passed one.
-    monkeypatch.syspath_prepend(Path(__file__).parent)
-    import tour
-
     notebook = tour.executed(tmp_path)
     assert (tmp_path / "theta-torus.svg").read_text(encoding="utf-8").startswith("<svg")
     shown = [out["data"] for each in outputs(notebook) for out in each if "data" in out]

@@ -6,6 +6,8 @@ from doors.test_plugin import MARKED
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
+pytest_plugins = ["pytester"]
+
 
 def test_workers_of_xdist_collect_the_same_tests(pytester):
     pytester.makepyfile(MARKED)
