@@ -16,7 +16,6 @@ from allworlds.engines import dask as cluster
 from allworlds.engines.dask import Dask
 from allworlds.engines.effort import ClusterLost, DaskCluster
 from allworlds.engines.here import ThisThread
-from allworlds.engines.progress import Silent
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError
@@ -158,19 +157,6 @@ def test_the_time_limit_ends_what_is_done_elsewhere(here):
     report = check(edges=5, engine="python", dask=here, time_limit=0.2)
     assert report.exit_code == 3
     assert report.levels != (1, 2, 3, 4, 5)
-
-
-class Interrupts(Silent):
-    def progress(self, worlds):
-        raise KeyboardInterrupt
-
-
-def test_an_interrupt_cancels_what_is_done_elsewhere(here, tmp_path):
-    report = check(edges=5, engine="kernel", dask=here, listener=Interrupts(), run=tmp_path)
-    assert report.exit_code == 130
-    with distributed.Client(here) as client:
-        assert processes.end(lambda: [v for v in client.processing().values() if v])
-    assert check(edges=5, run=tmp_path).to_json() == check(edges=5).to_json()
 
 
 class Tally(list):

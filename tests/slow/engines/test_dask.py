@@ -11,8 +11,11 @@ import processes
 from allworlds import check, count, worst
 from allworlds.engines.progress import Silent
 from clusters import cluster_apart
+from engines import test_dask as quick
 from engines.test_dask import WRONG, distributed
 from small import long
+
+here = quick.here
 
 pytestmark = [
     pytest.mark.processes,
@@ -150,3 +153,16 @@ def test_a_cluster_of_this_machine_that_is_killed_is_told_of_in_one_line(capfd):
     assert "is gone" in notice
     assert processes.end(lambda: processes.named("engines.dask"))
     assert capfd.readouterr() == ("", "")
+
+
+class Interrupts(Silent):
+    def progress(self, worlds):
+        raise KeyboardInterrupt
+
+
+def test_an_interrupt_cancels_what_is_done_elsewhere(here, tmp_path):
+    report = check(edges=5, engine="kernel", dask=here, listener=Interrupts(), run=tmp_path)
+    assert report.exit_code == 130
+    with distributed.Client(here) as client:
+        assert processes.end(lambda: [v for v in client.processing().values() if v])
+    assert check(edges=5, run=tmp_path).to_json() == check(edges=5).to_json()
