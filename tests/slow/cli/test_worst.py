@@ -1,3 +1,5 @@
+import json
+
 import pytest
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -9,3 +11,11 @@ def test_worst_prints_a_table(cli):
     assert out.startswith("WORST ")
     header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
     assert header in [line.split() for line in out.splitlines()]
+
+
+def test_check_tells_the_engine_and_its_symmetry(cli):
+    code, out, _ = cli("check", "--edges", 6, "--json", "-q")
+    assert code == 0
+    document = json.loads(out)
+    assert document["engine"] == "kernel"
+    assert "every bearing" in document["scope"]["symmetry"]
