@@ -12,6 +12,8 @@ from allworlds.cli.app import call
 from allworlds.verbs import VERBS
 from recorded.record import least
 
+pytestmark = pytest.mark.usefixtures("compiled")  # for worst
+
 NAMES = [verb.name for verb in VERBS]
 
 

@@ -27,6 +27,7 @@ def test_worst_refuses_by_name(refused, option, value):
 @pytest.mark.no_cover
 def test_check_tells_the_engine(cli):
     code, out, _ = cli("check", "--edges", 2, "--engine", "kernel")
+    assert code == 0
     assert "algorithm1, kernel engine" in out
     assert "symmetry" not in out
 

@@ -25,8 +25,7 @@ def sharded(report, command, directory, shards):
 
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("name", JOBS)
-@pytest.mark.parametrize("shards", [1, 3])
+@pytest.mark.parametrize(("name", "shards"), [*((name, 3) for name in JOBS), ("check", 1)])
 def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path):
     code, whole, _ = report(JOBS[name])
     runs, codes = sharded(report, JOBS[name], tmp_path, shards)
