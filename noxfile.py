@@ -87,6 +87,13 @@ def bench(session: nox.Session) -> None:
 
 @nox.session
 def mutants(session: nox.Session) -> None:
+    """Change the source at random, and count the changes that the quick tests notice."""
+    session.install(".[test]")
+    session.run("python", "benchmarks/mutants.py", *session.posargs)
+
+
+@nox.session
+def matrix(session: nox.Session) -> None:
     """Try known mistakes, and show which check catches each."""
     session.install(".")
     session.run("python", "tests/support/mutants/matrix.py", *session.posargs)
@@ -129,7 +136,8 @@ def proofs(session: nox.Session) -> None:
 def full(session: nox.Session) -> None:
     """Run the longest tests, then go further with what Coq extracts (nox -s proofs builds it)."""
     session.install(".[browser,dev,docs]")
-    session.run("pytest", "-n", "auto", "--dist", "worksteal", "-m", "long", "--durations=25", "tests/slow")
+    distributed = ("-n", "auto", "--dist", "worksteal")
+    session.run("pytest", *distributed, "-m", "long", "--durations=25", "tests/slow")
     further = ("walked", "judged", "checked", "folded", "shielded")
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
     session.run("python", "proofs/certified.py", "--edges", "5", *limits)

@@ -35,7 +35,7 @@ from allworlds.engines.players import Logs
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.explorers.loading import load
-from allworlds.explorers.shared_library.library import ROOM, Library, NativeExplorer
+from allworlds.explorers.shared_library import ROOM, Library, NativeExplorer
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent

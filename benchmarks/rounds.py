@@ -24,10 +24,9 @@ from statistics import median
 from typing import Any
 
 from allworlds.engines.effort import Limits
-from allworlds.engines.engine_table import ENGINES, Job
+from allworlds.engines.engine_table import ENGINES, WALKED_FROM, Job
 from allworlds.engines.examiner import Examiner
-from allworlds.engines.kernel.counting import by_vertices_and_faces
-from allworlds.engines.obstacles import WALKED_FROM
+from allworlds.engines.kernel.gluing import by_vertices_and_faces
 from allworlds.engines.progress import Silent
 from allworlds.engines.scope import Scope
 from allworlds.engines.sweep import gather
@@ -38,7 +37,7 @@ from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import source_for
+from allworlds.maps.counting.sources import SOURCES
 from allworlds.maps.enumeration import prefixes
 from allworlds.version import __version__, host
 from allworlds.world import Directional, World
@@ -82,7 +81,7 @@ class Contender:
     @property
     def worlds(self) -> int:
         """The rooted maps of its level."""
-        return sum(source_for("maps").cells(self.edges).values())
+        return sum(SOURCES["maps"].cells(self.edges).values())
 
     def rates(self, seconds: Sequence[float]) -> list[float]:
         """Worlds a second in each round."""

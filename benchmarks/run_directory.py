@@ -75,7 +75,7 @@ def measured() -> Iterator[Meters]:
     with (
         patch.object(kept, "result", meters.asked.around(kept.result)),
         patch.object(kept, "keep", meters.kept.around(kept.keep)),
-        patch.object(records, "_opened", meters.opened.around(records._opened)),  # noqa: SLF001  # looked at from inside
+        patch.object(records, "_of_job", meters.opened.around(records._of_job)),  # noqa: SLF001  # looked at from inside
     ):
         yield meters
 

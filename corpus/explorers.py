@@ -14,8 +14,7 @@ from msgspec import Struct
 from allworlds.document.struct import replace
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
-from allworlds.explorers.builtin.folding import explore_folding, way
+from allworlds.explorers.builtin.folding import OPEN, FoldedLog, explore_folding, way
 from allworlds.maps.combinatorial import CombinatorialMap, cycles
 from allworlds.protocol.actions import Drop, Move, Percept
 from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
@@ -293,7 +292,7 @@ class DropsMarkers(Algorithm1):
     """Written for a robot with markers in hand."""
 
     def follow(self, goal: int) -> Walk[Percept]:
-        yield Drop()  # type: ignore[misc]
+        yield Drop()
         return (yield from super().follow(goal))
 
 

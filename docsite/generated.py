@@ -169,7 +169,7 @@ def _reference(path: str) -> str:
 
 def header() -> str:
     """``allworlds.h`` as it is printed by ``allworlds init --header``."""
-    text = (files("allworlds.explorers.shared_library") / "allworlds.h").read_text(encoding="utf-8")
+    text = (files("allworlds.explorers") / "allworlds.h").read_text(encoding="utf-8")
     return (
         "# allworlds.h\n\nThe header of [explorers in shared libraries](../how-to/languages.md), "
         f"as `allworlds init --header` prints it.\n\n```c\n{text.rstrip()}\n```\n"

@@ -225,8 +225,7 @@ def walks() -> list[Live]:
         Live(
             "algorithm-1",
             "run algorithm1 k4-torus",
-            "Algorithm 1 in K4 on the torus: its map S grows, and the hypothesis that it tests "
-            "is shown.",
+            "Algorithm 1 in K4 on the torus: its map S grows.",
         ),
         Live(
             "genus-2",

@@ -40,17 +40,16 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from allworlds.claims import Algorithm1
 from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
     WrongExplorer,
 )
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.loading import in_process_subject, load
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import play
+from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.case import Case
+from allworlds.judging.laws.laws import Case
 from allworlds.outcome import Verdict
 from allworlds.protocol.choices import Choices, policy_named
 from allworlds.studies.check.exhaustive import check

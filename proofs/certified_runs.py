@@ -17,8 +17,7 @@ from allworlds.engines.players import Lost, Setup
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.explorers.loading import Subject
-from allworlds.judging.endings import Fault
-from allworlds.judging.episode import Episode, Log
+from allworlds.judging.episode import Episode, Fault, Log
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent

@@ -15,13 +15,11 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
+from allworlds.claims import FoldedLog, estimate, has_open_dart
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.builtin.folded_log import FoldedLog
-from allworlds.explorers.builtin.folding import estimate, has_open_dart
 from allworlds.explorers.builtin.shield import Shield
 from allworlds.explorers.loading import load
-from allworlds.judging.endings import Answered, Ending
-from allworlds.judging.episode import play
+from allworlds.judging.episode import Answered, Ending, play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import rooted_code
 from allworlds.maps.canonical import Code

@@ -51,8 +51,7 @@ from allworlds.engines.players import Unsettled
 from allworlds.engines.single import subject_of
 from allworlds.explorers.loading import Subject, built_in, in_process_subject
 from allworlds.inputs.checks import InputError
-from allworlds.judging.endings import Answered, Fault
-from allworlds.judging.episode import default_step_budget
+from allworlds.judging.episode import Answered, Fault, default_step_budget
 from allworlds.judging.laws.bounds import bound_named, paper_bound
 from allworlds.protocol.actions import Move, Percept
 from allworlds.words import plural

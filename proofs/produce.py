@@ -19,8 +19,9 @@ from typing import Any
 
 from allworlds import search
 from allworlds.maps import from_cycles, from_rotation
-from allworlds.studies.ambiguity.smt.decode import bisimulation, same_world_from
+from allworlds.studies.ambiguity.twin_search import bisimulation
 from allworlds.world import Natural, Position, World
+from allworlds.world.bisimulation import same_world_from
 
 HERE = Path(__file__).resolve().parent
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}

@@ -10,8 +10,8 @@ NEEDED = {
     "wheel": (
         "allworlds/py.typed",
         "_allworlds_pytest.py",
-        "allworlds/explorers/skeletons/languages.py",
-        "allworlds/explorers/shared_library/allworlds.h",
+        "allworlds/explorers/skeletons/c/Makefile.template",
+        "allworlds/explorers/allworlds.h",
         "allworlds/reports/web/style.css",
         "allworlds/schemas/check.schema.json",
         "allworlds/corpus/explorers.py",

@@ -11,48 +11,13 @@ from typing import NamedTuple, TypeAlias
 
 from allworlds import CombinatorialMap
 from allworlds.maps import family
+from allworlds.maps.families import CorridorShape, usual_degree
 
 Dart: TypeAlias = int
 
 
-class Shape(NamedTuple):
-    """The numbers of a corridor.
-
-    Attributes:
-        far: F, the number of far hubs.
-        degree: R, the degree of every hub.
-    """
-
-    far: int
-    degree: int
-
-    @property
-    def types(self) -> int:
-        """The number q of types of hubs."""
-        return (self.degree - 6) // 4
-
-    @property
-    def window(self) -> int:
-        """The number g of consecutive near hubs whose types tell which ones they are."""
-        window = 1
-        while self.types**window < (window + 1) * self.far:
-            window += 1
-        return window
-
-    @property
-    def near(self) -> int:
-        """The number N of near hubs."""
-        return (self.window + 1) * self.far
-
-    @property
-    def hubs(self) -> int:
-        """The number of all hubs."""
-        return self.near + self.far
-
-    @property
-    def edges(self) -> int:
-        """The number m of edges."""
-        return self.hubs * self.degree // 2 + 1
+class Shape(CorridorShape, frozen=True):
+    """The numbers of a corridor, and what is proved of it."""
 
     @property
     def pairs(self) -> int:
@@ -77,7 +42,7 @@ class Shape(NamedTuple):
 
 def usual_shape(far: int) -> Shape:
     """The corridor with so many far hubs whose hubs all have different types: of degree 12F + 6."""
-    return Shape(far, 12 * far + 6)
+    return Shape(far, usual_degree(far))
 
 
 class Corridor(NamedTuple):

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
         testing as testing,
         world as world,
     )
+    from allworlds.explorers.loading import shield as shield
     from allworlds.judging.findings.finding import Finding as Finding
     from allworlds.maps.combinatorial import (
         CombinatorialMap as CombinatorialMap,
@@ -44,11 +45,10 @@ if TYPE_CHECKING:
     from allworlds.protocol.choices import Choices as Choices
     from allworlds.reports.drawing.standalone import Drawing as Drawing, draw as draw
     from allworlds.studies import ambiguity as ambiguity
-    from allworlds.studies.ambiguity.smt.twin_search import search as search
     from allworlds.studies.ambiguity.telling_apart import twins as twins
+    from allworlds.studies.ambiguity.twin_search import search as search
     from allworlds.studies.check.exhaustive import check as check
-    from allworlds.studies.check.shielding import shield as shield
-    from allworlds.studies.compare.contest import compare as compare
+    from allworlds.studies.compare.comparison import compare as compare
     from allworlds.studies.count import count as count
     from allworlds.studies.explain import explain as explain
     from allworlds.studies.fuzz.drive import fuzz as fuzz
@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from allworlds.studies.merge import merge as merge
     from allworlds.studies.play import play as play
     from allworlds.studies.replay import replay as replay
-    from allworlds.studies.run.single import run as run
+    from allworlds.studies.run import run as run
     from allworlds.studies.status import status as status
     from allworlds.studies.worst.all_worlds import worst as worst
     from allworlds.version import __version__ as __version__

@@ -8,7 +8,7 @@ keywords, and returns a :class:`Found` or a :class:`NotChecked`::
 """
 
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
-from allworlds.explorers.builtin.folded_log import FoldedLog
+from allworlds.explorers.builtin.folding import FoldedLog
 from allworlds.reports.drawing.layout import layout
 from allworlds.studies.compare.intervals import mean_interval
 from allworlds.studies.ledger.claim import (

@@ -4,7 +4,7 @@ It imports nothing, so that a player starts fast.  A log is a sequence of entrie
 begins with a byte:
 
     0..199              a motion by so many darts
-    200 SHOWN           a checkpoint: the number of darts, here, sigma, alpha, padding
+    200 SHOWN           a checkpoint: the number of darts, here, sigma, alpha
     201 ANSWERED        the answer, in the same form
     202 OVER_BUDGET     a traversal more than the budget; 203 SHOWN_TOO_OFTEN: a checkpoint more
     204 FAULT           the law's number, whether the machine may be the cause, and three texts
@@ -16,8 +16,7 @@ begins with a byte:
     216 OVER            all was done, and the run ended; 217 FREE_TOO_OFTEN: an action too many
     218 REFUSED         the last action is illegal here, as who walks the log in the world sees
 
-The padding allows compiled code to read whole words; it knows the bytes up to 205, and
-210.  Behind the byte 204 it need not read.
+Compiled code knows the bytes up to 205, and 210.  Behind the byte 204 it need not read.
 """
 
 from __future__ import annotations
@@ -40,16 +39,8 @@ LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
 MOST_DARTS = 64
 """The largest number of darts in a short entry."""
 
-LANES = 16
-"""The number of bytes that compiled code reads at a time."""
-
 DROPPED, PICKED, WROTE = -1, -2, -3
 """The numbers of actions that are no motions; ``Write(k)`` has ``WROTE - k``."""
-
-
-def span(darts: int) -> int:
-    """The number of bytes of sigma and alpha in a short entry: a byte for each, and zeros."""
-    return darts + (darts + LANES - 1 & -LANES)
 
 
 # ---------------------------------------------------------------- writing
@@ -108,7 +99,7 @@ def _short(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> 
     if not (darts == len(alpha) and 1 <= darts <= MOST_DARTS):
         return b""
     try:
-        return bytes((code, darts, here, *sigma, *alpha)) + bytes(span(darts) - 2 * darts)
+        return bytes((code, darts, here, *sigma, *alpha))
     except ValueError:
         return b""
 
@@ -176,7 +167,7 @@ class Read:
                 sigma, alpha = log[at : at + darts], log[at + darts : at + 2 * darts]
                 if len(alpha) != darts:
                     raise IndexError
-                at += span(darts)
+                at += 2 * darts
                 published = tuple(sigma), tuple(alpha), here
                 if code == ANSWERED:
                     return self._ends(log, at, code, *published)

@@ -73,7 +73,7 @@ def test_an_explorer_that_a_file_imports_is_found(cli, tmp_path, monkeypatch):
     [
         *("python3 gone.py", "node gone.js", "python3 -u gone.py", "python3 -W error gone.py"),
         *("node --trace-warnings gone.js", "env node gone.js", "env -u A B=1 sh gone.sh"),
-        *("node -r ./gone.js gone.js", "sh -e gone.sh", "ruby -- gone.rb arg"),
+        *("node -r ./gone gone.js", "sh -u gone.sh", "ruby -- gone.rb arg"),
     ],
 )
 def test_a_script_that_its_interpreter_cannot_open_is_bad_input(command, refused, monkeypatch):

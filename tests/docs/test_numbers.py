@@ -12,11 +12,11 @@ from allworlds.engines.compiled_engine import AGREEMENT_EDGES
 from allworlds.engines.kernel import capabilities
 from allworlds.explorers import program
 from allworlds.explorers.program import SAYINGS
-from allworlds.explorers.shared_library.library import INTERFACE_VERSION
+from allworlds.explorers.shared_library import INTERFACE_VERSION
 from allworlds.judging.laws.law_table import PRECEDENCE
 from allworlds.protocol import playing
 from allworlds.reports.web import frame
-from allworlds.studies.check import time_estimate
+from allworlds.studies.check import exhaustive
 from enumerators import BROKEN_ENUMERATORS
 from errands import WEAK_TASK_JUDGES, WRONG_ERRANDS
 from judges import WEAK_JUDGES
@@ -66,11 +66,11 @@ def test_the_page_of_proofs_says_how_many_mutants_there_are():
         ("how-to/languages.md", r"a line of more than (\d+) MiB", program.LONGEST_LINE >> 20),
         ("how-to/languages.md", r"more memory than (\d) GB", players.NATIVE_MEMORY >> 10),
         ("how-to/languages.md", r"`ALLWORLDS_VERSION` (\d) \|", INTERFACE_VERSION),
-        ("how-to/bound.md", r"more than ([\d,]+) worlds", time_estimate.MANY["python"]),
+        ("how-to/bound.md", r"more than ([\d,]+) worlds", exhaustive.MANY["python"]),
         (
             "how-to/bound.md",
             r"compiled engine: (\d+) million",
-            time_estimate.MANY["compiled"] // 10**6,
+            exhaustive.MANY["compiled"] // 10**6,
         ),
     ],
 )

@@ -10,11 +10,10 @@ from hypothesis import find, given, settings
 from allworlds import strategies
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.inputs.checks import InputError
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import play
+from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.case import Case
 from allworlds.judging.laws.law_table import LAWS, judge
+from allworlds.judging.laws.laws import Case
 from allworlds.maps import MapClass
 from allworlds.world import Directional, World
 from bruteforce import rooted_maps_by_permutations as all_rooted_maps

@@ -6,10 +6,10 @@ import pytest
 
 from allworlds.engines.compiled_engine import (
     AGREED,
+    level_of,
     rotation,
 )
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.questions import level_of
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent

@@ -16,7 +16,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.studies.check.time_estimate import is_worth_a_guess
+from allworlds.studies.check.exhaustive import is_worth_a_guess
 from shared_fixtures import EXPLORERS
 
 pytestmark = pytest.mark.usefixtures("compiled")

@@ -1,4 +1,4 @@
-"""An S that goes on from one that is known is judged as if nothing were known."""
+"""A published S is a part of the world, or breaks a law; as the Python laws say."""
 
 from random import Random
 
@@ -15,26 +15,21 @@ from allworlds.engines.kernel.laws import (
     look_at,
 )
 from allworlds.engines.kernel.records import ANSWER, JUDGED, WORLD, new
-from allworlds.judging.laws.case import Case
 from allworlds.judging.laws.law_table import LAWS
+from allworlds.judging.laws.laws import Case
 from allworlds.maps import random_map, rooted_maps
 from allworlds.protocol.answers import Checkpoint
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 
 
 @njit(error_model="numpy")
-def look(judged, published, world, dart, walked, forget):
-    if forget:
-        judged.known = 0
+def look(judged, published, world, dart, walked):
     look_at(judged, published, world, dart, walked)
-    return judged.known
 
 
 @njit(error_model="numpy")
-def answered(judged, published, world, dart, forget):
-    if forget:
-        judged.known = 0
+def answered(published, world, dart, judged):
     return answer_law(published, world, dart, judged)
 
 
@@ -163,45 +158,25 @@ CHANGES = [
 ]
 
 
-def told(judged):
-    return int(judged.broken), int(judged.t), int(judged.shown)
+def published_as(sigma, alpha, here):
+    """The record of a published S, and the arrays to which it points."""
+    arrays = [np.array(values, np.int32) for values in (sigma, alpha)]
+    answer = new(ANSWER)
+    answer.sigma, answer.alpha = (array.ctypes.data for array in arrays)
+    answer.darts, answer.here = len(sigma), here
+    return answer, arrays
 
 
 def judge(sequence, map_):
-    """The judgement after each S, how often memory was used, and the law that the answer breaks.
-
-    Four judges must agree: with memory and without, each with S as a list of integers and, if its
-    numbers fit into bytes, as bytes.
-    """
-    world = new(WORLD)
+    """The laws that are broken after each S, as a set, and the law that the answer breaks."""
+    world, judged, said = new(WORLD), new(JUDGED), []
     world.darts = len(map_.sigma)
     world.sigma[: world.darts], world.alpha[: world.darts] = map_.sigma, map_.alpha
-    minds = [new(JUDGED) for _ in range(4)]
-    said, remembered = [], 0
     for sigma, alpha, here, dart, (walked, *_) in sequence:
-        arrays = [np.array([*values, *[0] * 16], np.int32) for values in (sigma, alpha)]
-        listed = new(ANSWER)
-        listed.sigma, listed.alpha = (array.ctypes.data for array in arrays)
-        listed.darts, listed.here = len(sigma), here
-        packed = listed
-        if {*sigma, *alpha} <= {*range(256)}:
-            packed = listed.copy()
-            room = np.full((2, 48), -7, np.int32)
-            packed.sigma, packed.alpha = (array.ctypes.data for array in room)
-            string = np.array([*sigma, *alpha, *range(100, 132)], np.uint8)
-            packed.bytes = string.ctypes.data
-        for which, judged in enumerate(minds):
-            look(judged, (listed, packed)[which // 2], world, dart, walked, which % 2)
-        remembered += minds[0].known > 0
-        assert minds[0].known == minds[2].known
-        assert len({told(judged) for judged in minds}) == 1
-        said.append(told(minds[0]))
-    laws = {
-        answered(judged, (listed, packed)[which // 2], world, dart, which % 2)
-        for which, judged in enumerate(minds)
-    }
-    assert len(laws) == 1
-    return said, remembered, laws.pop()
+        answer, _arrays = published_as(sigma, alpha, here)
+        look(judged, answer, world, dart, walked)
+        said.append(int(judged.broken))
+    return said, answered(answer, world, dart, judged)
 
 
 def grown(random):
@@ -217,28 +192,24 @@ def grown(random):
 
 @pytest.mark.no_cover
 @pytest.mark.parametrize("change", CHANGES)
-def test_a_changed_s_is_judged_as_without_memory(change):
+def test_a_changed_s_breaks_a_law(change):
     random, seen = Random(2), set()
     for _ in range(150 if change is one_vertex_twice else 40):
         map_, shown = grown(random)
         at = random.randrange(len(shown))
         shown[at] = change(random, *shown[at])
-        said, _, _ = judge(shown, map_)
-        seen |= {law for law in (INVARIANT_1, INVARIANT_2, VARIANT) if said[-1][0] >> law & 1}
+        said, _ = judge(shown, map_)
+        seen |= {law for law in (INVARIANT_1, INVARIANT_2, VARIANT) if said[-1] >> law & 1}
     assert bool(seen) == (change is not renamed)
 
 
 def seen_by_the_kernel(case, checkpoint, walked):
     """The laws I-1 and I-2 that the one checkpoint breaks, by compiled code."""
-    world, judged, answer = new(WORLD), new(JUDGED), new(ANSWER)
+    world, judged = new(WORLD), new(JUDGED)
     world.darts = len(case.map.sigma)
     world.sigma[: world.darts], world.alpha[: world.darts] = case.map.sigma, case.map.alpha
-    arrays = [
-        np.array([*values, *[0] * 16], np.int32) for values in (checkpoint.sigma, checkpoint.alpha)
-    ]
-    answer.sigma, answer.alpha = (array.ctypes.data for array in arrays)
-    answer.darts, answer.here = len(checkpoint.sigma), checkpoint.here
-    look(judged, answer, world, case.trail[-1], sum(1 << d for d in walked), 1)
+    answer, _arrays = published_as(checkpoint.sigma, checkpoint.alpha, checkpoint.here)
+    look(judged, answer, world, case.trail[-1], sum(1 << d for d in walked))
     return [bool(judged.broken >> law & 1) for law in (INVARIANT_1, INVARIANT_2)]
 
 

@@ -8,14 +8,13 @@ from allworlds.engines.kernel.batches import UnitJudge, any_level
 from allworlds.engines.kernel.records import Stretch
 from allworlds.engines.players import Logs
 from allworlds.judging.episode import Log
-from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, span
+from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
 def entry(code, sigma, alpha, here):
-    darts = len(sigma)
-    return bytes((code, darts, here, *sigma, *alpha)) + bytes(span(darts) - 2 * darts)
+    return bytes((code, len(sigma), here, *sigma, *alpha))
 
 
 # In the world with one edge and two vertices.

@@ -4,10 +4,10 @@ import pytest
 
 from allworlds import check
 from allworlds.document.struct import replace
-from allworlds.engines import compiled_engine as compiled, questions
-from allworlds.engines.compiled_engine import AGREED
+from allworlds.engines import compiled_engine as compiled
+from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.kernel.rows import LevelBounds, tables
+from allworlds.engines.kernel.runs import UNDEFINED
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import CombinatorialMap, MapClass, rooted_maps, unrooted_code
 from allworlds.maps.classes import Extent
@@ -15,26 +15,29 @@ from allworlds.maps.enumeration import prefixes
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
-WHOLE = questions.level_tables
-
 
 @pytest.fixture(autouse=True)
 def fresh_comparison():
     AGREED.clear()
-    questions.level_of.cache_clear()
+    compiled.level_of.cache_clear()
     yield
     AGREED.clear()
-    questions.level_of.cache_clear()
+    compiled.level_of.cache_clear()
 
 
 def asked(edges, **given):
-    """The question of a level, with these tables."""
-    level = questions.level_of("algorithm1", Rules(), Extent(MapClass.MAPS, edges), edges)
+    """The question of a level, with these values."""
+    level = compiled.level_of("algorithm1", Rules(), Extent(MapClass.MAPS, edges), edges)
     return replace(level, **given)
 
 
+def table_of(bounds):
+    """The table of the kernel of these largest costs, by vertices from 0 on."""
+    return [[[bound]] for bound in bounds]
+
+
 def test_the_least_broken_worlds_come_first():
-    level = asked(4, tables=tables(4, 2000, [0, 0, 10, 10, 10]))
+    level = asked(4, bounds=table_of([0, 0, 0, 10, 10, 10]), budgets=(2000,))
     for prefix in prefixes(4, depth=1):
         few, all_ = (walk(level, prefix, keep=keep).broken for keep in (3, 500))
         codes = [(world.vertices, world.sigma, world.alpha) for world in all_]
@@ -47,7 +50,7 @@ def test_the_least_broken_worlds_come_first():
 
 def test_a_walk_that_fails_half_way_blames_every_completion():
     # Out of fuel from the first pass on: every world of the unit is broken, and all are met.
-    broken = walk(asked(4, tables=tables(4, 0)), (-3,), keep=1000)
+    broken = walk(asked(4, budgets=(0,)), (-3,), keep=1000)
     honest = walk(asked(4), (-3,))
     assert [row.worlds for row in broken.counts] == [row.worlds for row in honest.counts]
     maps = [CombinatorialMap(world.sigma, world.alpha) for world in broken.broken]
@@ -72,11 +75,11 @@ def test_a_judge_that_is_wrong_is_found_out_before_the_first_level(monkeypatch):
 
 def test_what_the_judge_blames_is_asked_of_the_python_engine(monkeypatch):
     monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
-    honest = questions.level_of
+    honest = compiled.level_of
 
     def stricter(*arguments):
         level = honest(*arguments)
-        return replace(level, bounds=LevelBounds(lambda *_: 0))
+        return replace(level, bounds=table_of([0] * (arguments[-1] + 2)))
 
     monkeypatch.setattr(compiled, "level_of", stricter)
     report = check(edges=2, engine="kernel")
@@ -84,7 +87,9 @@ def test_what_the_judge_blames_is_asked_of_the_python_engine(monkeypatch):
     assert "bound is broken, the python engine that none is" in report.ending.reason
 
 
-def test_rules_are_left_as_they_were():
+def test_the_bounds_are_those_of_the_rules():
     rules = Rules(bound="m * n")
-    assert WHOLE(rules, 3).bound.tolist() == [0, 3, 6, 9, 12]
-    assert WHOLE(replace(rules, bound="none"), 3).bound.min() == 0
+    assert bounds_of(rules, 3) == table_of([0, 3, 6, 9, 12])
+    assert bounds_of(replace(rules, bound="none"), 3) == table_of([UNBOUNDED] * 5)
+    by_degree = [[UNDEFINED], *([3 // d0] for d0 in range(1, 7))]
+    assert bounds_of(replace(rules, bound="m // d0"), 3)[1] == by_degree

@@ -2,16 +2,14 @@
 
 import json
 import sqlite3
-from contextlib import ExitStack, closing
+from contextlib import closing
 from importlib import import_module
 
 import pytest
 
 from allworlds import ambiguity, check, worst
-from allworlds.engines import run_directory
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.progress import Silent
-from allworlds.inputs.checks import InputError
 from allworlds.studies.worst.compiled_engine import ScheduleSearch
 from kept_jobs import EXPLORERS
 
@@ -103,47 +101,8 @@ def test_a_lock_that_is_removed_by_hand_harms_nobody(name, tmp_path):
 
     listener = Once(remove)
     assert job(run=run, listener=listener).to_json() == whole
-    assert listener.notices == []  # the other has ended, and this one has a lock again
-    assert job(run=run).to_json() == whole
-
-
-@pytest.mark.usefixtures("without_workers")
-def test_a_command_says_that_another_one_adds_to_its_directory(tmp_path):
-    job, run = VERBS["own"], tmp_path / "run"
-    whole = job().to_json()
-    with ExitStack() as another:
-
-        def remove():
-            (run / "lock").unlink()
-            another.enter_context(run_directory._locked(run))
-
-        listener = Once(remove)
-        assert job(run=run, listener=listener).to_json() == whole
-    (notice,) = listener.notices
-    assert "is in use by another command, too, since its file lock was removed" in notice
-    assert job(run=run).to_json() == whole
-
-
-@pytest.mark.usefixtures("without_workers")
-def test_a_lock_that_is_removed_is_made_anew(tmp_path, monkeypatch):
-    monkeypatch.setattr("allworlds.engines.run_directory.PATIENCE", 0.1)
-    job, run = VERBS["own"], tmp_path / "run"
-    refused = []
-
-    class Tries(Once):
-        """Another command, which begins when a unit has been kept since."""
-
-        def progress(self, worlds):
-            if not self.left and not refused:
-                with pytest.raises(InputError, match="is in use by another command"):
-                    job(run=run)
-                refused.append(worlds)
-            super().progress(worlds)
-
-    listener = Tries((run / "lock").unlink)
-    job(run=run, listener=listener)
-    assert refused
     assert listener.notices == []
+    assert job(run=run).to_json() == whole
 
 
 @pytest.mark.usefixtures("without_workers")
@@ -204,7 +163,7 @@ def test_a_finding_is_confirmed_once(tmp_path, monkeypatch):
     job = lambda: check(wrong("everywhere"), edges=2, run=tmp_path / "run")  # noqa: E731
     whole = job().to_json()
     assert whole["findings"][0]["confirmed"]
-    monkeypatch.setattr("allworlds.studies.check.confirmation.played_again", lambda *_: 1 / 0)
+    monkeypatch.setattr("allworlds.studies.check.tally_sweep.played_again", lambda *_: 1 / 0)
     assert job().to_json() == whole
 
 

@@ -237,7 +237,7 @@ def test_what_a_shrinker_had_when_the_time_was_up_is_not_the_end(tmp_path, monke
 
         patch.setattr("allworlds.studies.fuzz.drive.smallest_from", shrunk)
         patch.setattr(
-            "allworlds.studies.check.confirmation.Confirmation.is_late",
+            "allworlds.studies.check.tally_sweep.Confirmation.is_late",
             property(lambda _: bool(late)),
         )
         assert job(run=tmp_path, time_limit=1000).findings

@@ -5,7 +5,7 @@ import pytest
 import small
 from allworlds.inputs.checks import InputError
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from processes import PATIENCE, SOON
 

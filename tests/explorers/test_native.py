@@ -7,19 +7,19 @@ import re
 
 import pytest
 
-import allworlds.explorers.shared_library.library as abi
+import allworlds.explorers.shared_library as abi
 import small
 from allworlds.engines.players import NATIVE_MEMORY
 from allworlds.explorers import shared_library as libraries
 from allworlds.explorers.loading import load
-from allworlds.explorers.shared_library.library import (
+from allworlds.explorers.shared_library import (
     INTERFACE_VERSION,
     ROOM,
     CAction,
     CPercept,
-    Guarded,
     Library,
     NativeExplorer,
+    guarded,
     header_text,
     threads_left,
 )
@@ -29,7 +29,7 @@ from allworlds.protocol.choices import KINDS, Choices
 from allworlds.protocol.faults import ExplorerFault
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, Position, World
 from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, example, quotient
 from processes import PATIENCE, SOON
@@ -293,14 +293,14 @@ def test_every_schedule_of_a_library_is_one_sequence_of_answers():
 
 def test_threads_that_are_joined_are_not_left_behind(monkeypatch):
     counts = iter([4, 4, 3])  # one is joined, and is listed a little longer
-    monkeypatch.setattr(libraries.library, "threads_now", lambda: next(counts, 3))
+    monkeypatch.setattr(libraries, "threads_now", lambda: next(counts, 3))
     assert threads_left(3) == 0
-    monkeypatch.setattr(libraries.library, "THREADS_END", 0.01)
+    monkeypatch.setattr(libraries, "THREADS_END", 0.01)
     assert threads_left(2) == 1
 
 
 def test_guarded_memory_is_zero_and_as_long_as_it_was_asked_for():
-    kept = Guarded(12).as_a(ctypes.c_int32 * 3)
+    kept = guarded(ctypes.c_int32 * 3)
     assert list(kept) == [0, 0, 0]
     kept[2] = 5
     assert kept[2] == 5
@@ -315,6 +315,6 @@ def test_a_player_knows_its_library():
 
 def test_a_path_that_cannot_be_read_is_refused():
     with pytest.raises(InputError, match="no path"):
-        libraries.library.library_path("x\0y")
+        libraries.library_path("x\0y")
     with pytest.raises(InputError, match="cannot be read"):
-        libraries.library.library_path("x" * 300)
+        libraries.library_path("x" * 300)

@@ -147,13 +147,14 @@ def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monke
     (tmp_path / "folder").mkdir()
     (tmp_path / "plain.py").touch()
     (tmp_path / "loop").symlink_to("loop")
+    (tmp_path / "loop.py").symlink_to("loop.py")
     for command, reason in {
         "./folder": "a directory",
         "./plain.py --fast": "not executable",
         "plain.py": "write './plain.py'",
         "./nothing": "there is no program './nothing'",
         "./loop": "'./loop' is a loop of links",
-        f"{sys.executable} ./loop": "cannot open './loop': it is a loop of links",
+        f"{sys.executable} ./loop.py": "cannot open './loop.py': it is a loop of links",
     }.items():
         with pytest.raises(InputError, match=reason):
             Program(command, 1.0)

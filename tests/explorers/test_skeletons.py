@@ -2,12 +2,10 @@
 
 import json
 import shutil
-from pathlib import Path
 
 import pytest
 
-import allworlds
-from allworlds.explorers.skeletons.languages import LANGUAGES, templates
+from allworlds.explorers.languages import LANGUAGES, SKELETONS, templates
 from allworlds.inputs.checks import InputError
 from allworlds.studies.init import init
 from shells import shell_in
@@ -63,8 +61,8 @@ def test_what_is_said_to_be_written_is_all_that_is_written(lang, tmp_path, cli):
     assert document["explorer"] in there
     assert ".github/workflows/allworlds.yml" in there
     assert document["check"].startswith(f"cd '{folder}' && ")
-    assert {name: (folder / name).read_text(encoding="utf-8") for name in there} == dict(
-        templates(lang)
+    assert {name: (folder / name).read_text(encoding="utf-8") for name in there} == templates(
+        SKELETONS / lang
     )
 
 
@@ -104,7 +102,6 @@ def test_a_place_that_cannot_be_written_is_refused(tmp_path):
 
 
 def test_every_language_has_its_folder_and_every_folder_its_language():
-    folder = Path(allworlds.__file__).parent / "explorers" / "skeletons"
-    there = {entry.name for entry in folder.iterdir() if entry.is_dir()} - {"__pycache__"}
+    there = {entry.name for entry in SKELETONS.iterdir() if entry.is_dir()} - {"__pycache__"}
     assert there == set(LANGUAGES)
-    assert all(dict(templates(lang)) for lang in LANGUAGES)
+    assert all(templates(SKELETONS / lang) for lang in LANGUAGES)

@@ -3,8 +3,7 @@ import sys
 import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.loading import in_process_subject, load
-from allworlds.explorers.names import own_bound, own_lighthouse
+from allworlds.explorers.loading import in_process_subject, load, own_bound
 from allworlds.explorers.program import Program
 from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Percept
@@ -89,9 +88,8 @@ def test_a_command_that_is_none_is_bad_input(command):
 def test_built_in_explorers_take_what_they_need_and_bring_what_they_keep():
     assert load("algorithm1").keywords == {"choices", "notice"}
     assert load("algorithm1-natural").keywords == {"choices", "notice", "told"}
-    assert [own_lighthouse(name) for name in ("algorithm1", "algorithm1-natural", "a:b")] == [
-        *("directional", "natural", "directional")
-    ]
+    assert load("algorithm1-natural").lighthouse == "natural"
+    assert in_process_subject(explore).lighthouse == load("algorithm1").lighthouse == "directional"
     assert own_bound("algorithm1-cluster", "cluster") == "two-vertices"
     assert own_bound("algorithm1-cluster", "cluster:single=true") == "two-vertices"
     assert own_bound("algorithm1-cluster", "natural") is None

@@ -5,8 +5,8 @@ from collections import Counter
 import pytest
 from hypothesis import given, strategies as st
 
+from allworlds.explorers.builtin.algorithm1 import algorithm1_cluster, algorithm1_natural
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.builtin.undirected import algorithm1_cluster, algorithm1_natural
 from allworlds.maps import MapClass, from_cycles, from_rotation, rooted_code, rooted_maps
 from allworlds.maps.build import cycle
 from allworlds.protocol.actions import Move, Percept

@@ -140,7 +140,7 @@ def _bytes(document: object) -> bytes:
 
 def _worlds(random: Random) -> Case:
     world = random.choice(grammar.worlds())
-    texts = [grammar.mutated(random.choice((world, world, grammar.a_world(random))), random)]
+    texts = [grammar.mutated(random.choice((world, world, grammar.world_named(random))), random)]
     texts.append(_bytes(world))
     random.shuffle(texts)
     files: dict[str, bytes] = {}
@@ -186,10 +186,6 @@ def _corpus(random: Random) -> Case:
     return Case("corpus", ("check", "--edges", "1", "--corpus", "corpus", *_json(random)), files)
 
 
-def _manifests(random: Random) -> Case:
-    return Case("manifests", (), grammar.manifest(random))
-
-
 def _expressions(random: Random) -> Case:
     verb = random.choice((("check", "--edges", "1"), ("run", "theta")))
     return Case("expressions", (*verb, "--bound", grammar.expression(random), *_json(random)))
@@ -212,11 +208,10 @@ KINDS: dict[str, tuple[int, Callable[[Random], Case]]] = {
     "findings": (20, _findings),
     "options": (24, _options),
     "expressions": (10, _expressions),
-    "manifests": (10, _manifests),
     "corpus": (6, _corpus),
     "lines": (2, _lines),
 }
-"""Every kind of input, with its share in a hundred."""
+"""Every kind of input, with its share in ninety."""
 
 
 def cases(seed: int, numbers: Iterable[int]) -> Iterator[tuple[str, Case]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from dataclasses import dataclass
 from functools import cache
@@ -150,7 +149,7 @@ def worlds() -> list[dict[str, Any]]:
     ]
 
 
-def a_world(random: Random) -> dict[str, Any]:
+def world_named(random: Random) -> dict[str, Any]:
     """A random world of up to 6 edges, under any lighthouse, whether it can stand there or not."""
     map_ = random_map(random.randrange(1, 7), random)
     light = {"kind": random.choice(list(LIGHTHOUSES)), "dart": random.choice(map_.darts)}
@@ -195,23 +194,6 @@ def expression(random: Random) -> str:
             words.insert(random.randrange(len(words) + 1), random.choice(EXPRESSION))
             del words[random.randrange(len(words))]
             return "".join(words)
-
-
-def manifest(random: Random) -> dict[str, bytes]:
-    """A corpus: its manifest, and the files that it names, nearly right."""
-    files = {f"{i}.json": mutated(random.choice(worlds()), random) for i in range(2)}
-    rows = [
-        {
-            "name": f"world-{i}",
-            "kind": random.choice(("world", "finding", "pair", "counts")),
-            "file": name,
-            "sha256": hashlib.sha256(content).hexdigest(),
-            "provenance": "made",
-            "expected": {},
-        }
-        for i, (name, content) in enumerate(files.items())
-    ]
-    return {**files, "manifest.json": mutated({"schema": 1, "entries": rows}, random)}
 
 
 LINES = (

@@ -19,8 +19,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from allworlds.cli.app import call
-from allworlds.inputs.checks import InputError
-from allworlds.world.corpus import load_corpus
 
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]|^\\s*::|##\\[", re.MULTILINE)
 """A character that a terminal obeys, and a command of the runner of a CI service."""
@@ -55,7 +53,7 @@ class Case:
 
     Attributes:
         kind: what was mutated.
-        arguments: of the command line; empty for a corpus that is loaded in Python.
+        arguments: of the command line.
         files: what lies in the working directory, by names.
         stdin: what can be read there.
     """
@@ -83,8 +81,6 @@ class Said:
 def tried(case: Case, folder: Path) -> list[str]:
     """Breaches of the law with this input; the folder must be the working directory."""
     with written(case.files, folder):
-        if not case.arguments:
-            return wrong_corpus(folder)
         return wrong(case.arguments, said(case))
 
 
@@ -172,23 +168,3 @@ def _wrong_report(arguments: tuple[str, ...], out: str) -> list[str]:
         return ["a document that is no JSON"]
     whole = isinstance(document, dict) and document.get("schema") == 2 and "made_by" in document
     return [] if whole else ["a document that is none of ours"]
-
-
-def wrong_corpus(folder: Path) -> list[str]:
-    """Breaches of the law by a corpus, which only Python loads.
-
-    The whole corpus must be read, or refused in one line.
-    """
-    try:
-        corpus = load_corpus(folder)
-        for entry in corpus.entries:
-            try:
-                corpus.document(entry)
-            except InputError as error:
-                if "\n" in str(error):
-                    return ["a refusal of several lines"]
-    except InputError as error:
-        return ["a refusal of several lines"] * ("\n" in str(error))
-    except Exception as error:  # noqa: BLE001  # that is what is looked for
-        return [f"a {type(error).__name__}: {str(error)[:LONGEST]}"]
-    return []

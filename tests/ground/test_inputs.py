@@ -82,9 +82,8 @@ FAULTS = {
         ("allworlds.judging.findings.finding.parse_json", json.loads),
         "findings",
     ),
-    "a manifest that is any JSON": (("allworlds.world.corpus.parse_json", json.loads), "manifests"),
     "a corpus of files that are texts": (
-        ("allworlds.judging.findings.asked_finding.Finding.from_json", json.loads),
+        ("allworlds.studies.check.tally_sweep.Finding.from_json", json.loads),
         "corpus",
     ),
     "lines as long as what is in them": (("allworlds.cli.output.LONGEST", 10**9), "options"),

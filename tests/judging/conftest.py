@@ -8,7 +8,7 @@ from allworlds import Estimate, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}

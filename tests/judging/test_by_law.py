@@ -14,7 +14,7 @@ from allworlds.judging.laws.bounds import BOUNDS
 from allworlds.judging.laws.law_table import PRECEDENCE
 from allworlds.protocol.answers import Estimate
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from small import EDGE, LASSO, PATH
 

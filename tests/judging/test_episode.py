@@ -5,8 +5,7 @@ import signal
 import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.judging.endings import Answered, Fault
-from allworlds.judging.episode import default_step_budget, play
+from allworlds.judging.episode import Answered, Fault, default_step_budget, play
 from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
 from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate

@@ -9,7 +9,7 @@ from allworlds.judging.findings.finding import Finding, canonical_world, place_o
 from allworlds.maps import named_map
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
 from processes import PATIENCE
 
@@ -66,7 +66,7 @@ def test_the_findings_of_all_numberings_are_one_finding():
 @pytest.mark.parametrize(
     ("change", "named"),
     [
-        ({"version": 1}, "1"),
+        ({"version": 1}, "of version 1; this program reads 2"),
         ({"explorer": 3}, "3"),
         ({"law": "luck"}, "luck"),
         ({"world": []}, r"\[\]"),
@@ -84,6 +84,15 @@ def test_the_findings_of_all_numberings_are_one_finding():
 def test_a_document_that_is_no_finding_is_refused(finding, change, named):
     with pytest.raises(InputError, match=named):
         Finding.from_json({**finding.to_json(), **change})
+
+
+def test_choices_before_an_error_are_recorded():
+    def explore(first, choices):
+        choices.pick("abc", of="edge")
+        raise ValueError
+        yield
+
+    assert check(explore, edges=1, policy="lifo").findings[0].choices == (2,)
 
 
 def test_the_recorded_choices_are_honoured(one_schedule, wrong):

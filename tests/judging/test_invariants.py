@@ -5,8 +5,7 @@ from random import Random
 import pytest
 
 from allworlds.document.struct import replace
-from allworlds.judging.laws.case import Case, Violation
-from allworlds.judging.laws.invariants import invariant_1, invariant_2, variant
+from allworlds.judging.laws.laws import Case, Violation, invariant_1, invariant_2, variant
 from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Drop, Move, Percept
 from allworlds.protocol.answers import Checkpoint, Estimate

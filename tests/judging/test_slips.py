@@ -6,13 +6,13 @@ from allworlds import CombinatorialMap, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.explanations.by_law import GUESSED
-from allworlds.judging.explanations.slips import LARGEST, SLIPS, the_slip
+from allworlds.judging.explanations.slips import LARGEST, SLIPS, mirror_image, the_slip
 from allworlds.judging.explanations.story import Belief, Story
 from allworlds.maps import contracted, deleted, family, isomorphism, rooted_isomorphism
 from allworlds.protocol.answers import Estimate
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from second_opinion import same_map, same_pose
 
@@ -134,7 +134,7 @@ def test_a_mirror_image_is_claimed_exactly_where_there_is_one(findings):
         if finding.law not in ("map", "pose"):
             continue
         belief = Belief(Story(finding))
-        claimed = bool(SLIPS["mirrored"](belief))
+        claimed = bool(mirror_image(belief))
         answer, robot = belief.answer, belief.story.walked[-1]
         image = CombinatorialMap(*map(list, (_inverse(answer.map.sigma), answer.map.alpha)))
         rooted = rooted_isomorphism(image, answer.here, finding.world.map, robot)
@@ -156,7 +156,7 @@ def test_whatever_slip_is_claimed_the_answer_is_right_without_it(findings):
             continue
         belief = Belief(Story(finding))
         world, answer = finding.world.map, belief.answer.map
-        for recognise in SLIPS.values():
+        for recognise in SLIPS:
             slip = recognise(belief)
             if slip is None or slip.mended is None:
                 continue

@@ -5,7 +5,7 @@ import pytest
 from allworlds.judging.explanations.story import Spending
 from allworlds.reports.plain_text import LONGEST, cost_lines, cost_picture
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from small import PATH
 

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds.inputs.checks import InputError
-from allworlds.judging.endings import Answered, Over, Said
+from allworlds.judging.episode import Answered, Over, Said
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.tasks import TASKS, Task, task_named
 from allworlds.protocol.actions import Move

@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.judging.explanations.slips import telling_line
+from allworlds.judging.explanations.by_law import telling_line
 
 CASES = {
     "python": (

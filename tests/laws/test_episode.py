@@ -14,8 +14,7 @@ from hypothesis.stateful import (
 )
 from hypothesis.strategies import integers, sampled_from
 
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import play
+from allworlds.judging.episode import Answered, play
 from allworlds.protocol.actions import Drop, Move, Pick
 from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.choices import Choices

@@ -7,23 +7,39 @@ from pathlib import Path
 
 import pytest
 
+import graph_atlas
 from allworlds.maps import counting
-from allworlds.maps.counting import any_genus, atlas
+from allworlds.maps.counting import any_genus
 from allworlds.maps.counting.any_genus import (
     catalan,
     rooted_maps,
     rooted_of_genus,
     rooted_of_genus_by_contraction,
 )
-from allworlds.maps.counting.atlas import ROTATIONS_LIMIT, rooted_planar_simple, rooted_simple
 from allworlds.maps.counting.sources import (
+    SOURCES,
     rooted_planar_simple_by_substitution,
     rooted_simple_by_degrees,
-    source_for,
-    sources,
 )
+from graph_atlas import ROTATIONS_LIMIT, rooted_planar_simple, rooted_simple
 
-CLASSES = ["maps", "simple", "planar", "planar-simple"]
+
+def of_all_genera(of_genus):
+    def cells(m):
+        each = [of_genus(m, genus) for genus in range(m // 2 + 1)]
+        return {n: sum(one[n] for one in each) for n in range(1, m + 2)}
+
+    return cells
+
+
+# By the class of maps: what counts them besides the source of the gate, as far as it knows.
+SECOND = {
+    "maps": [of_all_genera(rooted_of_genus), of_all_genera(rooted_of_genus_by_contraction)],
+    "planar": [lambda m: rooted_of_genus_by_contraction(m, 0)],
+    "simple": [rooted_simple],
+    "planar-simple": [rooted_planar_simple],
+}
+CLASSES = [*SECOND]
 
 # OEIS A000698, from its third term: rooted maps of any orientable genus by edges.
 ROOTED = [2, 10, 74, 706, 8162, 110410, 1708394, 29752066, 576037442]
@@ -59,8 +75,8 @@ def test_rooted_maps_by_genus_are_the_published_numbers():
 def test_trees_are_counted_by_catalan_numbers_in_every_class():
     assert [catalan(n) for n in range(9)] == CATALAN
     for map_class in CLASSES:
-        for source in sources(map_class):
-            assert [source.cells(m)[m + 1] for m in range(1, 8)] == CATALAN[1:8], source.name
+        for cells in (SOURCES[map_class].cells, *SECOND[map_class]):
+            assert [cells(m)[m + 1] for m in range(1, 8)] == CATALAN[1:8], map_class
 
 
 def test_maps_with_one_vertex_are_the_pairings_of_its_darts():
@@ -70,8 +86,7 @@ def test_maps_with_one_vertex_are_the_pairings_of_its_darts():
 
 @pytest.mark.parametrize("map_class", CLASSES)
 def test_the_gate_of_a_class_knows_every_cell(map_class):
-    source = source_for(map_class)
-    assert source == sources(map_class)[0]
+    source = SOURCES[map_class]
     for m in range(1, 11):
         assert list(source.cells(m)) == list(range(1, m + 2))
 
@@ -79,9 +94,7 @@ def test_the_gate_of_a_class_knows_every_cell(map_class):
 @pytest.mark.parametrize("map_class", ["simple", "planar"])
 def test_a_class_that_is_confused_with_another_does_not_pass(map_class):
     for other in CLASSES:
-        same = all(
-            source_for(other).cells(m) == source_for(map_class).cells(m) for m in range(1, 6)
-        )
+        same = all(SOURCES[other].cells(m) == SOURCES[map_class].cells(m) for m in range(1, 6))
         assert same == (other == map_class)
 
 
@@ -210,9 +223,9 @@ def test_simple_rooted_maps_by_vertices_are_the_known_numbers(rooted):
 
 def test_simple_maps_by_degrees_agree_with_the_atlas_on_all_its_graphs():
     for m in range(1, 12):
-        atlas, degrees = rooted_simple(m), rooted_simple_by_degrees(m)
-        assert atlas == {n: degrees[n] for n in atlas}
-        assert set(atlas) == {*range(1, min(m + 1, 7) + 1), m + 1}
+        known, degrees = rooted_simple(m), rooted_simple_by_degrees(m)
+        assert known == {n: degrees[n] for n in known}
+        assert set(known) == {*range(1, min(m + 1, 7) + 1), m + 1}
 
 
 def graph(n, edges):
@@ -222,15 +235,15 @@ def graph(n, edges):
 
 def test_automorphisms_of_known_graphs():
     # Permutations of the leaves, of all vertices, the dihedral group, the two ends.
-    assert atlas._automorphisms(graph(7, [(0, v) for v in range(1, 7)])) == 720
-    assert atlas._automorphisms(graph(7, list(combinations(range(7), 2)))) == 5040
-    assert atlas._automorphisms(graph(6, [(v, (v + 1) % 6) for v in range(6)])) == 12
-    assert atlas._automorphisms(graph(4, [(0, 1), (1, 2), (2, 3)])) == 2
+    assert graph_atlas._automorphisms(graph(7, [(0, v) for v in range(1, 7)])) == 720
+    assert graph_atlas._automorphisms(graph(7, list(combinations(range(7), 2)))) == 5040
+    assert graph_atlas._automorphisms(graph(6, [(v, (v + 1) % 6) for v in range(6)])) == 12
+    assert graph_atlas._automorphisms(graph(4, [(0, 1), (1, 2), (2, 3)])) == 2
 
 
 def test_weighing_no_graph_by_its_automorphisms_is_too_many():
-    stars_and_paths = atlas._atlas(4, 3)
-    unweighed = sum(map(atlas._rotation_count, stars_and_paths)) * 2 * 3
+    stars_and_paths = graph_atlas._atlas(4, 3)
+    unweighed = sum(map(graph_atlas._rotation_count, stars_and_paths)) * 2 * 3
     assert unweighed > rooted_simple(3)[4] == catalan(3)
 
 
@@ -245,11 +258,11 @@ def test_simple_planar_maps_by_edges_are_the_published_numbers():
 def test_rotations_of_genus_0_of_known_graphs():
     # K4 is 3-connected: one rotation system and its mirror image, of 2^4.  K5 has none.
     four, five = (graph(n, list(combinations(range(n), 2))) for n in (4, 5))
-    assert atlas._spherical_rotations(four) == 2 < atlas._rotation_count(four) == 16
-    assert atlas._spherical_rotations(five) == 0 < atlas._rotation_count(five)
+    assert graph_atlas._spherical_rotations(four) == 2 < graph_atlas._rotation_count(four) == 16
+    assert graph_atlas._spherical_rotations(five) == 0 < graph_atlas._rotation_count(five)
     # All rotation systems of a tree are plane.
     star = graph(5, [(0, v) for v in range(1, 5)])
-    assert atlas._spherical_rotations(star) == atlas._rotation_count(star) == 6
+    assert graph_atlas._spherical_rotations(star) == graph_atlas._rotation_count(star) == 6
 
 
 def test_simple_planar_is_less_than_simple_from_five_edges_on():
@@ -261,7 +274,7 @@ def test_simple_planar_is_less_than_simple_from_five_edges_on():
 def test_a_cell_without_a_source_is_absent_and_an_impossible_cell_is_0():
     assert 8 not in rooted_simple(8)
     assert rooted_simple(8)[4] == rooted_simple_by_degrees(8)[4] == 0
-    assert sum(map(atlas._rotation_count, atlas._atlas(6, 12))) > ROTATIONS_LIMIT
+    assert sum(map(graph_atlas._rotation_count, graph_atlas._atlas(6, 12))) > ROTATIONS_LIMIT
     assert 6 not in rooted_planar_simple(12)
     assert rooted_planar_simple(12)[5] == 0
 
@@ -285,14 +298,6 @@ def test_no_edge_is_no_map(count):
         count(0)
 
 
-def test_a_genus_or_class_that_does_not_exist_is_refused_by_name():
-    for count in (rooted_of_genus, rooted_of_genus_by_contraction):
-        with pytest.raises(ValueError, match="genus is at least 0, not -1"):
-            count(3, -1)
-    with pytest.raises(ValueError, match="'toroidal'; the classes are maps, planar, simple"):
-        sources("toroidal")
-
-
 def test_what_should_be_a_count_but_is_a_fraction_is_an_error():
     with pytest.raises(ArithmeticError, match="7 / 2 should be a count"):
         any_genus.exactly(7, 2)
@@ -300,7 +305,7 @@ def test_what_should_be_a_count_but_is_a_fraction_is_an_error():
 
 def test_the_gate_shares_no_code_with_the_enumerator():
     files = sorted(Path(counting.__file__).parent.glob("*.py"))
-    assert len(files) > 3
+    assert len(files) == 3
     imported = set()
     for file in files:
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
@@ -310,4 +315,4 @@ def test_the_gate_shares_no_code_with_the_enumerator():
                 imported.update(alias.name for alias in node.names)
     imported = {name for name in imported if not name.startswith(counting.__name__)}
     outside = {name for name in imported if name.split(".")[0] not in sys.stdlib_module_names}
-    assert outside == {"networkx"}
+    assert not outside

@@ -126,7 +126,6 @@ def test_a_map_and_a_world_are_made_by_their_classes():
     map_ = CombinatorialMap.from_faces(faces)
     assert map_ == from_faces(faces)
     assert CombinatorialMap.from_networkx(map_.to_networkx()) == map_
-    assert World.from_faces(faces, "position", 4) == World(map_, "position", 4)
 
 
 def test_a_planar_graph_is_embedded_in_the_plane():

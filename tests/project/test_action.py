@@ -12,7 +12,7 @@ from jsonschema import Draft7Validator
 from ruamel.yaml import YAML
 
 import allworlds
-from allworlds.explorers.skeletons.languages import LANGUAGES
+from allworlds.explorers.languages import LANGUAGES
 from allworlds.outcome import Exit, Facts
 from allworlds.studies.init import init
 from project.runner import OURS, ROOT, job_in, read

@@ -113,12 +113,12 @@ def paths_in(text):
     return named - ELSEWHERE - NO_PATHS
 
 
+NOT_MODULES = {"allworlds.h", "allworlds.toml"}
+
+
 def modules_in(text):
     """Parts of the package that a page names, each with its full dotted path."""
-    return set(re.findall(r"`(allworlds(?:\.[a-z_]\w*)+)", text)) - {
-        "allworlds.h",
-        "allworlds.toml",
-    }
+    return set(re.findall(r"`(allworlds(?:\.[a-z_]\w*)+)", text)) - NOT_MODULES
 
 
 def is_there(name):

@@ -65,15 +65,15 @@ HOMES = {
         *("document", "outcome", "maps", "protocol", "world", "explorers", "judging", "engines"),
         *("reports", "studies"),
     ],
-    "networkx": ["maps.surgery", "maps.networks", "maps.counting.atlas"],
+    "networkx": ["maps.build", "maps.surgery", "maps.networks"],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
     "psutil": ["engines.dask"],
     "pyarrow": ["reports.formats.csv"],
-    "pysat": ["studies.ambiguity.smt"],
+    "pysat": ["studies.ambiguity.solvers"],
     "rich": ["cli", "reports"],
     "typer": ["cli", "reports"],
-    "z3": ["studies.ambiguity.smt"],
+    "z3": ["studies.ambiguity.solvers"],
 }
 # What comes with Python, or will.
 EVERYWHERE = {*sys.stdlib_module_names, "typing_extensions"}
@@ -110,7 +110,7 @@ COMPARED = [
     ),
     # Twins are found by formulas, and by quotients; one checker serves both, and knows neither.
     (
-        "studies.ambiguity.smt",
+        "studies.ambiguity.twin_search",
         "maps.quotient",
         {"maps.canonical", "maps.combinatorial", *INPUTS, *DOORS},
     ),
@@ -483,21 +483,22 @@ def test_what_explorers_need_loads_maps_and_protocol_alone():
 def test_a_process_that_only_plays_loads_neither_judges_nor_worlds():
     loaded = loaded_by(
         "import allworlds.engines.player; "
-        "from allworlds.explorers.functions import Function; "
+        "from allworlds.explorers.loading import Subject; "
         "from allworlds.protocol.playing import Record, TableWorld, play_run"
     )
     assert not {"numpy", "numba", "z3", "networkx", "subprocess", "pickle", "socket"} & loaded
     own = {inner(name) for name in loaded if inner(name)}
     assert not {name for name in own if wing(name) in ("judging", "world", "studies")}
     assert {name for name in own if wing(name) == "explorers"} == {
-        *("explorers", "explorers.functions"),
+        *("explorers", "explorers.loading"),
+        *("explorers.builtin", "explorers.builtin.explorer_table"),
     }
 
 
 def test_a_command_that_lets_others_judge_loads_no_compiled_code():
     loaded = loaded_by(
         "import allworlds.studies.check.exhaustive, allworlds.engines.lanes, "
-        "allworlds.engines.obstacles"
+        "allworlds.engines.engine_table"
     )
     assert not {"numpy", "numba"} & loaded
 

@@ -4,8 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.claims import Means
-from allworlds.studies.ledger.claim import claims_in
+from allworlds.studies.ledger.claim import Means, claims_in
 
 ROOT = Path(__file__).parents[2]
 PAPERS = sorted(ROOT.glob("papers/*/ledger.toml"))

@@ -4,8 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.studies.ambiguity.smt.lrat import check_lrat
-from allworlds.studies.ambiguity.smt.rup import ProofRefused
+from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat
 
 DATA = Path(__file__).parents[1] / "support" / "data"
 FORMULA = [[1, 2], [1, -2], [-1, 2], [-1, -2]]

@@ -7,7 +7,7 @@ import sys
 import pytest
 
 import allworlds
-from allworlds.studies.ambiguity.smt import solvers, twin_search as searching
+from allworlds.studies.ambiguity import solvers, twin_search as searching
 
 needs_python_sat = pytest.mark.skipif(
     not solvers.python_sat_is_installed(), reason="python-sat is not installed: no certificates"

@@ -9,7 +9,7 @@ from allworlds.reports.rendering import text as text_of
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 
 

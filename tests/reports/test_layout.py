@@ -6,7 +6,7 @@ from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.reports.rendering import text
 from allworlds.reports.text_layout import table
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 
 HEADER = ["edges", "vertices", "worlds", "does"]
 ROWS = [["1", "2", "1,000", "everything there is"], ["2", "10", "7", ""]]

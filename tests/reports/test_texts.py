@@ -8,7 +8,7 @@ from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
 from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 
 pytestmark = pytest.mark.usefixtures("without_workers")

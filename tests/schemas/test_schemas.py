@@ -16,7 +16,7 @@ from allworlds.maps import named_map
 from allworlds.outcome import Interrupted
 from allworlds.studies.ambiguity import census, class_of, search, twins
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.compare.contest import compare
+from allworlds.studies.compare.comparison import compare
 from allworlds.studies.count import count
 from allworlds.studies.explain import explain
 from allworlds.studies.fuzz.drive import fuzz
@@ -25,7 +25,7 @@ from allworlds.studies.ledger.checked_claims import ledger
 from allworlds.studies.merge import merge
 from allworlds.studies.play import play
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.studies.status import status
 from allworlds.studies.worst.all_worlds import worst
 from allworlds.verbs import VERBS

@@ -26,11 +26,16 @@ from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate
 from allworlds.reports.format_table import file_of
 from allworlds.reports.rendering import text as text_of
-from allworlds.studies.compare.climb import GrowingWorlds
-from allworlds.studies.compare.compare_request import CompareRequest
-from allworlds.studies.compare.contestants import Contestant
-from allworlds.studies.compare.growing_families import GROWING, distinct, members_of
-from allworlds.studies.compare.growth import GrownWorld, GrowRow, Growth
+from allworlds.studies.compare.entrants import CompareRequest, Entrant
+from allworlds.studies.compare.growth import (
+    GROWING,
+    GrowingWorlds,
+    GrownWorld,
+    GrowRow,
+    Growth,
+    distinct,
+    members_of,
+)
 from allworlds.world import Directional, World
 from allworlds.world.named import map_of_code, map_of_family
 from kept_jobs import EXPLORERS
@@ -176,7 +181,9 @@ def grown(costs, explorers=("who",)):
         ending=Completed(),
         request=CompareRequest(to=40, worlds=5, places=1, seed=1),
         extent=Extent(MapClass.MAPS, 1),
-        contestants=tuple(Contestant(load("folding-oldest"), Rules(), name) for name in explorers),
+        entrants=tuple(
+            Entrant(replace(load("folding-oldest"), name=name), Rules()) for name in explorers
+        ),
         families=("torus",),
         rows=tuple(rows),
     )

@@ -21,7 +21,7 @@ from allworlds.protocol.answers import Estimate
 from allworlds.reports.format_table import file_of
 from allworlds.reports.rendering import text as text_of
 from allworlds.studies.compare import intervals
-from allworlds.studies.compare.contest import SameWorlds
+from allworlds.studies.compare.comparison import SameWorlds
 from allworlds.world import Directional, World
 from kept_jobs import EXPLORERS
 from native_libraries import example

@@ -5,10 +5,9 @@ import sys
 import pytest
 
 from allworlds.maps import named_map
-from allworlds.studies.ambiguity.smt.decode import decoded
-from allworlds.studies.ambiguity.smt.one_world import Size
-from allworlds.studies.ambiguity.smt.pair import pair_formula
-from allworlds.studies.ambiguity.smt.question import Sizes
+from allworlds.studies.ambiguity.formulas import pair_formula
+from allworlds.studies.ambiguity.question import Size, Sizes
+from allworlds.studies.ambiguity.twin_search import decoded
 from allworlds.world import Compass, Directional, Nothing, Position, World
 from searches import question
 
@@ -80,7 +79,7 @@ def test_a_wrong_bisimulation_is_an_internal_error(monkeypatch):
     pair = asked_for("position")
     wrong = ((0, 0, 0, 0), (0, 0, 0, 1))
     monkeypatch.setattr(
-        sys.modules["allworlds.studies.ambiguity.smt.decode"], "bisimulation", lambda *_: wrong
+        sys.modules["allworlds.studies.ambiguity.twin_search"], "bisimulation", lambda *_: wrong
     )
     with pytest.raises(RuntimeError, match="does not answer"):
         decoded(pair, model_of(pair, *LOOPS))

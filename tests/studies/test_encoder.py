@@ -2,15 +2,16 @@ import pytest
 import z3
 
 from allworlds.maps import MapClass
-from allworlds.studies.ambiguity.smt.formula import Formula
-from allworlds.studies.ambiguity.smt.one_world import Degrees, Size, one_world
-from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
-from allworlds.studies.ambiguity.smt.question import Sizes
-from allworlds.studies.ambiguity.smt.solvers import Clock, solve_with_z3
+from allworlds.studies.ambiguity.formulas import (
+    Formula,
+    forbid_other_start,
+    one_world,
+    pair_formula,
+)
+from allworlds.studies.ambiguity.question import Question, Size, Sizes
+from allworlds.studies.ambiguity.solvers import solve_with_z3
 from bruteforce import rooted_maps_by_permutations as rooted_maps
 from searches import question
-
-ANY = Degrees()
 
 
 def models(path, formula, world):
@@ -35,10 +36,11 @@ def models(path, formula, world):
     return found
 
 
-def counted(path, edges, map_class, degrees=ANY, fewest=1, most=None):
+def counted(path, edges, map_class, degrees=(None, None), fewest=1, most=None):
     formula = Formula()
     size = Size(edges, fewest, most or edges + 1)
-    world = one_world(formula, "", size, MapClass(map_class), degrees)
+    asked = Question("none", MapClass(map_class), size.most, edges, *degrees)
+    world = one_world(formula, "", size, asked)
     return models(path, formula, world)
 
 
@@ -66,7 +68,7 @@ def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("root", "others"), [(2, None), (None, 2), (2, 2), (4, 1), (9, None)])
 def test_required_degrees_leave_exactly_the_maps_that_have_them(tmp_path, root, others):
-    found = counted(tmp_path / "f.cnf", 3, "maps", Degrees(root, others))
+    found = counted(tmp_path / "f.cnf", 3, "maps", (root, others))
     wanted = [
         m
         for m in rooted_maps(3)
@@ -78,7 +80,7 @@ def test_required_degrees_leave_exactly_the_maps_that_have_them(tmp_path, root, 
 
 def solved(path, formula):
     formula.write(path)
-    return solve_with_z3(path, Clock(None)).status
+    return solve_with_z3(path, None).status
 
 
 def test_excluding_other_starts_keeps_a_pair_of_different_worlds(tmp_path):

@@ -15,7 +15,7 @@ from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.protocol.transcript import Transcript
 from allworlds.reports.rendering import text
 from allworlds.world import Movable, World
-from allworlds.world.lighthouses.everywhere import Labels
+from allworlds.world.lighthouses.marked import Labels
 from small import EDGE, LOLLIPOP, PATH
 
 pytestmark = pytest.mark.usefixtures("without_workers")

@@ -2,9 +2,9 @@
 
 import pytest
 
+from allworlds.engines.compiled_engine import level_of
 from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel.engine import judge, reached_in, walk
-from allworlds.engines.questions import level_of
 from allworlds.engines.tally import AtRun, Row
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules

@@ -2,11 +2,10 @@ from itertools import product
 
 import pytest
 
-from allworlds.studies.ambiguity.smt.cadical_child import main
-from allworlds.studies.ambiguity.smt.lrat import check_lrat
-from allworlds.studies.ambiguity.smt.rup import ProofRefused, lrat_of_drat, write_lrat
-from allworlds.studies.ambiguity.smt.solvers import (
+from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat, write_lrat
+from allworlds.studies.ambiguity.solvers import (
     python_sat_is_installed,
+    solve_here,
 )
 
 # All eight clauses over three variables: no assignment is left.
@@ -63,9 +62,9 @@ def test_a_satisfiable_formula_has_no_proof():
 def test_the_child_process_prints_its_verdict_as_solvers_do(tmp_path, capsys):
     formula, proof = tmp_path / "f.cnf", tmp_path / "f.drat"
     formula.write_text("p cnf 2 2\n1 2 0\n-1 0\n")
-    main(str(formula), str(proof))
+    solve_here(str(formula), str(proof))
     assert capsys.readouterr().out == "s SATISFIABLE\nv -1 2 0\n"
     formula.write_text("p cnf 1 2\n1 0\n-1 0\n")
-    main(str(formula), str(proof))
+    solve_here(str(formula), str(proof))
     assert capsys.readouterr().out == "s UNSATISFIABLE\n"
     assert "0" in proof.read_text().splitlines()

@@ -48,7 +48,7 @@ def test_that_there_is_none_names_the_proofs(search, tmp_path):
     [
         (("--motions", "1,1", "--percepts", "3A"), 2, "2 motions and 1 percepts"),
         (("--motions", "one"), 2, "motions 'one'"),
-        (("--motions", "1", "--percepts", "3PP"), 2, "2 position markers"),
+        (("--motions", "1", "--percepts", "3PP"), 2, "percept '3PP'"),
         (("--solver", "/nowhere/cadical"), 2, "/nowhere/cadical"),
         (("--degree-marked", "9"), 4, "vacuous"),
         (("--time-limit", "0.000001"), 3, "undecided"),

@@ -8,10 +8,10 @@ import pytest
 import allworlds
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap
-from allworlds.studies.ambiguity.smt import solvers, twin_search as searching
-from allworlds.studies.ambiguity.smt.decode import bisimulation
-from allworlds.studies.ambiguity.smt.formula import read_dimacs
-from allworlds.studies.ambiguity.smt.lrat import check_lrat
+from allworlds.studies.ambiguity import solvers, twin_search as searching
+from allworlds.studies.ambiguity.formulas import read_dimacs
+from allworlds.studies.ambiguity.proofs import check_lrat
+from allworlds.studies.ambiguity.twin_search import bisimulation
 from allworlds.world import Directional, Position, World
 from allworlds.world.bisimulation import flaw
 
@@ -117,8 +117,8 @@ def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path
         ({"degree_marked": 0}, "degree-marked = 0"),
         ({"degree_others": -1}, "degree-others = -1"),
         ({"motions": (1, 1), "percepts": ("3A",)}, "2 motions and 1 percepts"),
-        ({"motions": (1,), "percepts": ("3PP",)}, "2 position markers"),
-        ({"motions": (1,), "percepts": ("3AP",)}, "more than once"),
+        ({"motions": (1,), "percepts": ("3PP",)}, "percept '3PP' is not of the form"),
+        ({"motions": (1,), "percepts": ("3AP",)}, "percept '3AP'"),
         ({"motions": (1,), "percepts": ("A",)}, "percept 'A'"),
         ({"motions": (1,), "percepts": ("3",)}, "percept '3'"),
         ({"lighthouse": "none", "motions": (1,), "percepts": ("4P",)}, "4P needs a marked vertex"),

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
-from allworlds.explorers.builtin.undirected import TwoVertices
+from allworlds.explorers.builtin.algorithm1 import Algorithm1, TwoVertices
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import believed_percepts
@@ -20,7 +19,7 @@ from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.explain import explain
 from allworlds.studies.fuzz.drive import fuzz
 from allworlds.studies.replay import replay
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import Cluster, Natural, World, worlds
 
 pytestmark = pytest.mark.usefixtures("no_orphans", "without_workers")

@@ -7,10 +7,10 @@ import pytest
 
 import allworlds
 import claims
-from allworlds.claims import Found, Means
 from allworlds.document.struct import replace
 from allworlds.outcome import Exit
 from allworlds.studies.ledger.checked_claims import entry_of, entry_with
+from allworlds.studies.ledger.claim import Found, Means
 from paper_claims import BY_NAME, CLAIMS, PAPER, function_of
 
 OF_PROOFS = {"certificate", "theorem", "theorems_in"}

@@ -1,7 +1,7 @@
 """The question of a search, made in one line."""
 
 from allworlds.studies.ambiguity import SearchRequest
-from allworlds.studies.ambiguity.smt.question import question_of
+from allworlds.studies.ambiguity.question import question_of
 
 
 def question(lighthouse, map_class, vertices, edges, **more):

@@ -103,7 +103,7 @@ def clock(monkeypatch, tmp_path):
     for module in (
         "engines.players",
         "engines.effort",
-        "studies.check.confirmation",
+        "studies.check.tally_sweep",
     ):
         monkeypatch.setattr(f"allworlds.{module}.time", clock)
     return clock

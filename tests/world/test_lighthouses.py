@@ -5,7 +5,7 @@ from random import Random
 
 import pytest
 
-from allworlds.maps import named_map, rooted_maps
+from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Percept
 from allworlds.world import (
     LIGHTHOUSES,
@@ -195,6 +195,6 @@ def test_a_lighthouse_that_does_not_fit_is_named(lighthouse, named):
 
 
 def test_reference_darts_are_given_ascending():
-    with pytest.raises(InvalidWorld, match=r"\[0, 2, 1\] must be ascending"):
-        World(named_map("theta"), Compass((0, 2, 1)))
+    with pytest.raises(InvalidWorld, match=r"\[2, 0, 3\] must be ascending"):
+        World(PATH, Compass((2, 0, 3)))
     assert World(PATH, Compass([0, 2, 3])).percepts == World(PATH, Compass((0, 2, 3))).percepts

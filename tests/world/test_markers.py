@@ -8,8 +8,8 @@ import pytest
 from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.world import IllegalAction, InvalidWorld, Movable, Nothing, State, World
-from allworlds.world.lighthouses.everywhere import Labels
 from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
+from allworlds.world.lighthouses.marked import Labels
 from small import EDGE, LOLLIPOP, LOOP, PATH, all_maps
 
 # ---------------------------------------------------------------- movable
@@ -78,7 +78,7 @@ def test_markers_cannot_be_told_from_each_other_by_the_order_in_which_they_were_
         (Movable(1, pick=False), [Pick()], "no Pick"),
         (Movable(), [None], "a Move, Drop or Pick"),
         (Nothing(), [Drop()], "the none lighthouse gives no markers"),
-        (Labels.of((0, 1)), [Pick()], "the labels lighthouse gives no markers"),
+        (Labels((0, 1)), [Pick()], "the labels lighthouse gives no markers"),
     ],
 )
 def test_what_there_are_no_markers_for_is_refused_with_what_would_be_legal(lighthouse, walk, legal):

@@ -14,6 +14,8 @@ from models import PARITY
 from small import EDGE, PLANE, TORUS, all_maps
 
 BAD = """
+from dataclasses import dataclass
+
 from allworlds import Lighthouse, Percept
 
 
@@ -25,6 +27,11 @@ class Base(Lighthouse):
     @classmethod
     def places(cls, map_, start):
         yield cls()
+
+
+@dataclass
+class Thawed(Base):
+    size: int = 0
 
 
 class Raises(Base):
@@ -225,6 +232,7 @@ def test_renaming_darts_renames_the_darts_of_a_place(folder):
     [
         ("bad.py:NoPlaces", "is no lighthouse"),
         ("bad.py:nothing", "is no lighthouse"),
+        ("bad.py:Thawed", "is no frozen dataclass"),
         ("bad.py:absent", "'bad.py' has no 'absent'"),
         ("absent.py:Lamp", "there is no file 'absent.py'"),
         ("bad.py:Base:size=3", "has no option 'size'; it has none"),

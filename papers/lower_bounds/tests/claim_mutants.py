@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import factorial
-from random import Random
 from types import SimpleNamespace
 from typing import Any
+from unittest.mock import patch
 
 import explorers
 import logs
@@ -21,8 +21,7 @@ import twins_and_markers
 from allworlds import CombinatorialMap, World, ambiguity
 from allworlds.corpus import explorers as wrong
 from allworlds.document.struct import replace
-from allworlds.maps import named_map
-from allworlds.maps.families import CorridorShape, corridor_skeleton
+from allworlds.maps import families, family, named_map
 from allworlds.maps.quotient import pose_count
 from allworlds.studies.worst.every_schedule import EverySchedule
 from enumerators import map_doubled, mirror_images_merged
@@ -116,8 +115,8 @@ def excluding_none(*asked: Any) -> Any:
 
 def not_apart(_text: str, *, seed: int) -> CombinatorialMap:
     """A corridor in which two out-darts lie side by side, as the in-darts do."""
-    outs = corridor_skeleton(CorridorShape(1, 18), Random(seed), lambda c: (-4 * c, -4 * c - 1))
-    return outs.matched(list(zip(outs.free[::2], outs.free[1::2], strict=True)))
+    with patch.object(families, "out_darts", lambda kind: (-4 * kind, -4 * kind - 1)):
+        return family("corridor:1", seed=seed)
 
 
 def first_twice(skeleton: Any) -> Iterator[World]:

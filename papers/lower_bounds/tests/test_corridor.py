@@ -7,12 +7,14 @@ Source: lower-bounds.md, 'Testers of home words'.
 
 from itertools import pairwise
 from random import Random
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 
-from allworlds.maps import family
-from allworlds.maps.families import CorridorShape, apart, corridor_skeleton, hub_types, usual_degree
+from allworlds.maps import families, family
+from allworlds.maps.families import hub_types, out_darts, usual_degree
+from corridors import Shape, drawn_corridor
 from small import long, slow
 
 ALL = 1000
@@ -32,11 +34,6 @@ def usual(far):
     return far, usual_degree(far)
 
 
-def level(shape, dart):
-    """The number of the dart's vertex: 0, or that of its hub."""
-    return 0 if dart < 2 else 1 + (dart - 2) // shape.degree
-
-
 class Drawn:
     """A corridor with a matching, and words that lead home in it.
 
@@ -46,13 +43,14 @@ class Drawn:
         outs: the out-darts of a type of hubs.
     """
 
-    def __init__(self, size, seed, outs=apart):
-        self.shape, self.random = CorridorShape(*size), Random(seed)
-        corridor = corridor_skeleton(self.shape, self.random, outs)
+    def __init__(self, size, seed, outs=out_darts):
+        self.shape, self.random = Shape(*size), Random(seed)
+        with patch.object(families, "out_darts", outs):
+            corridor = drawn_corridor(self.shape, seed)
         free = sorted(corridor.free) if seed == 0 else corridor.free
         self.map = corridor.matched(list(zip(free[::2], free[1::2], strict=True)))
         self.alpha = np.array(self.map.alpha)
-        self.level = np.array([level(self.shape, d) for d in range(len(self.alpha))])
+        self.level = np.array([self.shape.level(d) for d in range(len(self.alpha))])
         self.far = [int(d) for d in np.flatnonzero(self.level > self.shape.near)]
         self.near = [
             int(d) for d in np.flatnonzero((self.level > 0) & (self.level <= self.shape.near))
@@ -227,7 +225,7 @@ def test_both_lemmas_with_every_way_through_two_far_hubs():
 
 @pytest.mark.parametrize("size", [usual(3), (3, 14), (5, 30)])
 def test_no_window_of_types_occurs_twice_among_the_near_hubs(size):
-    shape = CorridorShape(*size)
+    shape = Shape(*size)
     types, g = [*hub_types(shape)][: shape.near], shape.window
     windows = [tuple(types[i : i + g]) for i in range(len(types) - g + 1)]
     assert len(set(windows)) == len(windows)
@@ -237,12 +235,12 @@ def test_no_window_of_types_occurs_twice_among_the_near_hubs(size):
 
 
 def test_the_classes_of_different_hubs_are_disjoint_and_of_four_motions():
-    map_, corridor = family("corridor:3"), corridor_skeleton(CorridorShape(*usual(3)), Random(1))
+    map_, corridor = family("corridor:3"), drawn_corridor(Shape(*usual(3)), 0)
     fixed = corridor.alpha
     classes = []
     for hub in range(1, 9):
         first = 2 + (hub - 1) * 42
-        outs = [d for d in range(first, first + 42) if level(corridor.shape, fixed[d]) == hub + 1]
+        outs = [d for d in range(first, first + 42) if corridor.shape.level(fixed[d]) == hub + 1]
         classes.append({map_.offset(d, first + k) for d in outs for k in (0, 1)})
         assert classes[-1] == {4 * hub + k for k in range(4)}
     assert len(set().union(*classes)) == 32
@@ -251,4 +249,4 @@ def test_the_classes_of_different_hubs_are_disjoint_and_of_four_motions():
 @pytest.mark.parametrize("size", [(0, 18), (1, 12), (2, 31)])
 def test_another_corridor_is_refused(size):
     with pytest.raises(ValueError, match=r"at least 1, R even and at least 14"):
-        CorridorShape(*size)
+        Shape(*size)

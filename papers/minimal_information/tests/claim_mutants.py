@@ -19,13 +19,13 @@ import position
 import two_vertices
 import worlds_and_motions
 from allworlds import CombinatorialMap, Move, World, ambiguity, check, worlds
+from allworlds.claims import Algorithm1
 from allworlds.corpus import explorers as wrong
 from allworlds.document.struct import replace
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.maps import named_map, rooted_code
 from allworlds.protocol.choices import Choices
-from allworlds.studies.ambiguity.smt import pair, twin_search
+from allworlds.studies.ambiguity import formulas, twin_search
 from allworlds.studies.worst.every_schedule import EverySchedule
 from allworlds.world import Compass
 from formulas import paper_bound
@@ -161,7 +161,7 @@ def in_section(write: Any) -> Any:
 
     def wrong(formula: Any, *asked: Any) -> Any:
         written = write(formula, *asked)
-        if any(name.startswith("pointed") for name in formula.blocks):
+        if any(block.name.startswith("pointed") for block in formula.blocks):
             formula.add(1)
             formula.add(-1)
         return written
@@ -277,11 +277,11 @@ MUTANTS = (
     Mutant("no-twins-smt", "a contradiction where there is a direction, at the end",
            ((twin_search, "pair_formula", contradictory_if_directional),)),
     Mutant("no-twins-smt", "a contradiction where there is a direction, in 'alike'",
-           ((pair, "_sense_the_same", in_section(pair._sense_the_same)),)),
+           ((formulas, "_sense_the_same", in_section(formulas._sense_the_same)),)),
     Mutant("no-twins-smt", "a contradiction where there is a direction, in 'different'",
-           ((pair, "_smaller_code", in_section(pair._smaller_code)),)),
+           ((formulas, "_smaller_code", in_section(formulas._smaller_code)),)),
     Mutant("no-twins-smt", "a contradiction where there is a direction, in one world",
-           ((pair, "_reference_darts", in_section(pair._reference_darts)),)),
+           ((formulas, "_reference_darts", in_section(formulas._reference_darts)),)),
     Mutant("no-twins-smt", "the direction is not sensed",
            ((ambiguity, "search",
              lambda **asked: right_search(**{**asked, "lighthouse": "position"})),)),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import allworlds
 from allworlds.cli.output import OutputGroup, emit
 from allworlds.inputs.requests import answer
-from allworlds.judging.findings.asked_finding import FindingWords
+from allworlds.judging.findings.finding import FindingWords
 from allworlds.studies.explain import ExplainRequest
 
 

@@ -8,10 +8,10 @@ import allworlds
 from allworlds.cli.output import OutputGroup, emit
 from allworlds.document.struct import replace
 from allworlds.explorers.asked import ProgramWords
-from allworlds.explorers.names import names_explorer
+from allworlds.explorers.sources import names_explorer
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, answer, values_of
-from allworlds.studies.run.run_request import AskedRun, RunRequest, WorldNames
+from allworlds.studies.run import AskedRun, RunRequest, WorldNames
 from allworlds.world.named import names_of_worlds
 
 

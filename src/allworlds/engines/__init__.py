@@ -28,13 +28,13 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
     the judge of every law, and its twin for the laws that the kernel knows: the same bytes;
 ``scope``, ``examiner``, ``comparison``, ``tally``
     the scope of a check; one judged run; the comparison of two plays; what is counted and found;
-``obstacles``, ``compiled_engine``, ``questions``, ``kernel``
-    what compiled code cannot do; the engine in it, for built-in explorers; what it is asked; the
-    code itself, the only importer of numba;
-``run_directory``, ``database``, ``kept_form``
-    the finished units of a job, kept on disk; their file, with the identity of the job; as JSON;
+``compiled_engine``, ``kernel``
+    the engine in compiled code, for built-in explorers, and what it is asked; the code itself, the
+    only importer of numba;
+``job_records``, ``run_directory``
+    the identity of a job, and its results as JSON; its finished units, kept on disk;
 ``engine_table``
-    **the** table of the engines, and the job that they get;
+    **the** table of the engines, what the compiled one cannot do, and the job that they get;
 ``sweep``, ``progress``, ``swept_report``
     **the** loop over units, and through the levels of a study; its listeners, and its reports;
 ``single``

@@ -6,16 +6,9 @@ from allworlds import log as entries
 from allworlds.document.struct import replace
 from allworlds.engines.examiner import LOST, Outcome
 from allworlds.inputs.checks import show
-from allworlds.judging.endings import (
-    Fault,
-    Over,
-    UncheckedAmbiguous,
-    UncheckedAnswer,
-    UncheckedValue,
-)
-from allworlds.judging.episode import Log, unchecked
-from allworlds.judging.laws.case import Violation
+from allworlds.judging.episode import Log, fault_of
 from allworlds.judging.laws.law_table import PRECEDENCE
+from allworlds.judging.laws.laws import Violation
 from allworlds.protocol.actions import action_numbered
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
@@ -44,12 +37,6 @@ def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
     if fault is None or fault.law != violation.law:
         return True
     return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
-
-
-def fault_of(log: Log) -> Fault | None:
-    """The fault with which a log ends; None if it ends otherwise."""
-    ending = unchecked(log)
-    return ending if isinstance(ending, Fault) else None
 
 
 def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violation | None:
@@ -109,17 +96,17 @@ def _walk(log: Log, begin: int, end: int) -> str:
 
 
 def _ending(log: Log) -> str:
-    match unchecked(log):
-        case Fault(law=law):
-            return law
-        case UncheckedAmbiguous():
+    if fault := fault_of(log):
+        return fault.law
+    code, *parts = log.ending
+    match code:
+        case entries.QUOTIENT:
             return "a quotient"
-        case UncheckedValue(text):
-            return f"the answer {text}"
-        case Over():
+        case entries.VALUE:
+            return f"the answer {parts[0]}"
+        case entries.OVER:
             return "all was done"
-        case UncheckedAnswer(sigma, alpha, here):
-            return show({"sigma": sigma, "alpha": alpha, "here": here})
+    return show(dict(zip(("sigma", "alpha", "here"), parts, strict=True)))
 
 
 def nondeterministic(seen: str) -> Violation:

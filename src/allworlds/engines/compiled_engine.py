@@ -1,7 +1,7 @@
 """The compiled engine of a check of a built-in explorer, compared with the examiner first.
 
 In small worlds every run is played and judged by itself.  From
-:data:`allworlds.engines.obstacles.WALKED_FROM` edges on Algorithm 1 with its directional
+:data:`allworlds.engines.engine_table.WALKED_FROM` edges on Algorithm 1 with its directional
 lighthouse is walked once in each rooted map, and the walk is counted for every bearing, because the
 marker's direction only tells the darts of v0 apart.  That premise, and the kernel itself, are
 compared with the examiner, run by run, before the first level; it plays its runs while another
@@ -12,32 +12,103 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from itertools import islice, zip_longest
 from typing import Any, Self, TypeAlias
 
 from msgspec import Struct, field
 
 from allworlds.document.struct import replace
-from allworlds.engines.engine_table import Job
+from allworlds.engines.engine_table import WALKED_FROM, Job, kind_of, walks
 from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel import engine as kernel
 from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.rows import BrokenRun, Listed, Rows, walk_number
-from allworlds.engines.kernel.runs import examine
-from allworlds.engines.obstacles import WALKED_FROM, walks
-from allworlds.engines.questions import level_of, tally_of
+from allworlds.engines.kernel.rows import BrokenRun, Level, Listed, Rows, walk_number
+from allworlds.engines.kernel.runs import UNDEFINED, examine
 from allworlds.engines.scope import LevelRuns, NumberedRun, Scope, UnitOfRuns, numbered_runs
-from allworlds.engines.tally import EnginesDisagree, Tally
+from allworlds.engines.tally import AtRun, EnginesDisagree, Row, Tally
 from allworlds.engines.units import Whole, cells_of_level
 from allworlds.explorers.loading import Subject
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.rules import Rules
 from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.maps.enumeration import prefixes
 from allworlds.protocol.actions import Move
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.lighthouses.marked import Cluster, Natural
 from allworlds.world.world import World
+
+UNBOUNDED = 1 << 40
+"""The number in place of no bound: more than any walk costs."""
+
+
+@cache
+def level_of(explorer: str, rules: Rules, extent: Extent, edges: int) -> Level:
+    """The kernel's question for a level."""
+    return Level(
+        edges,
+        extent.vertex_limit(edges),
+        extent.map_class.simple,
+        extent.map_class.planar,
+        explorer,
+        kind_of(rules.kind),
+        rules.policy,
+        rules.applying,
+        bounds_of(rules, edges),
+        (0, *(rules.budget_by_size(n, edges) for n in range(1, edges + 2))),
+    )
+
+
+def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
+    """The largest legal costs by vertices, degree of v0 and largest degree, as the kernel's.
+
+    No verdict changes by their limits, as every walk costs 0 or more.
+    """
+
+    def value(n: int, d0: int, largest: int) -> int:
+        try:
+            cost = rules.the_bound.value(n, edges, d0, largest, 0, 0)  # see obstacle
+        except InputError:
+            return UNDEFINED
+        return UNBOUNDED if cost is None else max(-1, min(cost, UNBOUNDED))
+
+    variables, degrees = rules.the_bound.variables, range(2 * edges + 1)
+    of_v0, of_all = (degrees if name in variables else range(1) for name in ("d0", "D"))
+    return [[[value(n, d0, d) for d in of_all] for d0 in of_v0] for n in range(edges + 2)]
+
+
+def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, tally: Tally) -> Tally:
+    """The empty tally with the kernel's counts, without the events and the findings."""
+    most_expensive = {
+        n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.most_expensive
+    }
+    for counts in rows.counts:
+        row = tally.row(unit.edges, counts.vertices)
+        row.add(
+            Row(
+                counts.worlds,
+                counts.runs,
+                counts.runs,
+                counts.traversals,
+                counts.traversals_rooted,
+                counts.largest,
+                most_expensive=most_expensive.get(counts.vertices),
+            )
+        )
+        tally.checkpoints += counts.checkpoints
+        tally.left_out += counts.left_out
+        tally.witnesses["loop-edge"] += counts.loops
+        tally.witnesses["parallel-edge"] += counts.parallels
+    for n, d0, largest in rows.met:
+        # Where a run has a bound without a value, this says so.
+        bound = scope.rules.the_bound.value(n, unit.edges, d0, largest, 0, 0)
+        tally.row(unit.edges, n).bound_of(bound)
+    tally.witnesses = +tally.witnesses  # as the Python engine has them: without zeros
+    return tally
+
 
 AGREEMENT_EDGES = 4
 """The largest m for which a check begins with a comparison of both engines, run by run."""

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
 from typing import Any
 
+from allworlds.engines.compiled_engine import level_of, tally_of
 from allworlds.engines.judge import Due, Judged, PythonJudge, Recorded, RunBatch, Work
 from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge
 from allworlds.engines.kernel.records import (
@@ -22,7 +23,6 @@ from allworlds.engines.kernel.records import (
 )
 from allworlds.engines.kernel.rows import Rows
 from allworlds.engines.players import Logs
-from allworlds.engines.questions import level_of, tally_of
 from allworlds.engines.scope import LevelRuns
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.maps.canonical import Code, rooted_code

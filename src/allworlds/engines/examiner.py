@@ -8,13 +8,11 @@ from msgspec import Struct
 
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import show
-from allworlds.judging.endings import Answered, Ending, Fault, Undecided
-from allworlds.judging.episode import Episode, play
+from allworlds.judging.episode import Answered, Ending, Episode, Fault, Undecided, play
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import Rules
-from allworlds.judging.laws.case import Case, Violation
-from allworlds.judging.laws.invariants import first_wrong
 from allworlds.judging.laws.law_table import LAWS, judge
+from allworlds.judging.laws.laws import Case, Violation, first_wrong
 from allworlds.maps.canonical import rooted_code
 from allworlds.protocol.answers import Answer
 from allworlds.protocol.choices import Choices

@@ -17,8 +17,7 @@ from allworlds.engines.players import Logs
 from allworlds.engines.scope import NumberedRun, UnitOfRuns
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.endings import Fault, Over
-from allworlds.judging.episode import Episode, Log, followed
+from allworlds.judging.episode import Episode, Fault, Log, Over, followed
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script

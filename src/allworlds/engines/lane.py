@@ -55,7 +55,7 @@ from allworlds.engines.players import (
 from allworlds.engines.scope import LevelRuns, UnitOfRuns
 from allworlds.engines.tally import REPORT_EVERY, RunCounter
 from allworlds.engines.units import PartialResult, level_size
-from allworlds.explorers.loading import Subject
+from allworlds.explorers.loading import Subject, is_program
 from allworlds.judging.episode import Log
 from allworlds.protocol.playing import AN_ACTION
 
@@ -151,7 +151,7 @@ class Lane:
         self._size, self._losses, self._silences = LEAST, 0, 0
         self._repeated, self._unrepeated = set[str](), Counter[str]()
         # A program that is another one has a seed of its own, and a library has none.
-        different = self._seeds == [FIRST, SECOND] and not subject.is_program
+        different = self._seeds == [FIRST, SECOND] and not is_program(subject.name)
         self._seeds_more = more_seeds and self._twice and different
         self._kept: list[tuple[RunBatch, int]] = []
         self._compiled: Any = None

@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.library_player import LibraryPlayer
-    from allworlds.explorers.functions import Function
     from allworlds.explorers.loading import Subject
     from allworlds.explorers.program import Program
     from allworlds.protocol.choices import Choices
@@ -34,9 +33,6 @@ LINK, BEAT = 3, 4
 READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
 """The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
 input; a mistake of ours; a library's logs do not fit."""
-
-ADAPTED = ("exec:", "native:", "shield:")
-"""How the names of explorers begin that are no functions."""
 
 NO_RUN = -1
 """The number of the run in progress where there is none."""
@@ -68,7 +64,7 @@ def main(parent: int) -> None:
         return
     if os.getpid() != own:
         os._exit(0)  # a copy that the explorer has forked when it was imported
-    if program := subject.innermost.program:  # here is no user's code, and it must end, too
+    if program := subject.program:  # here is no user's code, and it must end, too
         signal.signal(signal.SIGTERM, lambda *_: _leave(program))
         end_with_parent(parent, signal.SIGTERM)
     _flush()
@@ -86,7 +82,7 @@ def main(parent: int) -> None:
             _flush()
 
 
-def _loaded(setup: dict[str, Any]) -> Subject | Function:
+def _loaded(setup: dict[str, Any]) -> Subject:
     """The explorer that is asked for.
 
     Raises:
@@ -97,16 +93,11 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
 
     if setup["memory"] is not None:
         limit_memory(setup["memory"])
-    name = setup["name"]
     source = None if setup["source"] is None else SourceText(*setup["source"])
-    if ":" in name and not name.startswith(ADAPTED):
-        from allworlds.explorers.functions import Function
-
-        return Function(name, source)
     from allworlds.explorers.loading import load
 
-    subject = load(name, setup["answer_timeout"], source)
-    native = subject.innermost.native
+    subject = load(setup["name"], setup["answer_timeout"], source)
+    native = subject.native
     if native is not None:
         native.library.print_line_by_line()
         if setup["memory"] is None:
@@ -117,7 +108,7 @@ def _loaded(setup: dict[str, Any]) -> Subject | Function:
 class _Server:
     """The explorer that is loaded here, and the beat of its runs."""
 
-    def __init__(self, subject: Subject | Function, beat: Any) -> None:
+    def __init__(self, subject: Subject, beat: Any) -> None:
         self._subject, self._beat, self._pid = subject, beat, os.getpid()
         self._player: Player = subject.player()
         self._library: LibraryPlayer | None = None
@@ -267,7 +258,7 @@ def _flush() -> None:
             stream.flush()
 
 
-def _has_shield(subject: Subject | Function) -> bool:
+def _has_shield(subject: Subject) -> bool:
     return type(subject.explore).__name__ == "Shield"  # without loading it
 
 

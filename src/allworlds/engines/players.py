@@ -42,8 +42,7 @@ from allworlds.engines.player import (
     played,
 )
 from allworlds.engines.prints import Prints, printing_to
-from allworlds.explorers.loading import HASH_SEED, Subject
-from allworlds.explorers.names import is_library, is_program
+from allworlds.explorers.loading import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs.checks import InputError, show
 from allworlds.outcome import NoResult
 from allworlds.protocol.player import Player as Explorer

@@ -1,10 +1,19 @@
-"""The finished units of a job: not kept, in a run directory, or in several."""
+"""A run directory: the finished units of a job in a file, whose every row has a checksum.
+
+Results are put together only if the identities of their jobs are equal.  The file, of SQLite, holds
+JSON texts, and no code.  Each unit is one transaction: a killed process loses the unit that it was
+at, and nothing else.  Every row is checked when it is read.
+"""
 
 from __future__ import annotations
 
 import fcntl
+import hashlib
+import json
 import os
+import shutil
 import sqlite3
+import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
@@ -14,19 +23,258 @@ from typing import Any
 
 from typing_extensions import override
 
-from allworlds.engines import database
-from allworlds.engines.database import Database, Identity, is_at, named
-from allworlds.engines.kept_form import to_kept
+from allworlds.engines.job_records import ENDED, FORMAT, Identity, Records, to_kept
 from allworlds.engines.units import Sum
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.outcome import Exit, NoResult
+from allworlds.version import __version__
 from allworlds.words import listed
 
-LOCK, OPENED = "lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC
-"""The name of the file that is locked, and how it is opened: it is made where it is missing."""
+in_order = json.JSONEncoder(separators=(",", ":")).encode
+"""A JSON value as a text that keeps the order of keys, in which a report tells them."""
 
-ENDED = "complete"
-"""The value that is noted under ``ended`` when the job is complete."""
+
+FILE, DRAFT = "units.sqlite", "draft.sqlite"
+
+APPLICATION = 0x616C6C77
+"""The number in the header of the file that marks a run directory."""
+
+SCHEMA = 2
+"""The version of the tables below, and of their content."""
+
+TABLES = """
+CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL, checksum TEXT NOT NULL) STRICT;
+CREATE TABLE units (
+    key TEXT PRIMARY KEY, worlds INTEGER NOT NULL, finished REAL NOT NULL,
+    result TEXT NOT NULL, checksum TEXT NOT NULL
+) STRICT;
+CREATE TABLE sessions (started REAL NOT NULL) STRICT;
+"""
+
+BUSY = 10.0
+"""Seconds to wait for a reader."""
+
+
+def named(path: Path) -> str:
+    """A run directory, as messages name it."""
+    return f"run directory {show(str(path))}"
+
+
+def damaged(path: Path, how: str) -> InputError:
+    """The error for a run directory that is not as it was written."""
+    return InputError(
+        f"{named(path)} is damaged: {how}; remove it and begin again, or bring it back from a copy"
+    )
+
+
+@contextmanager
+def saying_where(path: Path) -> Iterator[None]:
+    """A context in which errors of SQLite become errors about the directory, in one line."""
+    try:
+        yield
+    except sqlite3.OperationalError as error:
+        raise InputError(f"{named(path)} cannot be used: {error}") from None
+    except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
+        raise damaged(path, str(error)) from None
+
+
+class Database:
+    """An open file of units, in a directory, with the identity of its job."""
+
+    def __init__(self, path: Path, connection: sqlite3.Connection, identity: Identity) -> None:
+        self.path, self.identity, self._connection = path, identity, connection
+        self._seal = identity.digest
+        self._file = (path / FILE).stat()
+
+    @property
+    def is_there(self) -> bool:
+        """Whether its file is the one that was opened: it was neither removed nor replaced."""
+        try:
+            return os.path.samestat((self.path / FILE).stat(), self._file)
+        except OSError:
+            return False
+
+    def close(self) -> None:
+        """Close the connection to the file."""
+        self._connection.close()
+
+    def result(self, key: str) -> Any:
+        """The JSON value of a finished unit; None of any other.
+
+        Raises:
+            InputError: if it is not as it was written.
+        """
+        row = self._first("SELECT * FROM units WHERE key = ?", key)
+        return None if row is None else json.loads(self._sound(f"unit {key}", *row)[3])
+
+    def keys(self) -> list[str]:
+        """The keys of the finished units."""
+        with saying_where(self.path):
+            return [key for (key,) in self._connection.execute("SELECT key FROM units")]
+
+    def rows(self) -> Iterator[tuple[str, int, float, Any]]:
+        """Of every finished unit its key, worlds, time and result, in no order."""
+        with saying_where(self.path):
+            for row in self._connection.execute("SELECT * FROM units"):
+                key, worlds, finished, result, _ = self._sound(f"unit {row[0]}", *row)
+                yield key, worlds, finished, json.loads(result)
+
+    def keep(self, key: str, worlds: int, finished: float, result: Any) -> None:
+        """Write a finished unit, in a transaction of its own.
+
+        If another command writes the unit, too, because its lock was removed, the results are
+        equal.
+
+        Raises:
+            sqlite3.OperationalError: if there is no room for it.
+        """
+        row = self._sealed(key, worlds, finished, in_order(result))
+        self._connection.execute("INSERT OR REPLACE INTO units VALUES (?, ?, ?, ?, ?)", row)
+
+    def recall(self, name: str) -> Any:
+        """The value that was noted under a name; None if there is none."""
+        row = self._first("SELECT * FROM meta WHERE name = ?", name)
+        return None if row is None else json.loads(self._sound(f"its {name}", *row)[1])
+
+    def note(self, name: str, value: Any) -> None:
+        """Note a JSON value under a name, in place of what was there.
+
+        Raises:
+            sqlite3.OperationalError: if there is no room for it.
+        """
+        row = self._sealed(name, in_order(value))
+        self._connection.execute("INSERT OR REPLACE INTO meta VALUES (?, ?, ?)", row)
+
+    def begin_session(self, now: float) -> None:
+        """Note the time at which a process begins to add to it."""
+        self._first("INSERT INTO sessions VALUES (?)", now)
+
+    def last_session(self) -> float:
+        """The time at which a process last began to add to it."""
+        (started,) = self._first("SELECT max(started) FROM sessions")
+        return float(started or 0)
+
+    def _first(self, query: str, *values: Any) -> Any:
+        """The first row of the answer; None if there is none."""
+        with saying_where(self.path):
+            return self._connection.execute(query, values).fetchone()
+
+    def _sealed(self, *row: Any) -> tuple[Any, ...]:
+        return (*row, checksum(self._seal, *row))
+
+    def _sound(self, what: str, *row: Any) -> tuple[Any, ...]:
+        if self._sealed(*row[:-1]) != row:
+            raise damaged(self.path, f"{what} is not what was written")
+        return row
+
+
+def checksum(seal: str, *row: Any) -> str:
+    """A digest of a row, and of its job."""
+    return hashlib.sha256(repr((seal, *row)).encode(errors="backslashreplace")).hexdigest()[:32]
+
+
+def created(path: Path, identity: Identity) -> Database:
+    """The new file of a directory that has none; it is there whole, or not at all."""
+    draft = path / DRAFT
+    with saying_where(path):
+        for file in path.glob(f"{DRAFT}*"):
+            file.unlink()
+        connection = _connected(draft, "rwc")
+        try:
+            connection.executescript(
+                f"BEGIN; PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {SCHEMA}; "
+                f"{TABLES}"
+            )
+            row = ("identity", identity.text)
+            connection.execute("INSERT INTO meta VALUES (?, ?, ?)", (*row, checksum("", *row)))
+            connection.execute("COMMIT")
+        finally:
+            connection.close()
+        draft.rename(path / FILE)
+    return opened(path)
+
+
+def opened(path: Path) -> Database:
+    """Open the file of a directory to add to it.
+
+    Raises:
+        InputError: if it is no run directory's, of another version, or damaged.
+    """
+    with saying_where(path):
+        connection = _connected(path / FILE, "rw")
+        try:
+            identity = _looked_through(path, connection)
+            _write_ahead(connection)
+        except BaseException:
+            connection.close()
+            raise
+    return Database(path, connection, identity)
+
+
+@contextmanager
+def reading(path: Path) -> Iterator[Database]:
+    """A context with the file of a directory, open for reading, even while a process adds to it.
+
+    Raises:
+        InputError: as :func:`opened`; and if there is none.
+    """
+    if not (path / FILE).is_file():
+        raise InputError(f"{show(str(path))} is no run directory: it holds no {FILE}")
+    with ExitStack() as stack:
+        copies = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        stack.enter_context(saying_where(path))
+        try:
+            connection = _connected(path / FILE, "ro")
+            stack.callback(connection.close)
+            connection.execute("SELECT count(*) FROM sqlite_master")
+        except sqlite3.OperationalError:
+            # Where nothing can be written the log of the last additions cannot be looked into.
+            for file in path.glob(f"{FILE}*"):
+                if not file.name.endswith("-shm"):
+                    shutil.copyfile(file, copies / file.name)
+            connection = _connected(copies / FILE, "rw")
+            stack.callback(connection.close)
+        yield Database(path, connection, _looked_through(path, connection))
+
+
+def _connected(file: Path, mode: str) -> sqlite3.Connection:
+    address = f"{file.absolute().as_uri()}?mode={mode}"
+    return sqlite3.connect(
+        address, timeout=BUSY, isolation_level=None, uri=True, check_same_thread=False
+    )
+
+
+def _write_ahead(connection: sqlite3.Connection) -> None:
+    connection.execute("PRAGMA journal_mode = WAL")
+    # A killed process loses nothing; a machine that loses its power the last units at most.
+    connection.execute("PRAGMA synchronous = NORMAL")
+
+
+def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
+    """The identity in the file, after a check of all its pages."""
+    (application,) = connection.execute("PRAGMA application_id").fetchone()
+    if application != APPLICATION:
+        raise InputError(f"{show(str(path))} is no run directory: its {FILE} is somebody else's")
+    (schema,) = connection.execute("PRAGMA user_version").fetchone()
+    if schema != SCHEMA:
+        raise InputError(f"{named(path)} is of schema {schema}; this program reads {SCHEMA}")
+    for (said,) in connection.execute("PRAGMA integrity_check"):
+        if said != "ok":
+            raise damaged(path, str(said).splitlines()[0])
+    row = connection.execute("SELECT * FROM meta WHERE name = 'identity'").fetchone()
+    if row is None or checksum("", *row[:-1]) != row[-1]:
+        raise damaged(path, "what it is of is not what was written")
+    identity = Identity.of_text(row[1])
+    if identity.format != FORMAT:
+        raise InputError(
+            f"{named(path)} is of format {identity.format}, written by version {identity.version}; "
+            f"this version, {__version__}, reads format {FORMAT}"
+        )
+    return identity
+
+
+LOCK = "lock"
+"""The name of the file that is locked; it is made where it is missing."""
 
 PATIENCE = 3.0
 """Seconds to wait for a command that is about to end, before another one is refused."""
@@ -38,25 +286,6 @@ class Gap(NoResult):
     exit = Exit.INCOMPLETE
 
 
-class Records:
-    """The records of a job; by default nothing is kept."""
-
-    def result(self, key: str) -> Any:
-        """Return the JSON value of a finished unit; None for any other."""
-
-    def keep(self, key: str, result: Sum) -> None:
-        """Take in a finished unit with its whole result."""
-
-    def recall(self, name: str) -> Any:
-        """Return the value that was noted under a name; None if there is none."""
-
-    def note(self, name: str, value: Any) -> None:
-        """Note a JSON value under a name."""
-
-
-NO_RECORDS = Records()
-
-
 @dataclass(slots=True)
 class RunDirectory(Records):
     """The records of a job that goes on after an interruption.
@@ -66,18 +295,15 @@ class RunDirectory(Records):
 
     Attributes:
         database: its file.
-        lock: held on the directory.
         notice: takes messages to the user.
         found: the units that were finished when it was opened; each is asked for at most once, and
             no other process adds units.
     """
 
     database: Database
-    lock: Lock
     notice: Callable[[str], None]
     found: frozenset[str]
     _full: bool = False
-    _alone: bool = True
 
     @override
     def result(self, key: str) -> Any:
@@ -104,12 +330,6 @@ class RunDirectory(Records):
             self._full = True
             self.notice(f"{where} was removed; the job goes on without it, and keeps nothing")
             return
-        if self._alone and not self.lock.is_held:
-            self._alone = False
-            self.notice(
-                f"{where} is in use by another command, too, since its file {LOCK} was removed; "
-                "both go on"
-            )
         try:
             write()
         except sqlite3.OperationalError as error:
@@ -163,101 +383,74 @@ class Merged(Records):
 
 @contextmanager
 def records_in(
-    run: str | Path | None, identity: Callable[[], Identity], notice: Callable[[str], None]
+    run: str | Path, identity: Callable[[], Identity], notice: Callable[[str], None]
 ) -> Iterator[Records]:
     """The records of a job in a directory, which is made where it is missing.
 
     Args:
-        run: the directory; None for no records.
-        identity: of the job; not asked for without a directory.
+        run: the directory.
+        identity: of the job, asked for once the directory is locked.
         notice: takes messages to the user.
 
     Raises:
         InputError: if the directory is of another job, in use, damaged, or cannot be written.
     """
-    if run is None:
-        yield NO_RECORDS
-        return
     path = a_path("run", run)
     with ExitStack() as stack:
-        lock = stack.enter_context(_locked(path))
-        opened = _opened(path, identity())
-        stack.callback(opened.close)
-        opened.begin_session(time.time())
-        yield RunDirectory(opened, lock, notice, frozenset(opened.keys()))
+        stack.enter_context(_locked(path))
+        found = _of_job(path, identity())
+        stack.callback(found.close)
+        found.begin_session(time.time())
+        yield RunDirectory(found, notice, frozenset(found.keys()))
 
 
-def _opened(path: Path, identity: Identity) -> Database:
-    if not (path / database.FILE).exists():
+def _of_job(path: Path, identity: Identity) -> Database:
+    if not (path / FILE).exists():
         names = {file.name for file in path.iterdir()}
-        others = sorted(n for n in names if n != LOCK and not n.startswith(database.DRAFT))
+        others = sorted(n for n in names if n != LOCK and not n.startswith(DRAFT))
         if others:
             raise InputError(
                 f"{named(path)} holds {show(others[0])}, which is not ours; give a new or an empty "
                 "one"
             )
-        return database.created(path, identity)
-    opened = database.opened(path)
-    its = opened.identity
+        return created(path, identity)
+    found = opened(path)
+    its = found.identity
     said = identity.difference(its)
     if not said and its.shard != identity.shard:
         said = f"is of shard {its.shard}, not {identity.shard}"
     if said:
-        opened.close()
+        found.close()
         raise InputError(f"{named(path)} {said}")
-    return opened
-
-
-class Lock:
-    """The lock of a directory: who holds it is the only one who adds to it."""
-
-    def __init__(self, path: Path) -> None:
-        self._path, self._file = path, os.open(path, OPENED, 0o666)
-
-    def take(self) -> bool:
-        """Take the lock; return whether nobody else has it."""
-        try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            return False
-        return True
-
-    @property
-    def is_held(self) -> bool:
-        """Whether the lock that was taken is still held; if its file was removed, it is made anew.
-
-        It is lost if meanwhile somebody else has made the file, and taken the lock.
-        """
-        with suppress(OSError):  # a directory in which no file can be made has no other command
-            if not is_at(self._path, os.fstat(self._file)):
-                another = os.open(self._path, OPENED, 0o666)
-                self.close()
-                self._file = another
-                return self.take()
-        return True
-
-    def close(self) -> None:
-        """Release the lock."""
-        os.close(self._file)
+    return found
 
 
 @contextmanager
-def _locked(path: Path) -> Iterator[Lock]:
+def _locked(path: Path) -> Iterator[None]:
     """A context in which no other process adds to the directory."""
     try:
         path.mkdir(parents=True, exist_ok=True)
-        lock = Lock(path / LOCK)
+        lock = os.open(path / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
     except OSError as error:
         raise InputError(f"{named(path)} cannot be written: {error.strerror}") from None
     try:
         until = time.monotonic() + PATIENCE
-        while not lock.take():
+        while _is_taken(lock, fcntl.LOCK_EX):
             if time.monotonic() > until:
                 raise InputError(f"{named(path)} is in use by another command")
             time.sleep(0.05)
-        yield lock
+        yield
     finally:
-        lock.close()
+        os.close(lock)
+
+
+def _is_taken(lock: int, how: int) -> bool:
+    """Whether somebody else has a lock; if not, it is taken."""
+    try:
+        fcntl.flock(lock, how | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return True
+    return False
 
 
 def in_use(path: Path) -> bool:
@@ -265,9 +458,7 @@ def in_use(path: Path) -> bool:
     with suppress(OSError):
         lock = os.open(path / LOCK, os.O_RDONLY | os.O_CLOEXEC)
         try:
-            fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
-        except BlockingIOError:
-            return True
+            return _is_taken(lock, fcntl.LOCK_SH)
         finally:
             os.close(lock)
     return False
@@ -285,7 +476,7 @@ def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
         raise InputError("merge needs at least one run directory")
     with ExitStack() as stack:
         paths = [a_path("run", run) for run in runs]
-        directories = [stack.enter_context(database.reading(path)) for path in paths]
+        directories = [stack.enter_context(reading(path)) for path in paths]
         first = directories[0]
         seen: dict[str, Database] = {}
         for one in directories:

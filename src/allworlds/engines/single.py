@@ -34,23 +34,16 @@ from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.loading import (
     Subject,
     built_in,
+    command_or_path,
     in_process_subject,
+    is_program,
     source_of,
     with_shield,
 )
-from allworlds.explorers.names import command_of, is_program, whole_name
 from allworlds.explorers.program import Program
+from allworlds.explorers.sources import whole_name
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.endings import (
-    Answered,
-    Ending,
-    Fault,
-    UncheckedAmbiguous,
-    UncheckedAnswer,
-    Undecided,
-    answered as ending_of,
-)
-from allworlds.judging.episode import Log, unchecked
+from allworlds.judging.episode import Answered, Ending, Fault, Log, Undecided, ending_of, fault_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import checked_laws
@@ -148,7 +141,8 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     if explore in BUILT_IN:
         return built_in(explore)
     if is_program(explore):
-        program = Program(command_of(explore), limits.answer_timeout)  # refuses what cannot be run
+        # What cannot be run is refused here.
+        program = Program(command_or_path(explore), limits.answer_timeout)
         program.ensure_readable()
         return Subject(explore, frozenset({"told"}))
     subject = Subject(explore, frozenset(), source=source_of(explore))
@@ -378,16 +372,16 @@ def _same_walk(finding: Finding, log: Log) -> bool:
 
 def _ends_alike(finding: Finding, log: Log) -> bool:
     """Whether a play ends as the finding says; of a refused action nothing is recorded."""
-    ending = unchecked(log)
-    if isinstance(ending, Fault):
-        return ending.law == finding.law
-    if isinstance(ending, UncheckedAmbiguous):
-        return finding.law not in ("crash", "timeout", "illegal-action", "map", "pose")
-    if isinstance(ending, UncheckedAnswer):
-        end = ending_of(ending)
-        if finding.law == "no-estimate":
-            return isinstance(end, Fault)
-        if not isinstance(finding.seen, Estimate):
-            return finding.law not in ("crash", "timeout", "illegal-action")
-        return isinstance(end, Answered) and end.estimate == finding.seen
-    return finding.law in ("task", "bound")
+    if fault := fault_of(log):
+        return fault.law == finding.law
+    match log.ending[0]:
+        case entries.QUOTIENT:
+            return finding.law not in ("crash", "timeout", "illegal-action", "map", "pose")
+        case entries.VALUE | entries.OVER:
+            return finding.law in ("task", "bound")
+    end = ending_of(log)
+    if finding.law == "no-estimate":
+        return isinstance(end, Fault)
+    if not isinstance(finding.seen, Estimate):
+        return finding.law not in ("crash", "timeout", "illegal-action")
+    return isinstance(end, Answered) and end.estimate == finding.seen

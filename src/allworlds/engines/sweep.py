@@ -13,14 +13,12 @@ from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
 from allworlds.document.struct import replace
-from allworlds.engines.database import Identity
 from allworlds.engines.effort import ClusterLost, TimeIsUp, deadline_after
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import ThisThread
-from allworlds.engines.kept_form import from_kept
+from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import NOBODY, Listener
-from allworlds.engines.run_directory import ENDED, NO_RECORDS, Records, records_in
 from allworlds.engines.swept_report import By
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import (
@@ -201,8 +199,12 @@ class Sweep(ABC, Generic[Total, Answer]):
             self.listener.notice(
                 "without --run DIR the report of this shard cannot be merged with others"
             )
+        if run is None:
+            return self._answered(NO_RECORDS, self._from_the_beginning)
+        from allworlds.engines.run_directory import records_in
+
         with records_in(run, self.identity, self.listener.notice) as records:
-            return self._answered(records, lambda: self._guarded(self.begin) or self._swept())
+            return self._answered(records, self._from_the_beginning)
 
     def merged(self, records: Records) -> Answer:
         """Return the report of the kept units, which must be all.
@@ -218,6 +220,9 @@ class Sweep(ABC, Generic[Total, Answer]):
         ending = ended(swept)
         records.note("ended", ENDED if ending.final else ending.reason)
         return self.report(ending)
+
+    def _from_the_beginning(self) -> Ending:
+        return self._guarded(self.begin) or self._swept()
 
     def _swept(self) -> Ending:
         ending = self._guarded(self._through) or Completed()

@@ -23,7 +23,7 @@ from allworlds.engines.units import WHOLE, Portion
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import OUTPUT, Option, Request, Taken, as_json, in_scope
 from allworlds.maps.classes import Extent
-from allworlds.maps.count_source import source_name
+from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Disagreed, Ending, Exit, Facts, Interrupted, Stopped
 
 if TYPE_CHECKING:
@@ -209,7 +209,8 @@ class SweptReport(RowsReport):
     @property
     def source(self) -> str:
         """The name of the independent source of the counts; empty if there is none."""
-        return source_name(self.extent)
+        source = source_of(self.extent)
+        return source.name if source else ""
 
     @property
     def compared(self) -> Gate | None:

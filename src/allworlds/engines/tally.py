@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from allworlds.document.struct import replace
 from allworlds.engines.examiner import Outcome, Referee
-from allworlds.engines.kept_form import Form
+from allworlds.engines.job_records import Form
 from allworlds.engines.scope import NumberedRun, Scope, UnitOfRuns, numbered_runs
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules

@@ -17,7 +17,7 @@ from allworlds.inputs.requests import RARE_SCOPE, Option, Request, Taken
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.count_source import completions, source_of
-from allworlds.maps.counting.sources import source_for
+from allworlds.maps.counting.sources import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
 
 
@@ -251,7 +251,7 @@ def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
 
     Under a condition without a source: at most so many, those of the class.
     """
-    cells = (source_of(extent) or source_for(extent.map_class)).cells(edges)
+    cells = (source_of(extent) or SOURCES[extent.map_class]).cells(edges)
     return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
 
 
@@ -287,7 +287,7 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
     Cost: some milliseconds; a level of which most worlds lie beyond the extent ends the counting.
     """
     last = extent.levels[-1]
-    source = source_of(extent) or source_for(extent.map_class)
+    source = source_of(extent) or SOURCES[extent.map_class]
     worlds = counted = 0
     for edges in extent.levels:
         counted, worlds = edges, worlds + level_size(extent, edges)

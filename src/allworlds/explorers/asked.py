@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Annotated, Any
 
-from allworlds.explorers.names import EXEC, NATIVE
+from allworlds.explorers.loading import EXEC, NATIVE
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Named, Option, Request
 

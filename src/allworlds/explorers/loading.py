@@ -1,44 +1,131 @@
-"""Explorers under test: found by their names, loaded, and played."""
+"""Explorers under test: their names, and how they are found, loaded and played.
+
+Only code that a name asks for is imported, so that a player with a function in Python starts fast.
+"""
 
 from __future__ import annotations
 
 import importlib.util
 import inspect
 import sys
-from collections.abc import Callable, Generator, Iterable, Mapping
+from collections.abc import Callable, Generator, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from allworlds.explorers.builtin.algorithm1 import nobody
 from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
-from allworlds.explorers.builtin.shield import Shield
-from allworlds.explorers.functions import bound, function_named, keywords_of
-from allworlds.explorers.names import (
-    LIGHTHOUSE,
-    NATIVE,
-    SHIELD,
-    command_of,
-    entry_point,
-    entry_points,
-    has_shield,
-    innermost,
-    is_library,
-    is_program,
-    no_explorer,
-    path_of,
-)
-from allworlds.explorers.program import Program
-from allworlds.explorers.shared_library.library import Library, NativeExplorer, library_path
 from allworlds.inputs.checks import InputError, show
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.choices import Choices
 from allworlds.protocol.faults import ANSWER_TIMEOUT
-from allworlds.protocol.importing import SourceText, arguments_of, called, imported, text_of
-from allworlds.protocol.player import Player
+from allworlds.protocol.importing import (
+    SourceText,
+    arguments_of,
+    attribute_of,
+    called,
+    imported,
+    module_named,
+    module_of_text,
+    points_of,
+    text_of,
+)
+from allworlds.protocol.player import Player, Told
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
+
+    from allworlds.explorers.builtin.shield import Shield
+    from allworlds.explorers.program import Program
+    from allworlds.explorers.shared_library import NativeExplorer
+
+EXPLORER = "an explorer is def explore(first) with yield"
 
 HASH_SEED = "PYTHONHASHSEED"
 """The variable of the environment from which an interpreter takes its hash seed."""
+
+ENTRY_POINTS = "allworlds.explorers"
+EXEC = "exec:"
+NATIVE = "native:"
+SHIELD = "shield:"
+"""The beginnings of the names of programs, of shared libraries, and of explorers with a shield."""
+
+SHIELD_BOUND = "9*paper"
+"""The bound that every explorer with a shield keeps."""
+
+LIGHTHOUSE = "directional"
+"""The lighthouse of users' explorers unless another is named."""
+
+
+# ---------------------------------------------------------------- names
+
+
+def is_program(name: str) -> bool:
+    """Whether that is the name of a program behind a pipe, as ``exec:COMMAND``."""
+    return innermost(name).startswith(EXEC)
+
+
+def is_library(name: str) -> bool:
+    """Whether that is the name of a shared library, as ``native:PATH``."""
+    return innermost(name).startswith(NATIVE)
+
+
+def has_shield(name: str) -> bool:
+    """Whether that is the name of an explorer with a shield, as ``shield:NAME``."""
+    return name.startswith(SHIELD)
+
+
+def innermost(name: str) -> str:
+    """The name without shields."""
+    while has_shield(name):
+        name = name.removeprefix(SHIELD)
+    return name
+
+
+def command_or_path(name: str) -> str:
+    """The command of a program of that name, or the path of a shared library."""
+    return innermost(name).partition(":")[2]
+
+
+def named_on_command_line(name: str) -> list[str]:
+    """The arguments of the command line that name an explorer."""
+    for option, kind in (("--exec", EXEC), ("--native", NATIVE)):
+        if name.startswith(kind):
+            return [option, name.removeprefix(kind)]
+    return [name]
+
+
+def entry_point(plain: str) -> EntryPoint | None:
+    """The explorer that another package offers by a name; None if there is none.
+
+    A name with a colon is that of a function: packages are not asked, which takes some time.
+    """
+    return None if ":" in plain else points_of(ENTRY_POINTS).get(plain)
+
+
+def own_bound(name: str, lighthouse: str) -> str | None:
+    """The own bound of the explorer of that name under this lighthouse; None if it has none.
+
+    Lighthouses are written ``KIND[:key=value,...]``; the bound holds under all options of the kind
+    that the explorer is written for.
+
+    Raises:
+        InputError: if it has a shield, which helps under the directional lighthouse alone.
+    """
+    own = BUILT_IN.get(name)
+    written_for = own.lighthouse if own else LIGHTHOUSE
+    fits = str(lighthouse).partition(":")[0] == written_for.partition(":")[0]
+    if has_shield(name):
+        if not fits:
+            raise InputError(
+                f"a shield needs the directional lighthouse, not {show(str(lighthouse))}"
+            )
+        return SHIELD_BOUND
+    return own.bound if own and fits else None
+
+
+# ---------------------------------------------------------------- subjects
 
 
 class Subject(Struct, frozen=True, weakref=True):
@@ -52,21 +139,22 @@ class Subject(Struct, frozen=True, weakref=True):
         keywords: the ones of ``choices``, ``told`` and ``notice`` that it takes.
         explore: the generator function; None where another process finds it by its name, so
             that its code never gets into this one.
-        own: its entry among the built-in explorers, if it is built in.
         source: the text of its file, if it stands in a file.
-        program: the user's program behind it, if there is one that is run here.
-        native: the shared library behind it, if there is one that is run here.
-        inside: the explorer inside a shield, if it is run here.
+        program: the user's program behind it, if there is one that is run here; also in a shield.
+        native: the shared library behind it, likewise.
     """
 
     name: str
     keywords: frozenset[str]
     explore: Callable[..., Generator[Any, Any, Any]] | None = None
-    own: BuiltIn | None = None
     source: SourceText | None = None
     program: Program | None = None
     native: NativeExplorer | None = None
-    inside: Subject | None = None
+
+    @property
+    def own(self) -> BuiltIn | None:
+        """Its entry among the built-in explorers; None for a user's explorer, or with a shield."""
+        return BUILT_IN.get(self.name)
 
     @property
     def from_user(self) -> bool:
@@ -74,19 +162,9 @@ class Subject(Struct, frozen=True, weakref=True):
         return self.own is None
 
     @property
-    def is_program(self) -> bool:
-        """Whether it is a program behind a pipe, here and in other processes; also in a shield."""
-        return is_program(self.name)
-
-    @property
     def compiled(self) -> bool:
         """Whether it is a shared library; in a shield Python calls it, as any other explorer."""
         return self.name.startswith(NATIVE)
-
-    @property
-    def innermost(self) -> Subject:
-        """The explorer without a shield, if it is run here; else itself."""
-        return self.inside or self
 
     @property
     def importable(self) -> bool:
@@ -113,40 +191,40 @@ class Subject(Struct, frozen=True, weakref=True):
         """Whether the explorer takes choices, so that its schedules can be enumerated."""
         return "choices" in self.keywords
 
-    def player(self, notice: Callable[[str], None] = nobody) -> Player:
+    def player(self, notice: Callable[[str], None] = lambda _event: None) -> Player:
         """The explorer with its keywords bound; its code must be in this process."""
-        assert self.explore is not None
-        return bound(self.explore, self.keywords, notice)
+        explore = self.explore
+        assert explore is not None
+
+        def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
+            offered = {"choices": choices, "told": told, "notice": notice}
+            return explore(first, **{key: offered[key] for key in self.keywords})
+
+        return play
 
     def running(self) -> AbstractContextManager[object]:
         """A context at whose end the program or library behind the explorer is stopped."""
-        if self.inside:
-            return self.inside.running()
         behind = self.program or self.native
         return closing(behind) if behind else nullcontext()
 
 
-def with_shield(inside: Subject) -> Subject:
-    """The explorer with a shield; one shield is enough."""
-    if has_shield(inside.name):
-        return inside
-    name, keywords = SHIELD + inside.name, inside.keywords - {"notice"}
-    if inside.explore is None:
-        return Subject(name, keywords, source=inside.source)
-    explore = inside.explore if isinstance(inside.explore, Shield) else Shield(inside.explore)
-    return Subject(name, keywords, explore, source=inside.source, inside=inside)
-
-
 def built_in(name: str) -> Subject:
     """The subject of the built-in explorer of that name."""
-    own = BUILT_IN[name]
-    keywords = frozenset(inspect.signature(own.explore).parameters) - {"first"}
-    return Subject(name, keywords, own.explore, own)
+    explore = BUILT_IN[name].explore
+    return Subject(name, frozenset(inspect.signature(explore).parameters) - {"first"}, explore)
 
 
-def subject_known(name: str, keywords: Iterable[str]) -> Subject:
-    """The subject of that name with known keywords; its code is not looked for."""
-    return built_in(name) if name in BUILT_IN else Subject(name, frozenset(keywords))
+def with_shield(inside: Subject) -> Subject:
+    """The explorer with a shield; one shield is enough."""
+    from allworlds.explorers.builtin.shield import Shield
+
+    if has_shield(inside.name):
+        return inside
+    explore = inside.explore
+    if explore is not None and not isinstance(explore, Shield):
+        explore = Shield(explore)
+    name, keywords = SHIELD + inside.name, inside.keywords - {"notice"}
+    return replace(inside, name=name, keywords=keywords, explore=explore)
 
 
 def in_process_subject(explore: Callable[..., Any]) -> Subject:
@@ -158,6 +236,8 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
     Raises:
         InputError: if it is no generator function.
     """
+    from allworlds.explorers.builtin.shield import Shield
+
     if isinstance(explore, Shield):
         inside = in_process_subject(explore.explorer)
         return with_shield(inside if inside.own is None else replace(inside, explore=None))
@@ -166,17 +246,8 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
             return built_in(name)
     module = getattr(explore, "__module__", None) or "?"
     name = f"{module}:{getattr(explore, '__qualname__', type(explore).__qualname__)}"
-    found = subject_of(name, explore)
-    return replace(found, explore=None) if _is_found_by_name(explore) else found
-
-
-def subject_of(name: str, found: Any, source: SourceText | None = None) -> Subject:
-    """The subject of a generator function, with the text of its file.
-
-    Raises:
-        InputError: if it is none, or must be called in another way.
-    """
-    return Subject(name, keywords_of(name, found), found, source=source)
+    importable = _is_found_by_name(explore)
+    return Subject(name, keywords_of(name, explore), None if importable else explore)
 
 
 def _is_found_by_name(explore: Any) -> bool:
@@ -186,12 +257,35 @@ def _is_found_by_name(explore: Any) -> bool:
     try:
         if importlib.util.find_spec(module) is None:
             return False
-        value: Any = sys.modules[module]
-        for part in name.split("."):
-            value = getattr(value, part)
-    except (ImportError, ValueError, KeyError, AttributeError):
+        return attribute_of(sys.modules[module], name, module) is explore
+    except (ImportError, ValueError, KeyError):  # InputError is a ValueError
         return False
-    return value is explore
+
+
+def keywords_of(name: str, explore: Any) -> frozenset[str]:
+    """The keywords ``choices`` and ``told`` that a generator function takes.
+
+    Raises:
+        InputError: if it is no generator function, or must be called in another way.
+    """
+    function = explore if inspect.isroutine(explore) else getattr(explore, "__call__", None)  # noqa: B004
+    generates = inspect.isgeneratorfunction(explore) or inspect.isgeneratorfunction(function)
+    if not callable(explore) or not generates:
+        raise InputError(f"{name} is no generator function: {EXPLORER}")
+    signature = inspect.signature(explore)
+    takes_all = any(p.kind is p.VAR_KEYWORD for p in signature.parameters.values())
+    named = {k for k, p in signature.parameters.items() if p.kind is not p.POSITIONAL_ONLY}
+    keywords = frozenset(key for key in ("choices", "told") if takes_all or key in named)
+    try:
+        signature.bind(None, **dict.fromkeys(keywords))
+    except TypeError as error:
+        raise InputError(
+            f"{name} must be callable as explore(first), with choices and told at most: {error}"
+        ) from None
+    return keywords
+
+
+# ---------------------------------------------------------------- loading
 
 
 def source_of(name: str) -> SourceText | None:
@@ -204,7 +298,9 @@ def source_of(name: str) -> SourceText | None:
     if is_program(name):
         return None
     if is_library(name):
-        library_path(path_of(name))
+        from allworlds.explorers.shared_library import library_path
+
+        library_path(command_or_path(name))
         return None
     plain, arguments = arguments_of(name)
     if plain in BUILT_IN and arguments:
@@ -213,7 +309,9 @@ def source_of(name: str) -> SourceText | None:
         return None
     place, colon, attribute = plain.rpartition(":")
     if not colon:
-        raise InputError(no_explorer(name, plain, sorted({*BUILT_IN, *entry_points()})))
+        from allworlds.explorers.sources import no_explorer
+
+        raise InputError(no_explorer(name, plain, sorted({*BUILT_IN, *points_of(ENTRY_POINTS)})))
     if not place or not attribute:
         raise InputError(
             f"explorer {show(name)} is incomplete; legal are module:attribute and "
@@ -240,13 +338,68 @@ def load(
     if name in BUILT_IN:
         return built_in(name)
     if is_program(name):
-        program = Program(command_of(name), answer_timeout)
+        from allworlds.explorers.program import Program
+
+        program = Program(command_or_path(name), answer_timeout)
         return Subject(name, frozenset({"told"}), program.explore, program=program)
     if is_library(name):
-        native = NativeExplorer(Library(path_of(name)))
+        from allworlds.explorers.shared_library import Library, NativeExplorer
+
+        native = NativeExplorer(Library(command_or_path(name)))
         return Subject(name, native.keywords, native.explore, native=native)
     plain, arguments = arguments_of(name)
     if point := entry_point(plain):
-        return subject_of(name, called(name, imported(plain, point.load), arguments))
-    source = source or source_of(name)
-    return subject_of(name, function_named(name, source), source)
+        explore = called(name, imported(plain, point.load), arguments)
+    else:
+        source = source or source_of(name)
+        explore = called(name, _function_named(plain, source), arguments)
+    return Subject(name, keywords_of(name, explore), explore, source)
+
+
+def _function_named(plain: str, source: SourceText | None) -> Any:
+    """The object that a name ``module:attribute`` or ``FILE.py:attribute`` stands for.
+
+    Raises:
+        InputError: if there is none, or it does not import.
+    """
+    place, _, attribute = plain.rpartition(":")
+    module = module_of_text(place, source) if source else module_named(place)
+    try:
+        return attribute_of(module, attribute, place)
+    except InputError as error:
+        names = [n for n, v in vars(module).items() if inspect.isgeneratorfunction(v)]
+        if not names and attribute == "explore":
+            raise InputError(f"{show(place)} has no generator function: {EXPLORER}") from None
+        raise InputError(
+            f"{error}; its generator functions are: {', '.join(names) or 'none'}"
+        ) from None
+
+
+@overload
+def shield(explorer: str) -> str: ...
+@overload
+def shield(explorer: Callable[..., Generator[Any, Any, Any]]) -> Shield: ...
+def shield(explorer: str | Callable[..., Generator[Any, Any, Any]]) -> str | Shield:
+    """Return an explorer with a shield: right in every world under the directional lighthouse.
+
+    It walks less than nine times what the explorer walks until its log has no open dart, and less
+    than nine times the sum of the paper's bounds (1) and (2), whichever is less.  An explorer that
+    neither yields nor returns still breaks the law ``timeout``.
+
+    Args:
+        explorer: a generator function; or a name, as on the command line, of which
+            ``exec:COMMAND`` is a program and ``native:PATH`` a shared library.
+
+    Returns:
+        a generator function of a function, a name of a name.
+
+    Raises:
+        InputError: if it is neither.
+    """
+    from allworlds.explorers.builtin.shield import Shield
+
+    if isinstance(explorer, str):
+        return SHIELD + explorer
+    if not callable(explorer):
+        raise InputError(f"explorer = {show(explorer)} is neither a name nor a function")
+    return Shield(explorer)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import errno
 import json
 import os
 import re
@@ -17,197 +16,116 @@ import time
 from collections.abc import Generator, Sequence
 from functools import lru_cache
 from pathlib import Path
-from random import Random
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.faults import ExplorerFault, FaultLaw
 from allworlds.protocol.player import Told
 from allworlds.protocol.transcript import action_from_json
 from allworlds.words import ended_by, plural
 
 SECONDS = 5
-"""The time after which a program that is asked for its errors of syntax is left alone."""
-
-
-class Interpreter(NamedTuple):
-    """The command line of an interpreter.
-
-    Attributes:
-        language: in words.
-        letters: options after which no file is run, such as ``-c CODE``, each by its letter.
-        words: the same, written out.
-        values: options with a value in the next word.
-        endings: of a file's name that may be left out.
-        looks: the options with which it reads a file and does not run it; none if there are none.
-    """
-
-    language: str
-    letters: str = "e"
-    words: tuple[str, ...] = ()
-    values: tuple[str, ...] = ()
-    endings: tuple[str, ...] = ()
-    looks: tuple[str, ...] = ()
-
+"""The time after which an interpreter that reads a script is left alone."""
 
 INTERPRETERS = {
-    r"python[0-9.]*|pypy3?": Interpreter(
+    r"python[0-9.]*|pypy3?": (
         "Python",
-        "cm",
-        values=("-W", "-X", "--check-hash-based-pycs"),
-        looks=("-c", "import sys; f = sys.argv[1]; compile(open(f, 'rb').read(), f, 'exec')"),
+        ("-c", "import sys; f = sys.argv[1]; compile(open(f, 'rb').read(), f, 'exec')"),
     ),
-    r"node|nodejs": Interpreter(
-        "JavaScript",
-        "epi",
-        ("--eval", "--print", "--interactive", "--run", "--test"),
-        ("-r", "--require", "--import", "--loader", "--experimental-loader", "-C", "--conditions"),
-        (".js", ".json"),
-        ("--check",),
-    ),
-    r"(da|ba|k|z)?sh": Interpreter("shell script", "cs", values=("-o", "-O"), looks=("-n",)),
-    r"ruby": Interpreter("Ruby", values=("-I", "-r", "-C")),
-    r"perl": Interpreter("Perl", "eEx", values=("-I",)),
-    r"lua[0-9.]*": Interpreter("Lua", "ei", values=("-l",)),
-    r"php[0-9.]*": Interpreter("PHP", "rBRES", values=("-d", "-c", "-f")),
+    r"node|nodejs": ("JavaScript", ("--check",)),
+    r"(da|ba|k|z)?sh": ("shell script", ("-n",)),
+    r"ruby|perl|lua[0-9.]*|php[0-9.]*": ("script", ()),
 }
-"""Programs that run a file, by patterns for their names."""
+"""Programs that run a script, by patterns for their names: its language, and the options with which
+they read it and do not run it, if there are any."""
 
-ERROR = r"^.*?\b(\w*(?:Syntax|Indentation|Tab) ?[Ee]rror\b.*)$"
+SCRIPT = re.compile(r".+\.([cm]?js|lua|php|pl|py|rb|sh)")
+"""The names of scripts."""
+
+NO_SCRIPT = re.compile(r"-|-[a-zA-Z]*[cem][a-zA-Z]*|--(eval|print|run|test)\b.*")
+"""The options after which no script is run."""
+
+ERROR = re.compile(r"^.*?\b(\w*(?:Syntax|Indentation|Tab) ?[Ee]rror\b.*)$", re.MULTILINE)
 """The line of an error of syntax on stderr."""
+
+
+class _Call(NamedTuple):
+    """A call of an interpreter: its name, the options before its script, and the script."""
+
+    interpreter: str
+    words: Sequence[str]
+    script: str
+
+
+def _call(words: Sequence[str]) -> _Call | None:
+    """The call of an interpreter that runs a script; None for any other command."""
+    program, *_ = names = [Path(word).name for word in words]
+    at = next((i for i, name in enumerate(names) if _language(name)), None)
+    if at is None or (at and program != "env"):
+        return None
+    for i, word in enumerate(words[at + 1 :], at + 1):
+        if NO_SCRIPT.fullmatch(word):
+            return None
+        if SCRIPT.fullmatch(word):
+            return _Call(names[at], words[:i], word)
+    return None
+
+
+def _language(name: str) -> tuple[str, tuple[str, ...]] | None:
+    """The row of :data:`INTERPRETERS` for the name of a program; None if there is none."""
+    return next((row for names, row in INTERPRETERS.items() if re.fullmatch(names, name)), None)
 
 
 def missing_script(words: Sequence[str]) -> str:
     """The reason why an interpreter cannot open its script; empty if it can, or if unknown."""
     call = _call(words)
-    if call is None:
+    if call is None or Path(call.script).exists():
         return ""
-    # Where an option may have a value, the script is one of the other words.
-    scripts = call.files[:1] if call.sure else call.files
-    endings = ("", *call.interpreter.endings)
-    if any(Path(script + ending).exists() for script in scripts for ending in endings):
-        return ""
-    reason = "it is a loop of links" if is_loop_of_links(call.files[0]) else "there is no such file"
-    return f"{Path(call.program).name} cannot open {show(call.files[0])}: {reason}"
+    is_loop = is_loop_of_links(call.script)
+    reason = "it is a loop of links" if is_loop else "there is no such file"
+    return f"{call.interpreter} cannot open {show(call.script)}: {reason}"
 
 
 def syntax_error(words: Sequence[str]) -> str:
-    """The reason why an interpreter cannot read its script; empty if it can, or if unknown.
-
-    A script that seems to have an error is run without any input: its interpreter must say so.
-    """
+    """The reason why an interpreter cannot read its script; empty if it can, or if unknown."""
     call = _call(words)
-    if call is None or not call.interpreter.looks:
+    row = call and _language(call.interpreter)
+    if not call or not row or not row[1]:
         return ""
-    script, language = call.files[0], call.interpreter.language
-    if not _said([call.program, *call.interpreter.looks, script]):
-        return ""
-    said = _said(words)
-    message = re.search(ERROR, said, re.MULTILINE)
-    if message is None:
-        return ""
-    line = re.search(rf"{re.escape(script)}\D{{1,10}}([0-9]+)", said)
-    where = f", line {line[1]}" if line else ""
-    return f"{show(script)}{where} is no {language}: {message[1]}"
-
-
-def _said(words: Sequence[str]) -> str:
-    """The text on stderr of a command without an input; empty if it does not fail at once."""
+    language, looks = row
     try:
-        ended = subprocess.run(  # noqa: S603  # running it is what was asked for
-            words, stdin=subprocess.DEVNULL, capture_output=True, timeout=SECONDS, check=False
+        ended = subprocess.run(  # noqa: S603  # looking at it is what was asked for
+            [*call.words, *looks, call.script],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=SECONDS,
+            check=False,
         )
     except (OSError, subprocess.TimeoutExpired):
         return ""
-    return ended.stderr.decode(errors="replace") if ended.returncode else ""
-
-
-class _Call(NamedTuple):
-    """A call of an interpreter.
-
-    Attributes:
-        program, interpreter: the word that names it, and its entry in the table.
-        files: the script and its arguments.
-        sure: whether the first of these is the script.
-    """
-
-    program: str
-    interpreter: Interpreter
-    files: list[str]
-    sure: bool
-
-
-def _call(words: Sequence[str]) -> _Call | None:
-    """The call of an interpreter that runs a file; None for any other command."""
-    rest = _without_env(words)
-    program = rest.pop(0) if rest else ""
-    name = Path(program).name
-    interpreter = next((i for names, i in INTERPRETERS.items() if re.fullmatch(names, name)), None)
-    if interpreter is None:
-        return None
-    sure = True
-    while rest and rest[0].startswith("-"):
-        option = rest.pop(0)
-        if option == "--":
-            break
-        if _runs_no_file(option, interpreter):
-            return None
-        if option in interpreter.values:
-            del rest[:1]
-        elif option.startswith("--") and "=" not in option:
-            sure = False
-    return _Call(program, interpreter, rest, sure) if rest else None
-
-
-def _without_env(words: Sequence[str]) -> list[str]:
-    """The words of a command behind ``env`` and its options."""
-    rest = [*words]
-    if Path(rest[0]).name == "env":
-        rest.pop(0)
-        while rest and (rest[0].startswith("-") or "=" in rest[0]):
-            if rest.pop(0) in ENV_VALUES:
-                del rest[:1]
-    return rest
-
-
-ENV_VALUES = ("-u", "-C", "--unset", "--chdir")
-"""The options of ``env`` with a value in the next word."""
-
-
-def _runs_no_file(option: str, interpreter: Interpreter) -> bool:
-    if option.startswith("--"):
-        return option.partition("=")[0] in interpreter.words
-    return option == "-" or any(letter in interpreter.letters for letter in option[1:])
+    said = ended.stderr.decode(errors="replace")
+    message = ERROR.search(said)
+    if not ended.returncode or message is None:
+        return ""
+    line = re.search(rf"{re.escape(call.script)}\D{{1,10}}([0-9]+)", said)
+    where = f", line {line[1]}" if line else ""
+    return f"{show(call.script)}{where} is no {language}: {message[1]}"
 
 
 def obstacle(name: str) -> str:
     """The reason why a command cannot be run."""
-    path = Path(name)
     if is_loop_of_links(name):
         return f"{show(name)} is a loop of links"
-    try:
-        path.stat()
-    except OSError as error:
-        if error.errno != errno.ENOENT:
-            return f"{show(name)}: {error.strerror}"
-    except ValueError:
-        return f"there is no program {show(name)}: no file can be named so"
-    if path.is_dir():
+    if os.path.isdir(name):  # noqa: PTH112  # takes any text, as below
         return f"{show(name)} is a directory, not a program"
-    if path.is_file():
-        if os.sep in name:
-            return (
-                f"the file {show(name)} is not executable; chmod +x, or name its interpreter first"
-            )
-        return f"there is no program {show(name)}; for the file here write './{name}'"
-    return f"there is no program {show(name)}"
+    if os.path.isfile(name) and os.sep in name:  # noqa: PTH113
+        return f"the file {show(name)} is not executable; chmod +x, or name its interpreter first"
+    hint = f"; for the file here write './{name}'" if os.path.isfile(name) else ""  # noqa: PTH113
+    return f"there is no program {show(name)}{hint}"
 
-
-RunLaw: TypeAlias = Literal["crash", "timeout", "illegal-action", "no-estimate"]
-"""The laws that a program breaks by what it writes."""
 
 SAYINGS = ("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer")
 """A line of the program has exactly one of these keys."""
@@ -215,7 +133,7 @@ SAYINGS = ("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous
 MAP_KEYS, QUOTIENT_KEYS = ("sigma", "alpha", "here"), ("sigma", "alpha", "degree", "marks", "here")
 
 SHORT = 64
-"""Lines of fewer bytes, as most are, are parsed once."""
+"""A line of fewer bytes, as most are, is parsed once."""
 
 
 class EpisodeEnd(NamedTuple):
@@ -252,29 +170,13 @@ def message_of(line: bytes) -> Message:
     Raises:
         ExplorerFault: if it is no line of the protocol, or what it says is malformed.
     """
-    action = _short_action(line) if len(line) < SHORT else None
-    return _message_of(line) if action is None else action
-
-
-@lru_cache(maxsize=1 << 12)
-def _short_action(line: bytes) -> Action | None:
-    """The action of a short line; None if the line must be parsed more carefully."""
-    try:
-        message = json.loads(line)
-    except (ValueError, RecursionError):
-        return None
-    one = isinstance(message, dict) and _sayings(message) == 1
-    return action_from_json(message) if one else None
-
-
-def _message_of(line: bytes) -> Message:
     try:
         message = json.loads(line)
     except (ValueError, RecursionError):
         raise _illegal(f"a line that is no JSON: {shown(line)}") from None
     if not isinstance(message, dict):
         raise _illegal(f"a line that is no object: {shown(line)}")
-    if (said := _sayings(message)) != 1:
+    if (said := sum(key in message for key in SAYINGS)) != 1:
         keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
         raise _illegal(f"the line {_short(message)}: {keys}")
     action = action_from_json(message)
@@ -294,9 +196,7 @@ def _message_of(line: bytes) -> Message:
     raise _illegal(f"the line {_short(message)}: {legal}")
 
 
-def _sayings(message: dict[str, Any]) -> int:
-    """The number of keys of :data:`SAYINGS` in a message."""
-    return sum(key in message for key in SAYINGS)
+_message_of_short = lru_cache(maxsize=1 << 12)(message_of)
 
 
 def _illegal(seen: str) -> ExplorerFault:
@@ -311,7 +211,7 @@ def _estimate(value: object) -> Estimate:
         raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
 
-def _values(value: object, what: str, law: RunLaw, *keys: str) -> list[Any]:
+def _values(value: object, what: str, law: FaultLaw, *keys: str) -> list[Any]:
     """The values of a checkpoint or an answer under these keys."""
     if not isinstance(value, dict):
         raise ExplorerFault(law, f"{what} that is no object: {_short(value)}")
@@ -357,15 +257,11 @@ class Program:
             ) from None
         if not self._arguments:
             raise InputError("--exec needs a command, not an empty string")
-        found = shutil.which(self._arguments[0])
-        if found is None:
-            raise InputError(f"--exec {show(command)}: {obstacle(self._arguments[0])}")
-        if missing := missing_script(self._arguments):
-            raise InputError(f"--exec {show(command)}: {missing}")
-        self.path = found
+        there = shutil.which(self._arguments[0])
+        if fault := missing_script(self._arguments) if there else obstacle(self._arguments[0]):
+            raise InputError(f"--exec {show(command)}: {fault}")
         self._timeout = answer_timeout
         self._process: subprocess.Popen[bytes] | None = None
-        self._numbers = Random(secrets.randbits(64))  # noqa: S311  # they are to tell nothing
         self._heard = False
         self._err = bytearray()
         self._out = bytearray()
@@ -406,7 +302,7 @@ class Program:
         """The program's next message."""
         line = self._line()
         try:
-            message = message_of(line)
+            message = (_message_of_short if len(line) < SHORT else message_of)(line)
         except ExplorerFault as fault:
             raise self._fault(fault.law, fault.seen, fault.detail) from None
         if isinstance(message, EpisodeEnd) and self._out:
@@ -418,9 +314,8 @@ class Program:
         process = self._process
         if process is None:
             return
-        if process.stdin:
-            with contextlib.suppress(OSError):
-                process.stdin.close()
+        assert process.stdin is not None
+        process.stdin.close()
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(1)
         self._kill()
@@ -433,7 +328,8 @@ class Program:
         if self._out:
             raise self._fault("illegal-action", f"a line before it was asked: {shown(self._out)}")
         self._heard = False
-        self._send(beginning(self._numbers.getrandbits(53), first, told))
+        # The number is to tell nothing.
+        self._send(beginning(secrets.randbits(53), first, told))
 
     def _start(self) -> None:
         try:
@@ -447,29 +343,20 @@ class Program:
             )
         except OSError as error:
             raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
-        assert self._process.stdin is not None
-        assert self._process.stdout is not None
-        assert self._process.stderr is not None
-        self._in_to, self._out_of = self._process.stdin.fileno(), self._process.stdout.fileno()
+        streams = self._process.stdin, self._process.stdout, self._process.stderr
+        self._in_to, self._out_of, err_of = (each.fileno() for each in streams if each)
         os.set_blocking(self._in_to, False)
-        self._said = select.poll()
-        self._said.register(self._process.stdout, select.POLLIN)
-        self._said.register(self._process.stderr, select.POLLIN)
+        self._said.register(self._out_of, select.POLLIN)
+        self._said.register(err_of, select.POLLIN)
         self._out.clear()
-        self._err.clear()
 
     def _kill(self) -> None:
         process, self._process = self._process, None
-        self._in_to = self._out_of = -1
+        self._said = select.poll()
         if process is None:
             return
-        with contextlib.suppress(ProcessLookupError, PermissionError):
+        with process, contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(process.pid, 9)
-        process.wait()
-        for stream in (process.stdin, process.stdout, process.stderr):
-            if stream is not None:
-                with contextlib.suppress(OSError):
-                    stream.close()
 
     def _send(self, line: bytes) -> None:
         try:
@@ -515,23 +402,16 @@ class Program:
         """
         goes_on = True
         for descriptor, _ in self._said.poll(wait * 1000):
+            chunk = os.read(descriptor, 1 << 16)
             if descriptor == self._out_of:
-                chunk = os.read(descriptor, 1 << 16)
                 self._out += chunk
                 goes_on = bool(chunk)
-            else:
-                self._read_err()
-        return goes_on
-
-    def _read_err(self) -> None:
-        assert self._process is not None
-        assert self._process.stderr is not None
-        if text := self._process.stderr.read(1 << 16):
-            self._err += text
+                continue
+            self._err += chunk
             del self._err[:-STDERR_KEPT]
-        else:
-            self._said.unregister(self._process.stderr)
-            self._process.stderr.close()
+            if not chunk:
+                self._said.unregister(descriptor)
+        return goes_on
 
     def _ended(self, seen: str) -> ExplorerFault:
         """The fault of a program that has ended, or has closed a pipe, which ``seen`` tells."""
@@ -545,28 +425,15 @@ class Program:
 
     def _pass_stderr_on(self) -> None:
         """Print the program's stderr of this episode."""
-        self._drain()
+        self._read(0)
         if self._err:
             sys.stderr.write(self._err.decode(errors="backslashreplace"))
             sys.stderr.flush()
 
-    def _drain(self) -> None:
-        """Read the program's stderr as far as it is written."""
-        process = self._process
-        while process and process.stderr and not process.stderr.closed:
-            poll = select.poll()
-            poll.register(process.stderr, select.POLLIN)
-            before = len(self._err)
-            if not poll.poll(0):
-                return
-            self._read(0)
-            if len(self._err) in (before, STDERR_KEPT):
-                return
-
     def _fault(
-        self, law: RunLaw, seen: str, detail: str = "", *, machine: bool = False
+        self, law: FaultLaw, seen: str, detail: str = "", *, machine: bool = False
     ) -> ExplorerFault:
-        self._drain()
+        self._read(0)
         said = self._err.decode(errors="replace")
-        told = [detail, f"stderr:\n{said}" if said else ""]
-        return ExplorerFault(law, seen, "\n\n".join(filter(None, told)), machine=machine)
+        details = [detail, f"stderr:\n{said}" if said else ""]
+        return ExplorerFault(law, seen, "\n\n".join(filter(None, details)), machine=machine)

@@ -1,34 +1,166 @@
-"""The files of an explorer's code: their digest, and the line of the explorer."""
+"""The files of explorers: names that are nearly theirs, their digest, and the line of the explorer.
+
+No code of an explorer is run here.
+"""
 
 from __future__ import annotations
 
 import ast
 import hashlib
 import os
+import re
 import shlex
 import shutil
+from collections.abc import Iterator, Sequence
+from difflib import get_close_matches
+from inspect import CO_GENERATOR
 from pathlib import Path
+from types import CodeType
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.loading import Subject
-from allworlds.explorers.names import (
-    command_of,
+from allworlds.explorers.loading import (
+    SHIELD,
+    Subject,
+    command_or_path,
     entry_point,
+    has_shield,
     innermost,
     is_library,
     is_program,
-    path_of,
 )
 from allworlds.explorers.program import Program
-from allworlds.inputs.checks import InputError, read_text, show
+from allworlds.inputs.checks import (
+    InputError,
+    did_you_mean,
+    is_loop_of_links,
+    no_file,
+    read_text,
+    show,
+)
 from allworlds.protocol.importing import SourceText
 from allworlds.protocol.user_code import bytes_of, module_file
 
+MOST_OF_A_COMMAND = 20
+"""The number of characters that stand for a command, if they tell it from others."""
+
 SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
 """The endings of the source of a shared library, looked for beside it."""
+
+
+# ---------------------------------------------------------------- names
+
+
+def names_explorer(text: str) -> bool:
+    """Whether a text has the form of an explorer's name; whether there is one is not checked."""
+    plain = text.partition("?")[0]
+    if has_shield(text) or plain in BUILT_IN or entry_point(plain):
+        return True
+    return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
+
+
+def whole_name(name: str) -> str:
+    """The name; the function is added to the name of a file that has only one.
+
+    If the file defines none, it may import one named ``explore``.
+
+    Raises:
+        InputError: if the file has several, is not there, or is no Python.
+    """
+    if has_shield(name):
+        return SHIELD + whole_name(name.removeprefix(SHIELD))
+    if not name.endswith(".py") or ":" in name:
+        return name
+    if not Path(name).exists():
+        raise InputError(no_file(name, _like_file(name)))
+    text = read_text(name)
+    try:
+        code = compile(text, name, "exec", dont_inherit=True)
+    except (SyntaxError, ValueError, RecursionError) as error:
+        line = getattr(error, "lineno", None)
+        where = f", line {line}" if line else ""
+        said = getattr(error, "msg", None) or error
+        kind = type(error).__name__
+        raise InputError(f"{show(name)}{where} is no Python: {kind}: {said}") from None
+    explorers = explorers_in(code) or ["explore"]
+    if len(explorers) == 1:
+        return f"{name}:{explorers[0]}"
+    legal = ", ".join(f"{name}:{explorer}" for explorer in explorers)
+    raise InputError(f"{show(name)} has several explorers; legal are {legal}")
+
+
+def explorers_in(module: CodeType) -> list[str]:
+    """The names of a module's generator functions, in their order."""
+    functions = [code for code in module.co_consts if isinstance(code, CodeType)]
+    # Lambdas and generator expressions have names that are none.
+    return [
+        code.co_name
+        for code in functions
+        if code.co_flags & CO_GENERATOR and code.co_name.isidentifier()
+    ]
+
+
+def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
+    """The reason why a name without a function is none of an explorer, and what would be legal.
+
+    Without its arguments it is ``plain``; ``known`` are the explorers that stand alone.
+    """
+    if os.path.isdir(plain):  # noqa: PTH112  # takes any text, as below
+        return f"{show(plain)} is a directory; an explorer in it is {Path(plain)}/FILE.py:FUNCTION"
+    if os.path.isfile(plain):  # noqa: PTH113
+        if plain.endswith(".py"):
+            arguments = name.removeprefix(plain)
+            return f"{show(name)} names no function; legal is {plain}:FUNCTION{arguments}"
+        return (
+            f"{show(plain)} is a file, but no file.py with a function; a program runs with --exec, "
+            f"a shared library with --native{_like_file(plain)}"
+        )
+    if os.sep in plain or is_loop_of_links(plain):
+        return no_file(plain, _like_file(plain))
+    return (
+        f"explorer {show(name)} is not one of {', '.join(known)}, module:attribute or "
+        f"path/to/file.py:attribute{_like_file(plain) or did_you_mean(name, known)}"
+    )
+
+
+def _like_file(name: str) -> str:
+    """A hint at a Python file whose name is similar, in the same folder; empty if there is none."""
+    given = Path(name)
+    try:
+        files = sorted(file.name for file in given.parent.glob("*.py"))
+    except (OSError, ValueError):
+        return ""
+    if f"{given.name}.py" in files:
+        return f"; did you mean {show(f'{name}.py')}?"
+    close = get_close_matches(given.name, files, n=1)
+    return f"; did you mean {show(name.removesuffix(given.name) + close[0])}?" if close else ""
+
+
+def short_names(names: Sequence[str]) -> list[str]:
+    """The shortest ends of these names that tell them apart, as the heads of columns."""
+    ends = [[*_ends(name)] for name in names]
+    short = []
+    for i, name in enumerate(names):
+        others = {end for other in ends[:i] + ends[i + 1 :] for end in other}
+        short.append(next((end for end in ends[i] if end not in others), name))
+    return short
+
+
+def _ends(name: str) -> Iterator[str]:
+    """The ends of a name, from the shortest one to the name itself."""
+    if is_program(name):
+        yield name[:MOST_OF_A_COMMAND]
+    elif ":" in name:
+        place, _, attribute = name.rpartition(":")
+        yield attribute
+        folders = place.split("/")
+        yield from (f"{'/'.join(folders[-i:])}:{attribute}" for i in range(1, len(folders)))
+    yield name
+
+
+# ---------------------------------------------------------------- files
 
 
 class SourceLine(Struct, frozen=True):
@@ -54,84 +186,75 @@ def files_of_explorer(name: str) -> list[Path]:
 
     For a program they are the files that its command names.
     """
-    name = innermost(name)
-    if name in BUILT_IN:
-        return []
     try:
-        if is_program(name):
-            files = [Path(word) for word in shlex.split(command_of(name))]
-        else:
-            files = [Path(path_of(name)) if is_library(name) else _file_and_attributes(name)[0]]
+        return [file for file in _files_named(innermost(name)) if file.is_file()]
     except (InputError, ValueError):
         return []
-    return [file for file in files if file.is_file()]
 
 
 def place_of_explorer(name: str) -> SourceLine | None:
     """The place of an explorer's code; None for a built-in explorer, or if it is unknown.
 
-    The explorer's code is not run.  For a Python explorer the place is the line of its function,
-    for a program the first line of the last file that its command names, for a shared library
-    the source of the same name beside it, or else the library.
+    For a Python explorer the place is the line of its function, for a program the first line of
+    the last file that its command names, for a shared library the source of the same name beside
+    it, or else the library.
     """
-    name = innermost(name)
-    if name in BUILT_IN:
+    files, name = files_of_explorer(name), innermost(name)
+    if not files:
         return None
+    if is_program(name):
+        return SourceLine(files[-1].resolve())
+    (file,) = files
+    if is_library(name):
+        stems = sorted({file.stem, file.stem.removeprefix("lib")})
+        beside = [file.with_name(stem + end) for end in SOURCES for stem in stems]
+        return SourceLine(next((each for each in beside if each.is_file()), file).resolve())
     try:
-        if is_program(name):
-            files = files_of_explorer(name)[::-1]
-        elif is_library(name):
-            files = _library_and_sources(Path(path_of(name)))
-        else:
-            file, attributes = _file_and_attributes(name)
-            tree = ast.parse(file.read_text(encoding="utf-8"))
-            return SourceLine(file, _line(tree, attributes))
-        return next((SourceLine(file.resolve()) for file in files if file.is_file()), None)
-    except (InputError, OSError, ValueError, SyntaxError):
+        return SourceLine(file, _line(ast.parse(file.read_bytes()), _place(name)[1]))
+    except (OSError, ValueError, SyntaxError):
         return None
 
 
-def _library_and_sources(library: Path) -> list[Path]:
-    stems = sorted({library.stem, library.stem.removeprefix("lib")})
-    return [*(library.with_name(stem + end) for end in SOURCES for stem in stems), library]
+def _files_named(name: str) -> list[Path]:
+    """The files that the name without a shield stands for, which may be missing.
+
+    Raises:
+        InputError: if there is no such module.
+        ValueError: if a command cannot be split into words.
+    """
+    if name in BUILT_IN:
+        return []
+    if is_program(name):
+        return [Path(word) for word in shlex.split(command_or_path(name))]
+    if is_library(name):
+        return [Path(command_or_path(name))]
+    place, _ = _place(name)
+    file = Path(place) if place.endswith(".py") else module_file(place)
+    return [Path(os.path.realpath(file))]
 
 
-def _file_and_attributes(name: str) -> tuple[Path, list[str]]:
-    """The file of a Python explorer, which may be missing, and the dotted name in it."""
+def _place(name: str) -> tuple[str, list[str]]:
+    """The file or module of a Python explorer's name, and the dotted name in it."""
     plain = name.partition("?")[0]
     point = entry_point(plain)
-    whole = point.value if point else plain
-    place, colon, attribute = whole.rpartition(":")
-    if not colon:  # of a file with one explorer its name will do
-        place, attribute = whole, ""
-    file = Path(place) if place.endswith(".py") else module_file(place)
-    return Path(os.path.realpath(file)), attribute.split(".") if attribute else []
+    place, colon, attribute = (point.value if point else plain).rpartition(":")
+    # Of a file with one explorer its name will do.
+    return (place, attribute.split(".")) if colon else (attribute, [])
 
 
 def _line(tree: ast.Module, names: list[str]) -> int:
-    """The line where a dotted name is defined; 1 if it is not found."""
-    body, line = tree.body, 1
+    """The line of the function or class of a dotted name; 1 if there is none."""
+    body: list[ast.stmt] = tree.body
+    line = 1
     for name in names:
-        for node in body:
-            if name in _defined(node):
-                line = node.lineno
-                body = getattr(node, "body", [])
-                break
-        else:
-            return line
+        found = next((node for node in body if getattr(node, "name", "") == name), None)
+        if found is None:
+            break
+        line, body = found.lineno, getattr(found, "body", [])
     return line
 
 
-def _defined(node: ast.stmt) -> set[str]:
-    match node:
-        case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
-            return {name}
-        case ast.Assign(targets=targets):
-            return {target.id for target in targets if isinstance(target, ast.Name)}
-        case ast.ImportFrom(names=names):
-            return {alias.asname or alias.name for alias in names}
-        case _:
-            return set()
+# ---------------------------------------------------------------- the same text elsewhere
 
 
 OURS = "built-in"
@@ -153,17 +276,16 @@ def content_digest(subject: Subject) -> str:
         return OURS
     if subject.source:
         return subject.source.digest
-    if subject.from_user and not subject.importable:
+    if not subject.importable:
         raise InputError(
             f"explorer {show(subject.name)} lives in this process alone, so that no other can go "
             "on with it; put it into a file of its own"
         )
-    if subject.is_program:
-        files = _files_of(command_of(subject.name))
-    elif is_library(name):
-        files = [Path(path_of(name))]
-    else:
-        files = [_file_and_attributes(name)[0]]
+    files = _files_named(name)
+    if is_program(name):
+        program = shutil.which(shlex.split(command_or_path(name))[0])
+        arguments = [file for file in files[1:] if file.is_file()]
+        files = [Path(program), *arguments] if program else arguments
     digest = hashlib.sha256()
     for file in files:
         text = bytes_of(file)
@@ -176,15 +298,9 @@ def with_content(subject: Subject) -> Subject:
 
     For a module inside a package the text is not enough: the package must be there.
     """
-    place, _, _ = innermost(subject.name).partition("?")[0].rpartition(":")
-    if (
-        subject.own
-        or subject.source
-        or not place
-        or "." in place
-        or subject.is_program
-        or is_library(subject.name)
-    ):
+    name = innermost(subject.name)
+    place = name.partition("?")[0].rpartition(":")[0]
+    if subject.source or not place or "." in place or is_program(name) or is_library(name):
         return subject
     file = module_file(place)
     if file.suffix != ".py" or file.name == "__init__.py":
@@ -195,17 +311,9 @@ def with_content(subject: Subject) -> Subject:
 def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
     """The reason why the explorer is not the one of that digest here; empty if it is."""
     try:
-        if subject.is_program:
-            Program(command_of(subject.name), answer_timeout)
+        if is_program(subject.name):
+            Program(command_or_path(subject.name), answer_timeout)
         same = content_digest(subject) == digest
     except InputError as error:
         return str(error)
     return "" if same else f"the explorer {show(subject.name)} has another text here"
-
-
-def _files_of(command: str) -> list[Path]:
-    """The program, and those of its arguments that are files."""
-    program, *arguments = shlex.split(command)
-    found = shutil.which(program)
-    named = [Path(found)] if found else []
-    return named + [Path(word) for word in arguments if Path(word).is_file()]

@@ -1,8 +1,8 @@
 """One run: played, judged, kept as a finding, explained.
 
-``episode``, ``endings``
+``episode``
     the one place where a world and an explorer meet, and the ways in which a run can end;
-``tasks``, ``walk_log``
+``tasks``
     what counts as done, and the log that decides it;
 ``laws``
     the judge: an answer and a log against the truth, law by law;

@@ -1,57 +1,89 @@
-"""One episode: the log of a run, followed through its world; it trusts no percept of the player."""
+"""One episode: the log of a run, followed through its world, and how it has ended.
+
+No percept of the player is trusted.
+"""
 
 from __future__ import annotations
 
+import json
 from collections.abc import MutableSequence, Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple, TypeAlias
 
 from msgspec import Struct
 
 from allworlds import log as entries
 from allworlds.inputs.checks import show
-from allworlds.judging.endings import (
-    Ending,
-    Fault,
-    Over,
-    UncheckedAmbiguous,
-    UncheckedAnswer,
-    UncheckedEnding,
-    UncheckedValue,
-    answered,
-)
+from allworlds.maps.canonical import numbering
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import Action, Percept, Write, action_numbered
-from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
 from allworlds.protocol.choices import Choices
 from allworlds.protocol.faults import IllegalAction
-from allworlds.protocol.player import Player, Told
-from allworlds.protocol.playing import FREE, play_run
+from allworlds.protocol.player import Player
+from allworlds.protocol.playing import (
+    A_QUOTIENT,
+    A_VALUE,
+    AN_ESTIMATE,
+    FREE,
+    NO_MAP,
+    play_run,
+)
 from allworlds.protocol.transcript import Transcript
+from allworlds.world.world import World
 
 RECORD_ENDS = "nothing: the record ends here"
 """The expectation at the end of the recorded percepts of an explorer."""
 
 
-class Environment(Protocol):
-    """A world in which a log is followed: it may end the run."""
+class Answered(Struct, frozen=True):
+    """The explorer has returned a well-formed estimate."""
 
-    @property
-    def initial(self) -> Any:
-        """The state at the start, of a type of the environment's own."""
+    estimate: Estimate
 
-    @property
-    def first(self) -> Percept:
-        """The percept before any motion."""
 
-    @property
-    def told(self) -> Told:
-        """The value that the lighthouse tells before the start; None if there is none."""
+class Undecided(Struct, frozen=True):
+    """The explorer has returned a well-formed rooted quotient, and no map.
 
-    @property
-    def over(self) -> bool:
-        """Whether the task of the run is done, so that the run ends here."""
+    Attributes:
+        quotient: its permutations are valid, and ``here`` is one of its darts.
+    """
 
-    def step(self, state: Any, action: Action) -> tuple[Any, Percept]:
-        """Return the state after the action, and the percept there; may raise IllegalAction."""
+    quotient: Ambiguous
+
+
+class Said(Struct, frozen=True):
+    """The explorer has returned an answer that is no map, where any answer may be given.
+
+    Attributes:
+        value: as JSON has it.
+    """
+
+    value: Any
+
+
+class Over(Struct, frozen=True):
+    """The run was ended, since all was done that the task asks for."""
+
+
+class Fault(Struct, frozen=True):
+    """The run ended without an answer.
+
+    Attributes:
+        law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
+        expected, seen: sentences.
+        detail: a traceback, or the tail of a program's stderr; may be empty.
+        machine: whether the machine, not the explorer, may be the cause: a signal, a time-out, no
+            memory.
+    """
+
+    law: str
+    expected: str
+    seen: str
+    detail: str = ""
+    machine: bool = False
+
+
+Ending: TypeAlias = Answered | Undecided | Said | Over | Fault
 
 
 class Log(NamedTuple):
@@ -103,7 +135,7 @@ class AroundExplorer:
         world: is not changed and not shown.
     """
 
-    def __init__(self, world: Environment) -> None:
+    def __init__(self, world: World) -> None:
         self._world, self._state, self.told = world, world.initial, world.told
         self.first = _copy(world.first)
 
@@ -127,7 +159,7 @@ def _copy(percept: Percept) -> Percept:
 
 
 def play(
-    world: Environment,
+    world: World,
     player: Player,
     choices: Choices,
     budget: int,
@@ -157,7 +189,7 @@ def default_step_budget(bound: int) -> int:
     return 8 * bound + 100
 
 
-def followed(log: Log, world: Environment, budget: int, *, maps: bool = True) -> Episode:
+def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episode:
     """The episode of a log, walked in this world.
 
     Args:
@@ -187,33 +219,17 @@ def followed(log: Log, world: Environment, budget: int, *, maps: bool = True) ->
     if too_often and refused is None:
         steps.pop()  # it was one too many
     known = None if too_often else refused
-    ending = known or answered(_unchecked(log, budget, maps=maps))
-    shown = tuple(
-        [(at, Checkpoint(sigma, alpha, here)) for at, sigma, alpha, here in log.checkpoints]
-    )
+    ending = known or ending_of(log, budget, maps=maps)
+    shown = tuple([(at, Checkpoint(*published)) for at, *published in log.checkpoints])
     return Episode(Transcript(world.first, tuple(steps)), shown, ending)
 
 
-def _unchecked(log: Log, budget: int, *, maps: bool) -> UncheckedEnding:
-    """The ending of a log, whose integers are not checked yet."""
+def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
+    """The fault with which a log ends; None if it ends with an answer, or since all was done."""
     code, *parts = log.ending
     match code:
-        case entries.REFUSED:  # as the world says; of a play against a record it is not known why
-            return Fault("illegal-action", "a legal action", show(action_numbered(log.actions[-1])))
-        case entries.ANSWERED | entries.LONG_ANSWER:
-            return UncheckedAnswer(*parts)
-        case entries.QUOTIENT:
-            sigma, alpha, degree, marks, here = parts
-            return UncheckedAmbiguous(sigma, alpha, here, degree, marks)
-        case entries.VALUE:
-            return UncheckedValue(*parts)
-        case entries.OVER:
-            return Over()
         case entries.FAULT:
             return Fault(*parts)
-        case entries.BEYOND:
-            last = show(action_numbered(log.actions[-1]))
-            return Fault("illegal-action", RECORD_ENDS, last)
         case entries.OVER_BUDGET:
             what = "an estimate" if maps else "an answer"
             cost = sum(number >= 0 for number in log.actions)
@@ -221,12 +237,67 @@ def _unchecked(log: Log, budget: int, *, maps: bool) -> UncheckedEnding:
         case entries.SHOWN_TOO_OFTEN:
             count = len(log.checkpoints)
             return Fault("budget", f"at most {budget + 1} checkpoints", f"checkpoint {count + 1}")
-    last_action = action_numbered(log.actions[-1])
-    free = "numbers written" if type(last_action) is Write else "markers dropped and picked up"
+        case entries.REFUSED | entries.BEYOND | entries.FREE_TOO_OFTEN:
+            action = action_numbered(log.actions[-1])
+        case _:
+            return None
+    if code != entries.FREE_TOO_OFTEN:
+        # Of a play against a record it is not known why the action is refused.
+        legal = RECORD_ENDS if code == entries.BEYOND else "a legal action"
+        return Fault("illegal-action", legal, show(action))
+    free = "numbers written" if type(action) is Write else "markers dropped and picked up"
     most = FREE * (budget + 1)
-    return Fault("budget", f"at most {most} {free}", f"{show(last_action)} as number {most + 1}")
+    return Fault("budget", f"at most {most} {free}", f"{show(action)} as number {most + 1}")
 
 
-def unchecked(log: Log) -> UncheckedEnding:
-    """How a log ends, as far as its world does not matter."""
-    return _unchecked(log, 0, maps=True)
+def ending_of(log: Log, budget: int = 0, *, maps: bool = True) -> Ending:
+    """The ending of a log: a fault unless it is a map or a quotient with one of its darts."""
+    code, *parts = log.ending
+    match code:
+        case entries.ANSWERED | entries.LONG_ANSWER:
+            return _estimate(*parts)
+        case entries.QUOTIENT:
+            quotient = Ambiguous(*parts)
+            flaw = _flaw(quotient)
+            return Fault("no-estimate", A_QUOTIENT, flaw) if flaw else Undecided(quotient)
+        case entries.VALUE:
+            (text,) = parts
+            try:
+                return Said(json.loads(text))
+            except (ValueError, RecursionError):
+                return Fault("no-estimate", A_VALUE, show(text))
+    return fault_of(log, budget, maps=maps) or Over()
+
+
+def _estimate(sigma: tuple[int, ...], alpha: tuple[int, ...], here: int) -> Answered | Fault:
+    try:
+        map_ = CombinatorialMap(sigma, alpha)
+    except InvalidMap as error:
+        return Fault("no-estimate", AN_ESTIMATE, f"{NO_MAP}{error}", error.tried)
+    if here not in map_.darts:
+        last = len(map_.sigma) - 1
+        return Fault(
+            "no-estimate", AN_ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}"
+        )
+    return Answered(Estimate(map_, here))
+
+
+def _flaw(said: Ambiguous) -> str:
+    """The reason why the answer is no rooted quotient; empty if it is one."""
+    size = len(said.sigma)
+    for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
+        if len(values) != size:
+            return f"{name} has {len(values)} entries, and sigma {size}"
+    for name, values in (("degree", said.degree), ("marks", said.marks)):
+        for value in values:
+            if value.bit_length() > 63:
+                return f"{name} holds {show(value)}, which is sensed nowhere"
+    if said.here not in range(size):
+        return f"here = {show(said.here)}, but the darts are 0..{size - 1}"
+    for name, values in (("sigma", said.sigma), ("alpha", said.alpha)):
+        if sorted(values) != list(range(size)):
+            return f"{name} = {show(list(values))} is no permutation of 0..{size - 1}"
+    if any(said.alpha[other] != dart for dart, other in enumerate(said.alpha)):
+        return f"alpha = {show(list(said.alpha))} is no involution"
+    reached = len(numbering(said.sigma, said.alpha, said.here))
+    return "" if reached == size else f"only {reached} of {size} darts are reached from here"

@@ -7,28 +7,100 @@ and ``pose`` are its judges.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from collections.abc import Callable, Iterator
+from typing import Any, Self, TypeAlias
 
-from msgspec import Struct
+from msgspec import Struct, field
+from typing_extensions import override
 
 from allworlds.inputs.checks import InputError, a_text, show
-from allworlds.judging.endings import Answered, Ending, Over, Said, Undecided
-from allworlds.judging.walk_log import WalkLog
-from allworlds.protocol.actions import Action, Percept
+from allworlds.judging.episode import Answered, Ending, Over, Said, Undecided
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.importing import attempted
-from allworlds.protocol.player import Told
 from allworlds.protocol.transcript import Transcript
 from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.state import State
 from allworlds.world.world import World
 
-Judge: TypeAlias = Callable[[World, WalkLog, Any], str | None]
-"""A judge: the fault of a finished run, or None."""
 
-Ends: TypeAlias = Callable[[World, WalkLog], bool]
-"""Whether the run is over, after each step."""
+class WalkLog(Struct):
+    """A log that knows its world; while the run goes on, it grows.
+
+    Its elements are the steps, pairs of an action and the percept that answered it.
+
+    Attributes:
+        world: in which the run takes place.
+        steps: the elements.
+        darts: the dart that the robot faced at the start, and the one by which it had arrived
+            after each step.
+        visited: the vertices where it was.
+        walked: the edges along which it went, each by the smaller of its darts.
+        cost: the number of traversals.
+    """
+
+    world: World
+    steps: list[tuple[Action, Percept]] = field(default_factory=list)
+    darts: list[Dart] = field(default_factory=list)
+    visited: set[int] = field(default_factory=set)
+    walked: set[Dart] = field(default_factory=set)
+    cost: int = 0
+
+    def __post_init__(self) -> None:
+        self._stand(self.world.start)
+
+    @classmethod
+    def of(cls, world: World, transcript: Transcript) -> Self:
+        """The walk of a finished run."""
+        walk = cls(world)
+        for action, percept in transcript.steps:
+            walk.add(action, percept)
+        return walk
+
+    @property
+    def first(self) -> Percept:
+        """The percept before any motion."""
+        return self.world.first
+
+    @property
+    def percepts(self) -> list[Percept]:
+        """The percepts at the start and after each step."""
+        return [self.first, *(percept for _, percept in self.steps)]
+
+    @property
+    def actions(self) -> list[Action]:
+        """The actions, step by step."""
+        return [action for action, _ in self.steps]
+
+    @property
+    def here(self) -> Dart:
+        """The last of its darts."""
+        return self.darts[-1]
+
+    def __iter__(self) -> Iterator[tuple[Action, Percept]]:
+        return iter(self.steps)
+
+    def __len__(self) -> int:
+        return len(self.steps)
+
+    def add(self, action: Action, percept: Percept) -> None:
+        """Go one step further."""
+        self.steps.append((action, percept))
+        map_, dart = self.world.map, self.here
+        if type(action) is Move:
+            dart = map_.alpha[map_.turn(dart, action.k)]
+            self.walked.add(min(dart, map_.alpha[dart]))
+            self.cost += 1
+        self._stand(dart)
+
+    def _stand(self, dart: Dart) -> None:
+        self.darts.append(dart)
+        self.visited.add(self.world.map.vertex_of[dart])
+
+
+Judge: TypeAlias = Callable[[World, WalkLog, Any], str | None]
+"""A judge: the fault of a finished run, or None.  One of the user's that ends runs has an attribute
+``over``, a function of the world and the walk."""
 
 MAP = "map"
 
@@ -39,26 +111,12 @@ class TaskKind(Struct, frozen=True):
     Attributes:
         asks: what it asks for, in a sentence.
         judge: what is wrong with a run; None of the task ``map``.
+        ends: whether the run ends as soon as nothing is wrong.
     """
 
     asks: str
     judge: Judge | None
-
-
-class EndingJudge(Struct, frozen=True):
-    """A judge that ends the run, too; one of the user's has such an attribute ``over``.
-
-    Attributes:
-        judge: what is wrong with a run.
-        over: whether it ends here.
-    """
-
-    judge: Judge
-    over: Ends
-
-    def __call__(self, world: World, walk: WalkLog, answer: object) -> str | None:
-        """Judge a run."""
-        return self.judge(world, walk, answer)
+    ends: bool = False
 
 
 def visits_everything(world: World, walk: WalkLog, _answer: object) -> str | None:
@@ -96,15 +154,9 @@ def _face(world: World) -> int:
 
 TASKS: dict[str, TaskKind] = {
     MAP: TaskKind("an Estimate: the map, and where the robot is in it", None),
-    "cover": TaskKind(
-        "every vertex visited; then the run ends",
-        EndingJudge(
-            visits_everything, lambda world, walk: len(walk.visited) == world.map.vertex_count
-        ),
-    ),
+    "cover": TaskKind("every vertex visited; then the run ends", visits_everything, ends=True),
     "cover:edges": TaskKind(
-        "every edge walked along; then the run ends",
-        EndingJudge(walks_everything, lambda world, walk: len(walk.walked) == world.map.edge_count),
+        "every edge walked along; then the run ends", walks_everything, ends=True
     ),
     "stop": TaskKind(
         "every vertex visited when the explorer ends, with any answer", visits_everything
@@ -168,9 +220,9 @@ class Task(Struct, frozen=True):
     @property
     def ends_runs(self) -> bool:
         """Whether the judge ends runs, too."""
-        return hasattr(self._judge, "over")
+        return TASKS[self.name].ends if self.code is None else hasattr(self._judge, "over")
 
-    def environment(self, world: World) -> World | JudgedWorld:
+    def environment(self, world: World) -> World:
         """The world as an explorer is run in it: it may end the run."""
         return JudgedWorld(world, self) if self.ends_runs else world
 
@@ -181,13 +233,12 @@ class Task(Struct, frozen=True):
             InputError: if the user's judge raises, says neither True nor False, or is not the same
                 twice.
         """
-        asked = self._asked("over of ", self._judge.over)
-        found = asked(walk.world, walk)
-        if type(found) is not bool:
-            raise InputError(f"over of task {show(self.name)} returns {show(found)}, no boolean")
-        if self.code is not None:
-            self._ensure_same("over of ", walk.world, found, asked(walk.world, walk))
-        return found
+        if self.code is None:
+            return self._judge(walk.world, walk, None) is None
+        over = self._asked("over of ", self._judge.over, walk.world, walk)
+        if type(over) is not bool:
+            raise InputError(f"over of task {show(self.name)} returns {show(over)}, no boolean")
+        return over
 
     def over_at_the_end(self, world: World, transcript: Transcript) -> bool:
         """Whether the harness ended that walk, since all was done."""
@@ -198,34 +249,30 @@ class Task(Struct, frozen=True):
 
         Raises:
             InputError: if the user's judge raises, returns anything else than a text or None, or
-                finds a run wrong and is not the same twice.
+                is not the same twice.
         """
-
-        def asked() -> Any:
-            walk, answer = WalkLog.of(world, transcript), _answer_of(ending)
-            return self._asked("", self._judge)(world, walk, answer)
-
-        wrong = asked()
-        if wrong is None:
-            return None
-        if not isinstance(wrong, str):
+        walk = WalkLog.of(world, transcript)
+        wrong = self._asked("", self._judge, world, walk, _answer_of(ending))
+        if wrong is not None and not isinstance(wrong, str):
             raise InputError(f"task {show(self.name)} returns {show(wrong)}, no text and not None")
-        if self.code is not None:
-            self._ensure_same("", world, wrong, asked())
         return wrong
 
-    def _ensure_same(self, part: str, world: World, found: object, again: object) -> None:
-        """Raise InputError unless the judge, asked twice about one run, says the same."""
-        if again != found:
-            raise InputError(
-                f"{part}task {show(self.name)} is no function of the run: asked twice, it says "
-                f"{show(found)} and {show(again)} of a run in {world.map}"
-            )
+    def _asked(self, part: str, function: Callable[..., Any], world: World, *run: Any) -> Any:
+        """The judge's word on a run; one of the user's is asked twice, and must say the same.
 
-    def _asked(self, part: str, function: Callable[..., Any]) -> Callable[..., Any]:
-        """The function itself, or one of the user's whose errors name it."""
-        what = f"{part}task {show(self.name)} raises"
-        return function if self.code is None else lambda *a: attempted(what, lambda: function(*a))
+        Raises:
+            InputError: if it does not, or raises.
+        """
+        if self.code is None:
+            return function(world, *run)
+        what = f"{part}task {show(self.name)}"
+        said, again = (attempted(f"{what} raises", lambda: function(world, *run)) for _ in range(2))
+        if again != said:
+            raise InputError(
+                f"{what} is no function of the run: asked twice, it says {show(said)} and "
+                f"{show(again)} of a run in {world.map}"
+            )
+        return said
 
 
 def task_named(given: object) -> Task:
@@ -248,46 +295,29 @@ def task_named(given: object) -> Task:
     return Task(code.name, code)
 
 
-@dataclass(slots=True)
-class JudgedWorld:
-    """A world in which a judge decides whether the run is over.
+class JudgedWorld(World):
+    """A world in which the judge of a task decides whether the run is over.
 
     Attributes:
-        world: in which one run takes place.
         task: with the judge.
-        walk: so far.
+        walk: of the one run that takes place here, so far.
     """
 
-    world: World
     task: Task
-    walk: WalkLog = field(init=False)
+    walk: WalkLog
 
-    def __post_init__(self) -> None:
-        self.walk = WalkLog(self.world)
-
-    @property
-    def initial(self) -> State:
-        """The state at the start."""
-        return self.world.initial
+    def __init__(self, world: World, task: Task) -> None:
+        super().__init__(world.map, world.lighthouse, world.start)
+        vars(self).update(task=task, walk=WalkLog(world))
 
     @property
-    def first(self) -> Percept:
-        """The percept before any motion."""
-        return self.world.first
-
-    @property
-    def told(self) -> Told:
-        """The value that the lighthouse tells before the start."""
-        return self.world.told
-
-    @property
+    @override
     def over(self) -> bool:
-        """Whether the judge says so."""
         return self.task.is_over(self.walk)
 
+    @override
     def step(self, state: State, action: Action) -> tuple[State, Percept]:
-        """The state after the action, and what is sensed there."""
-        after, percept = self.world.step(state, action)
+        after, percept = super().step(state, action)
         self.walk.add(action, percept)
         return after, percept
 
@@ -299,12 +329,7 @@ def _left(done: int, every: int, what: str) -> str | None:
 def _answer_of(ending: Ending) -> Any:
     """The answer, as a judge gets it."""
     match ending:
-        case Answered(estimate):
-            return estimate
-        case Undecided(quotient):
-            return quotient
-        case Said(value):
-            return value
-        case _:
-            assert isinstance(ending, Over)
-            return None
+        case Answered(answer) | Undecided(answer) | Said(answer):
+            return answer
+    assert isinstance(ending, Over)
+    return None

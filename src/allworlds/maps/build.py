@@ -9,7 +9,7 @@ one of the two.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any
 
 from allworlds.inputs.checks import InputError, show
@@ -111,36 +111,27 @@ def _assembled(vertices: Mapping[Any, Sequence[Any]]) -> CombinatorialMap:
             )
         d, e = darts
         alpha[d], alpha[e] = e, d
-    ensure_connected([*vertices], ([vertex_at[d] for d in ds] for ds in darts_of.values()))
-    return CombinatorialMap(tuple(sigma), tuple(alpha))
+    return map_at(sigma, alpha, vertex_at)
 
 
-def ensure_connected(vertices: Sequence[Any], edges: Iterable[Sequence[Any]]) -> None:
-    """Raise InvalidMap, naming a vertex, unless the edges connect all vertices."""
-    part = {v: v for v in vertices}
-    for v, w in edges:
-        _join(part, v, w)
-    for v in vertices:
-        if _part(part, v) != _part(part, vertices[0]):
-            raise InvalidMap(
-                f"vertex {show(v)} cannot be reached from vertex {show(vertices[0])}; "
-                "a map is connected"
-            )
+def map_at(
+    sigma: Sequence[int], alpha: Sequence[int], vertex_at: Sequence[object]
+) -> CombinatorialMap:
+    """The map of two permutations, of which ``vertex_at`` has the vertex of each dart.
 
-
-def _part(part: dict[Any, Any], v: Any) -> Any:
-    """The representative of ``v`` in a union-find forest (path halving)."""
-    while part[v] != v:
-        part[v] = part[part[v]]
-        v = part[v]
-    return v
-
-
-def _join(part: dict[Any, Any], v: Any, w: Any) -> bool:
-    """Join the parts of ``v`` and ``w``; return whether they were two."""
-    v, w = _part(part, v), _part(part, w)
-    part[v] = w
-    return bool(v != w)
+    Raises:
+        InvalidMap: naming a vertex that cannot be reached, or if there is no dart.
+    """
+    try:
+        return CombinatorialMap(sigma, alpha)
+    except InvalidMap as error:
+        if not error.clash:
+            raise
+        lost = min(dart for _, dart in error.clash)
+        raise InvalidMap(
+            f"vertex {show(vertex_at[lost])} cannot be reached from vertex {show(vertex_at[0])}; "
+            "a map is connected"
+        ) from None
 
 
 def cycle(n: int) -> CombinatorialMap:
@@ -195,17 +186,21 @@ def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 def _with_holes(rotation: dict[int, list[int]], holes: float, seed: int) -> dict[int, list[int]]:
     """The connected rotation less ``round(holes * m)`` edges, chosen in a random order.
 
-    Removing edges one after the other, bridges excepted, keeps in the end the spanning tree
-    that Kruskal's algorithm builds from the same order read backwards; so an edge is a bridge
-    in its turn exactly when it is in that tree.
+    Removing edges one after the other, bridges excepted, keeps in the end the least spanning tree,
+    where the first edges weigh most; so an edge is a bridge in its turn exactly when it is in it.
     """
     if not 0 <= holes <= 1:
         raise ValueError(f"holes = {holes} is not a fraction in 0..1")
+    if not holes:
+        return rotation
+    import networkx as nx  # 'import allworlds' stays fast
+
     edges = [(v, w) for v, around in rotation.items() for w in around if v < w]
     wanted = round(holes * len(edges))
     random.Random(seed).shuffle(edges)  # noqa: S311  # reproducible, not secret
-    part = {v: v for v in rotation}
-    tree = {edge for edge in reversed(edges) if _join(part, *edge)}
+    graph = nx.Graph()
+    graph.add_weighted_edges_from((v, w, -i) for i, (v, w) in enumerate(edges))
+    tree = {(min(edge), max(edge)) for edge in nx.minimum_spanning_edges(graph, data=False)}
     removable = [edge for edge in edges if edge not in tree]
     if wanted > len(removable):
         raise ValueError(
@@ -276,20 +271,13 @@ def _wheel(n: int) -> CombinatorialMap:
     return from_rotation([range(1, n + 1), *rim])
 
 
-def _cube() -> CombinatorialMap:
-    """The cube from above: vertices 0..3 clockwise round the outer square, 4..7 round the inner."""
-    outer = [[(i + 1) % 4, i + 4, (i - 1) % 4] for i in range(4)]
-    inner = [[i, (i + 1) % 4 + 4, (i - 1) % 4 + 4] for i in range(4)]
-    return from_rotation(outer + inner)
-
-
 def _of_digits(rotation: str) -> CombinatorialMap:
     """The map of a rotation in which each neighbour is a digit, and each vertex a word."""
     return from_rotation([[*map(int, vertex)] for vertex in rotation.split()])
 
 
 _SINGLE: dict[str, Callable[[], CombinatorialMap]] = {
-    "cube": _cube,
+    "cube": lambda: _of_digits("143 250 361 072 057 164 275 346"),
     "edge": lambda: from_cycles(["a", "a"]),
     "fig1-left": lambda: _of_digits("1235 046 067 078 156 084 214 328 537"),
     "fig1-right": lambda: _of_digits("1235 046 064 078 126 087 214 358 537"),

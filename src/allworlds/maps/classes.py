@@ -1,10 +1,15 @@
-"""**The** tables of the classes of maps and of the conditions that narrow them."""
+"""**The** tables of the classes of maps and of the conditions that narrow them.
+
+In this order: the classes; conditions, and the table of those with a name; classes of bounded size
+under a condition; the options by which requests name them.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
 from enum import StrEnum
+from itertools import groupby
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol
 
 from msgspec import Struct
@@ -21,105 +26,63 @@ from allworlds.inputs.checks import (
     show,
 )
 from allworlds.inputs.requests import SCOPE, Option, Request, Taken
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.combinatorial import CombinatorialMap, cycles
 
 if TYPE_CHECKING:
     from allworlds.maps.enumeration import Gluing
 
-OPEN = -1
+DEFAULT_EDGES = 5
+"""The number of edges up to which a check takes seconds."""
 
 
-def regular(gluing: Gluing, degree: int) -> bool:
-    """Every vertex so far has this degree, and the owed darts make vertices of it."""
-    room = gluing.limit - len(gluing.degrees)
-    return (
-        all(met == degree for met in gluing.degrees)
-        and gluing.owed % degree == 0
-        and gluing.owed <= room * degree
-    )
+class MapClass(StrEnum):
+    """A class of maps; the value is its name on the command line."""
+
+    MAPS = "maps"
+    SIMPLE = "simple"
+    PLANAR = "planar"
+    PLANAR_SIMPLE = "planar-simple"
+
+    @classmethod
+    def named(cls, text: object) -> MapClass:
+        """Return the class of that name.
+
+        Raises:
+            InputError: naming those that there are.
+        """
+        if not isinstance(text, str) or text not in list(cls):
+            raise InputError(f"class {show(text)} is not one of {', '.join(cls)}")
+        return cls(text)
+
+    @property
+    def summary(self) -> str:
+        """A description of these maps in a few words."""
+        return _SUMMARIES[self]
+
+    @property
+    def simple(self) -> bool:
+        """Whether loops and parallel edges are excluded."""
+        return self in (MapClass.SIMPLE, MapClass.PLANAR_SIMPLE)
+
+    @property
+    def planar(self) -> bool:
+        """Whether the genus of every map is 0."""
+        return self in (MapClass.PLANAR, MapClass.PLANAR_SIMPLE)
+
+    def includes(self, map_: CombinatorialMap) -> bool:
+        """Whether a map belongs to the class, by the map's own derived properties."""
+        return (not self.simple or map_.is_simple) and (not self.planar or map_.is_planar)
 
 
-def even(gluing: Gluing, _number: int) -> bool:
-    """Every vertex so far has an even degree."""
-    return not any(degree % 2 for degree in gluing.degrees)
+_SUMMARIES = {
+    MapClass.MAPS: "loops and parallel edges are allowed, and any genus",
+    MapClass.SIMPLE: "no loop, no two edges with the same ends",
+    MapClass.PLANAR: "of genus 0",
+    MapClass.PLANAR_SIMPLE: "of genus 0, no loop, no two edges with the same ends",
+}
 
 
-def tree(gluing: Gluing, _number: int) -> bool:
-    """Each edge so far has led to a new vertex, and each open dart can, too."""
-    open_darts = sum(map(len, gluing.faces))
-    edges = (len(gluing.alpha) - open_darts) // 2
-    return (
-        edges == len(gluing.degrees) - 1
-        and open_darts <= gluing.owed
-        and gluing.limit == gluing.edges + 1
-    )
-
-
-def girth_at_least(gluing: Gluing, least: int) -> bool:
-    """The cycle that the newest edge closes, if it closes one, has at least this length."""
-    dart = gluing.newest
-    if dart == OPEN:
-        return True
-    other, vertex = gluing.alpha[dart], gluing.vertex
-    beyond: list[set[int]] = [set() for _ in gluing.degrees]
-    for d, e in enumerate(gluing.alpha):
-        if e != OPEN and d not in (dart, other):
-            beyond[vertex[d]].add(vertex[e])
-    return _shortest_round(vertex[dart], vertex[other], beyond.__getitem__, least - 1) is None
-
-
-def _shortest_round(
-    start: int, goal: int, beyond: Callable[[int], Iterable[int]], most: int
-) -> int | None:
-    """The length of a shortest cycle through an edge with these ends, of those up to ``most``.
-
-    The other edges lead from a vertex to those ``beyond`` it.
-    """
-    ring, met = {start}, {start}
-    for length in range(1, most + 1):
-        if goal in ring:
-            return length
-        ring = {w for vertex in ring for w in beyond(vertex)} - met
-        if not ring:
-            break
-        met |= ring
-    return None
-
-
-def genus_exactly(gluing: Gluing, genus: int) -> bool:
-    """The surface so far has no more handles, and enough cycles to get as many are to come.
-
-    Closed edges alone make a surface whose handles stay; of a finished map with n vertices and one
-    face at least, ``2g <= m - n + 1``.
-    """
-    vertices = len(gluing.degrees)
-    most = (gluing.edges - vertices - (gluing.owed > 0) + 1) // 2
-    if genus > most:
-        return False
-    closed = [d for d, e in enumerate(gluing.alpha) if e != OPEN]
-    if not closed:
-        return True
-    faces = _faces_of_closed(gluing, closed)
-    return 2 - vertices + len(closed) // 2 - faces <= 2 * genus
-
-
-def _faces_of_closed(gluing: Gluing, closed: list[int]) -> int:
-    """The number of faces round the closed edges, as if there were no open darts."""
-    at: dict[int, list[int]] = {}
-    for dart in closed:
-        at.setdefault(gluing.vertex[dart], []).append(dart)
-    following = {
-        dart: after
-        for darts in at.values()
-        for dart, after in zip(darts, [*darts[1:], darts[0]], strict=True)
-    }
-    left, faces = set(closed), 0
-    while left:
-        faces += 1
-        dart = start = left.pop()
-        while (dart := following[gluing.alpha[dart]]) != start:
-            left.remove(dart)
-    return faces
+# ---------------------------------------------------------------- conditions
 
 
 class Condition(Protocol):
@@ -135,67 +98,6 @@ class Condition(Protocol):
     def holds(self, map_: CombinatorialMap) -> bool:
         """Whether the map has the property."""
 
-
-class ConditionKind(Struct, frozen=True):
-    """A condition that comes with this program.
-
-    Attributes:
-        holds: whether it does; of a map and the number of the name.
-        begins: whether a map of which it holds can begin as a partial gluing; of both likewise.
-        least: the least number that is legal; None where the name has none.
-        dual: such maps are made as the duals of maps that are glued together, and ``begins`` is
-            asked of these.
-    """
-
-    holds: Callable[[CombinatorialMap, int], bool]
-    begins: Callable[[Gluing, int], bool]
-    least: int | None = None
-    dual: bool = False
-
-
-def girth(map_: CombinatorialMap) -> int | None:
-    """The length of a shortest cycle; None of a tree.
-
-    A loop is a cycle of length 1, two parallel edges are one of length 2.
-    Cost: O(m) a dart.
-    """
-    owner, alpha = map_.vertex_of, map_.alpha
-    shortest: int | None = None
-    for d, e in map_.edges:
-
-        def beyond(vertex: int, edge: tuple[int, int] = (d, e)) -> list[int]:
-            return [owner[alpha[x]] for x in map_.vertices[vertex] if x not in edge]
-
-        most = map_.edge_count if shortest is None else shortest - 1
-        shortest = _shortest_round(owner[d], owner[e], beyond, most) or shortest
-    return shortest
-
-
-def _girth_at_least(map_: CombinatorialMap, least: int) -> bool:
-    length = girth(map_)
-    return length is None or length >= least
-
-
-def _faces_of(length: int) -> ConditionKind:
-    """Every face has that many darts."""
-    return ConditionKind(
-        lambda m, _: all(len(face) == length for face in m.faces),
-        lambda dual, _: regular(dual, length),
-        dual=True,
-    )
-
-
-CONDITIONS: dict[str, ConditionKind] = {
-    "cubic": ConditionKind(lambda m, _: {*m.degrees} == {3}, lambda g, _: regular(g, 3)),
-    "regular": ConditionKind(lambda m, d: {*m.degrees} == {d}, regular, 1),
-    "eulerian": ConditionKind(lambda m, _: not any(d % 2 for d in m.degrees), even),
-    "trees": ConditionKind(lambda m, _: m.edge_count == m.vertex_count - 1, tree),
-    "girth": ConditionKind(_girth_at_least, girth_at_least, 1),
-    "genus": ConditionKind(lambda m, g: m.genus == g, genus_exactly, 0),
-    "triangulation": _faces_of(3),
-    "quadrangulation": _faces_of(4),
-}
-"""Every condition with a name."""
 
 AND = " and "
 """The text between the names of several conditions."""
@@ -306,87 +208,151 @@ def condition_named(text: str) -> NamedCondition | None:
     return NamedCondition(text)
 
 
-DEFAULT_EDGES = 5
-"""The number of edges up to which a check takes seconds."""
+# ---------------------------------------------------------------- the conditions with a name
 
 
-class MapClass(StrEnum):
-    """A class of maps; the value is its name on the command line."""
-
-    MAPS = "maps"
-    SIMPLE = "simple"
-    PLANAR = "planar"
-    PLANAR_SIMPLE = "planar-simple"
-
-    @classmethod
-    def named(cls, text: object) -> MapClass:
-        """Return the class of that name.
-
-        Raises:
-            InputError: naming those that there are.
-        """
-        if not isinstance(text, str) or text not in list(cls):
-            raise InputError(f"class {show(text)} is not one of {', '.join(cls)}")
-        return cls(text)
-
-    @property
-    def summary(self) -> str:
-        """A description of these maps in a few words."""
-        return _KINDS[self].summary
-
-    @property
-    def simple(self) -> bool:
-        """Whether loops and parallel edges are excluded."""
-        return _KINDS[self].simple
-
-    @property
-    def planar(self) -> bool:
-        """Whether the genus of every map is 0."""
-        return _KINDS[self].planar
-
-    @property
-    def promises(self) -> bool:
-        """Whether a promise of the class can make an explorer right without folding its log."""
-        return self.planar or not self.plain
-
-    @property
-    def plain(self) -> bool:
-        """Whether ``simple`` and ``planar`` alone define it, as compiled code assumes."""
-        return _KINDS[self].further is None
-
-    def includes(self, map_: CombinatorialMap) -> bool:
-        """Whether a map belongs to the class, by the map's own derived properties."""
-        further = _KINDS[self].further
-        return (
-            (not self.simple or map_.is_simple)
-            and (not self.planar or map_.is_planar)
-            and (further is None or further(map_))
-        )
+OPEN = -1
 
 
-class _Kind(Struct, frozen=True):
-    """The properties of a class.
+class ConditionKind(Struct, frozen=True):
+    """A condition that comes with this program.
 
     Attributes:
-        summary: a description of these maps in a few words.
-        simple, planar: whether all of them are.
-        further: what else is true of exactly these.
+        holds: whether it does; of a map and the number of the name.
+        begins: whether a map of which it holds can begin as a partial gluing; of both likewise.
+        least: the least number that is legal; None where the name has none.
+        dual: such maps are made as the duals of maps that are glued together, and ``begins`` is
+            asked of these.
     """
 
-    summary: str
-    simple: bool = False
-    planar: bool = False
-    further: Callable[[CombinatorialMap], bool] | None = None
+    holds: Callable[[CombinatorialMap, int], bool]
+    begins: Callable[[Gluing, int], bool]
+    least: int | None = None
+    dual: bool = False
 
 
-_KINDS = {
-    MapClass.MAPS: _Kind("loops and parallel edges are allowed, and any genus"),
-    MapClass.SIMPLE: _Kind("no loop, no two edges with the same ends", simple=True),
-    MapClass.PLANAR: _Kind("of genus 0", planar=True),
-    MapClass.PLANAR_SIMPLE: _Kind(
-        "of genus 0, no loop, no two edges with the same ends", simple=True, planar=True
-    ),
+def girth(map_: CombinatorialMap) -> int | None:
+    """The length of a shortest cycle; None of a tree.
+
+    A loop is a cycle of length 1, two parallel edges are one of length 2.
+    Cost: O(m) a dart.
+    """
+    owner, alpha = map_.vertex_of, map_.alpha
+    shortest: int | None = None
+    for d, e in map_.edges:
+
+        def beyond(vertex: int, edge: tuple[int, int] = (d, e)) -> list[int]:
+            return [owner[alpha[x]] for x in map_.vertices[vertex] if x not in edge]
+
+        most = map_.edge_count if shortest is None else shortest - 1
+        shortest = _shortest_round(owner[d], owner[e], beyond, most) or shortest
+    return shortest
+
+
+def regular(gluing: Gluing, degree: int) -> bool:
+    """Every vertex so far has this degree, and the owed darts make vertices of it."""
+    room = gluing.limit - len(gluing.degrees)
+    return (
+        all(met == degree for met in gluing.degrees)
+        and gluing.owed % degree == 0
+        and gluing.owed <= room * degree
+    )
+
+
+def even(gluing: Gluing, _number: int) -> bool:
+    """Every vertex so far has an even degree."""
+    return not any(degree % 2 for degree in gluing.degrees)
+
+
+def tree(gluing: Gluing, _number: int) -> bool:
+    """Each edge so far has led to a new vertex, and each open dart can, too."""
+    open_darts = sum(map(len, gluing.faces))
+    edges = (len(gluing.alpha) - open_darts) // 2
+    return (
+        edges == len(gluing.degrees) - 1
+        and open_darts <= gluing.owed
+        and gluing.limit == gluing.edges + 1
+    )
+
+
+def girth_at_least(gluing: Gluing, least: int) -> bool:
+    """The cycle that the newest edge closes, if it closes one, has at least this length."""
+    dart = gluing.newest
+    if dart == OPEN:
+        return True
+    other, vertex = gluing.alpha[dart], gluing.vertex
+    beyond: list[set[int]] = [set() for _ in gluing.degrees]
+    for d, e in enumerate(gluing.alpha):
+        if e != OPEN and d not in (dart, other):
+            beyond[vertex[d]].add(vertex[e])
+    return _shortest_round(vertex[dart], vertex[other], beyond.__getitem__, least - 1) is None
+
+
+def _shortest_round(
+    start: int, goal: int, beyond: Callable[[int], Iterable[int]], most: int
+) -> int | None:
+    """The length of a shortest cycle through an edge with these ends, of those up to ``most``.
+
+    The other edges lead from a vertex to those ``beyond`` it.
+    """
+    ring, met = {start}, {start}
+    for length in range(1, most + 1):
+        if goal in ring:
+            return length
+        ring = {w for vertex in ring for w in beyond(vertex)} - met
+        if not ring:
+            break
+        met |= ring
+    return None
+
+
+def genus_exactly(gluing: Gluing, genus: int) -> bool:
+    """The surface so far has no more handles, and enough cycles to get as many are to come.
+
+    Closed edges alone make a surface whose handles stay; of a finished map with n vertices and one
+    face at least, ``2g <= m - n + 1``.
+    """
+    vertices = len(gluing.degrees)
+    most = (gluing.edges - vertices - (gluing.owed > 0) + 1) // 2
+    if genus > most:
+        return False
+    closed = [d for d, e in enumerate(gluing.alpha) if e != OPEN]
+    following: dict[int, int] = {}
+    for _, group in groupby(closed, gluing.vertex.__getitem__):
+        around = [*group]
+        following.update(zip(around, [*around[1:], around[0]], strict=True))
+    number = {dart: i for i, dart in enumerate(closed)}
+    faces = len(cycles([number[following[gluing.alpha[dart]]] for dart in closed]))
+    return not closed or 2 - vertices + len(closed) // 2 - faces <= 2 * genus
+
+
+def _girth_at_least(map_: CombinatorialMap, least: int) -> bool:
+    length = girth(map_)
+    return length is None or length >= least
+
+
+def _faces_of(length: int) -> ConditionKind:
+    """Every face has that many darts."""
+    return ConditionKind(
+        lambda m, _: all(len(face) == length for face in m.faces),
+        lambda dual, _: regular(dual, length),
+        dual=True,
+    )
+
+
+CONDITIONS: dict[str, ConditionKind] = {
+    "cubic": ConditionKind(lambda m, _: {*m.degrees} == {3}, lambda g, _: regular(g, 3)),
+    "regular": ConditionKind(lambda m, d: {*m.degrees} == {d}, regular, 1),
+    "eulerian": ConditionKind(lambda m, _: not any(d % 2 for d in m.degrees), even),
+    "trees": ConditionKind(lambda m, _: m.edge_count == m.vertex_count - 1, tree),
+    "girth": ConditionKind(_girth_at_least, girth_at_least, 1),
+    "genus": ConditionKind(lambda m, g: m.genus == g, genus_exactly, 0),
+    "triangulation": _faces_of(3),
+    "quadrangulation": _faces_of(4),
 }
+"""Every condition with a name."""
+
+# ---------------------------------------------------------------- classes of a size
 
 
 class Extent(Struct, frozen=True):
@@ -455,7 +421,7 @@ class Extent(Struct, frozen=True):
 # ---------------------------------------------------------------- as requests ask for it
 
 
-class AskedClass(Request):
+class ClassOptions(Request):
     """The part of a request that names a class of maps."""
 
     map_class: Annotated[
@@ -470,7 +436,7 @@ class AskedClass(Request):
     ] = Taken(MapClass.named, MapClass.MAPS.value)
 
 
-class AskedSize(Request):
+class SizeOptions(Request):
     """The part of a request that bounds the size of maps."""
 
     edges: Annotated[
@@ -488,7 +454,7 @@ class AskedSize(Request):
     ] = None
 
 
-class AskedExtent(AskedClass, AskedSize):
+class ExtentOptions(ClassOptions, SizeOptions):
     """The part of a request that names a class of maps and bounds their size."""
 
     @property

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import TypeAlias
 
 from allworlds.maps.classes import Extent, NamedCondition
-from allworlds.maps.counting.sources import CountSource, source_for, sources_under
+from allworlds.maps.counting.sources import NARROWED, SOURCES, CountSource
 from allworlds.maps.enumeration import Gluing
 
 Size: TypeAlias = tuple[int, int]
@@ -74,14 +74,7 @@ def source_of(extent: Extent) -> CountSource | None:
     """The source of the numbers of the maps in an extent; None where a condition has none."""
     where = extent.where
     if where is None:
-        return source_for(extent.map_class)
+        return SOURCES[extent.map_class]
     if isinstance(where, NamedCondition):
-        found = sources_under(extent.map_class, where.kind, where.number)
-        return next(iter(found), None)
+        return NARROWED[where.kind](extent.map_class, where.number)
     return None
-
-
-def source_name(extent: Extent) -> str:
-    """The name of that source; empty where there is none."""
-    source = source_of(extent)
-    return source.name if source else ""

@@ -212,13 +212,12 @@ def rooted_maps(
     for decision in prefix:
         gluing.apply(decision)
     every = _completions(gluing)
-    if map_class.plain and where is None:
+    if where is None:
         yield from every
         return
     most = edges + 1 if vertices is None else vertices
     for map_ in every:
-        of_class = map_class.includes(map_) and map_.vertex_count <= most
-        if of_class and (where is None or where.holds(map_)):
+        if map_class.includes(map_) and map_.vertex_count <= most and where.holds(map_):
             yield map_
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from itertools import cycle as repeated, islice, pairwise
 from random import Random
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 
@@ -132,7 +132,7 @@ def cover(sheets: int, random: Random) -> CombinatorialMap:
 
 
 def _matched(darts: list[int], random: Random) -> Ends:
-    """A random matching of darts that are given by their vertices."""
+    """A random matching of darts, or of the vertices at which they are."""
     shuffled = darts[:]
     random.shuffle(shuffled)
     return list(zip(shuffled[::2], shuffled[1::2], strict=True))
@@ -167,7 +167,7 @@ def usual_degree(far: int) -> int:
     return 12 * far + 6
 
 
-def apart(kind: int) -> tuple[int, int]:
+def out_darts(kind: int) -> tuple[int, int]:
     """The out-darts of a hub of some type; classes of different types are disjoint."""
     return -4 * kind, -4 * kind - 2
 
@@ -220,66 +220,32 @@ class CorridorShape(Struct, frozen=True):
         return self.hubs * self.degree // 2 + 1
 
 
-class Corridor(Struct, frozen=True):
-    """A world of the family before its free darts are matched.
+def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
+    """The world with F far hubs of degree R, near loops and far matching drawn.
 
-    Attributes:
-        shape: its numbers.
-        sigma: the rotations; vertex 0 has darts 0 and 1, hub l those from 2 + (l - 1)R on.
-        alpha: the fixed edges; ``alpha[d] == d`` marks a free dart.
-        free: the free darts, in the order in which they are matched in pairs at first.
+    Vertex 0 has darts 0 and 1, hub l those from 2 + (l - 1)R on.
     """
-
-    shape: CorridorShape
-    sigma: tuple[int, ...]
-    alpha: tuple[int, ...]
-    free: tuple[int, ...]
-
-    def matched(self, partners: Sequence[tuple[int, int]]) -> CombinatorialMap:
-        """The map with these edges between the free darts."""
-        alpha = list(self.alpha)
-        for d, e in partners:
-            alpha[d], alpha[e] = e, d
-        return CombinatorialMap(self.sigma, tuple(alpha))
-
-
-def corridor_skeleton(
-    shape: CorridorShape, random: Random, outs: Callable[[int], tuple[int, int]] = apart
-) -> Corridor:
-    """A corridor with drawn near loops, and its free darts in a drawn order.
-
-    Args:
-        shape: its numbers.
-        random: the source of all that is drawn.
-        outs: the out-darts of a hub of some type; others than :func:`apart` break the lemmas.
-    """
-    degree = shape.degree
-    sigma, alpha = [1, 0], list(range(2 + shape.hubs * degree))
-    free: list[int] = []
-
-    def join(d: int, e: int) -> None:
-        alpha[d], alpha[e] = e, d
-
-    join(0, 2)
-    join(1, 3)
+    shape = CorridorShape(far, degree)
+    numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
+    random = Random(f"corridor/{numbers}/{seed}")  # noqa: S311  # reproducible
+    sigma, pairs, free = [1, 0], [(0, 2), (1, 3)], list[int]()
     for hub, kind in enumerate(hub_types(shape), 1):
         base = 2 + (hub - 1) * degree
         sigma += [*range(base + 1, base + degree), base]
-        fixed = {base, base + 1}
+        fixed = [base, base + 1]
         if hub < shape.hubs:
-            for k, out in enumerate(outs(kind)):
-                dart = base + out % degree
-                fixed.add(dart)
-                join(dart, base + degree + k)
+            outs = [base + out % degree for out in out_darts(kind)]
+            pairs += zip(outs, (base + degree, base + degree + 1), strict=True)
+            fixed += outs
         rest = [d for d in range(base, base + degree) if d not in fixed]
         if hub <= shape.near:
-            random.shuffle(rest)
-            for d, e in zip(rest[::2], rest[1::2], strict=True):
-                join(d, e)
+            pairs += _matched(rest, random)
         else:
             free += rest
-    random.shuffle(free)
-    return Corridor(shape, tuple(sigma), tuple(alpha), tuple(free))
+    alpha = [0] * len(sigma)
+    for d, e in pairs + _matched(free, random):
+        alpha[d], alpha[e] = e, d
+    return CombinatorialMap(sigma, alpha)
 
 
 def hub_types(shape: CorridorShape) -> Iterator[int]:
@@ -304,14 +270,6 @@ def _de_bruijn(letters: int, length: int) -> Iterator[int]:
             word[-1] += 1
 
 
-def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
-    """The world with F far hubs of degree R, near loops and far matching drawn."""
-    numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
-    random = Random(f"corridor/{numbers}/{seed}")  # noqa: S311  # reproducible
-    drawn = corridor_skeleton(CorridorShape(far, degree), random)
-    return drawn.matched(list(zip(drawn.free[::2], drawn.free[1::2], strict=True)))
-
-
 def corridor_edges(far: int, degree: int) -> int:
     """The number of edges m; 0 where there is no such corridor."""
     try:
@@ -330,14 +288,14 @@ class Family(Struct, frozen=True):
     Attributes:
         form: how a member is written; a capital letter stands for a number.
         edges: the number of edges of the member with these numbers, without holes.
-        build: the member, from these numbers, the fraction of holes, and a seed.
+        build: the member; of these numbers, the fraction of holes, and a seed.
         has_holes: edges can be removed from it.
         one_map: without holes a seed draws no more than the dart where a robot starts.
     """
 
     form: str
     edges: Callable[..., int]
-    build: Callable[[tuple[int, ...], float, int], CombinatorialMap]
+    build: Callable[..., CombinatorialMap]
     has_holes: bool = False
     one_map: bool = False
 
@@ -366,7 +324,7 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     if holes and not kind.has_holes:
         raise InputError(f"holes are for {_WITH_HOLES}, not for {text}")
     try:
-        return kind.build(sizes, holes, seed)
+        return kind.build(*sizes, holes, seed)
     except ValueError as error:
         raise InputError(f"family {text}: {error}") from None
 
@@ -421,12 +379,6 @@ def random_map(edges: int, random: Random) -> CombinatorialMap:
             continue
 
 
-def _random(sizes: tuple[int, ...], _holes: float, seed: int) -> CombinatorialMap:
-    if sizes[0] < 1:
-        raise InputError("a map has at least 1 edge")
-    return random_map(sizes[0], Random(seed))  # noqa: S311  # reproducible, not secret
-
-
 def _lattice(rows: int, columns: int, holes: float, seed: int) -> CombinatorialMap:
     map_ = lattice(rows, columns, holes, seed)
     if holes or not seed:
@@ -435,12 +387,17 @@ def _lattice(rows: int, columns: int, holes: float, seed: int) -> CombinatorialM
     return CombinatorialMap(*rooted_code(map_.sigma, map_.alpha, start))
 
 
-def _from_seed(
-    draw: Callable[..., CombinatorialMap],
-) -> Callable[[tuple[int, ...], float, int], CombinatorialMap]:
+def _random(edges: int, _holes: float, seed: int) -> CombinatorialMap:
+    if edges < 1:
+        raise ValueError("a map has at least 1 edge")
+    return random_map(edges, Random(seed))  # noqa: S311  # reproducible, not secret
+
+
+def _from_seed(draw: Callable[..., CombinatorialMap]) -> Callable[..., CombinatorialMap]:
     """A family that is drawn; each size is drawn independently."""
 
-    def build(sizes: tuple[int, ...], _holes: float, seed: int) -> CombinatorialMap:
+    def build(*numbers: Any) -> CombinatorialMap:
+        *sizes, _holes, seed = numbers
         name = "x".join(map(str, sizes))
         return draw(*sizes, Random(f"{draw.__name__}/{name}/{seed}"))  # noqa: S311  # as above
 
@@ -451,24 +408,19 @@ FAMILIES = (
     Family(
         "lattice:RxC",
         lambda r, c: r * (c - 1) + c * (r - 1),
-        lambda size, holes, seed: _lattice(size[0], size[1], holes, seed),
+        _lattice,
         has_holes=True,
         one_map=True,
     ),
     Family(
         "strip:C",
         lambda c: 3 * c - 2,
-        lambda size, holes, seed: _lattice(2, size[0], holes, seed),
+        lambda c, holes, seed: _lattice(2, c, holes, seed),
         has_holes=True,
         one_map=True,
     ),
-    Family(
-        "dense:N",
-        lambda n: n * (n - 1) // 2,
-        lambda size, holes, seed: dense(size[0], holes, seed),
-        has_holes=True,
-    ),
-    Family("cycle:N", lambda n: n, lambda size, _holes, _seed: cycle(size[0]), one_map=True),
+    Family("dense:N", lambda n: n * (n - 1) // 2, dense, has_holes=True),
+    Family("cycle:N", lambda n: n, lambda n, _holes, _seed: cycle(n), one_map=True),
     Family("torus:RxC", lambda r, c: 2 * r * c, _from_seed(torus), one_map=True),
     Family("cubic:N", lambda n: 3 * n // 2, _from_seed(cubic)),
     Family("regular:DxN", lambda d, n: d * n // 2, _from_seed(regular)),
@@ -484,13 +436,9 @@ FAMILIES = (
     Family(
         "corridor:F",
         lambda f: corridor_edges(f, usual_degree(f)),
-        lambda size, _holes, seed: corridor(size[0], usual_degree(size[0]), seed),
+        lambda f, _holes, seed: corridor(f, usual_degree(f), seed),
     ),
-    Family(
-        "corridor:FxR",
-        corridor_edges,
-        lambda size, _holes, seed: corridor(size[0], size[1], seed),
-    ),
+    Family("corridor:FxR", corridor_edges, lambda f, r, _holes, seed: corridor(f, r, seed)),
 )
 """Every family."""
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from allworlds.inputs.checks import integer, show
-from allworlds.maps.build import ensure_connected, from_rotation
+from allworlds.maps.build import from_rotation, map_at
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles
 
 if TYPE_CHECKING:
@@ -192,8 +192,7 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     for vertex, count in pieces.most_common(1):
         if count > 1:
             raise InvalidMap(f"at vertex {show(vertex)} {count} pieces of surface meet; 1 is legal")
-    ensure_connected([*pieces], ways)
-    return CombinatorialMap(sigma, alpha)
+    return map_at(sigma, alpha, [vertex for vertex, _ in ways])
 
 
 def from_planar_embedding(embedding: nx.PlanarEmbedding) -> CombinatorialMap:

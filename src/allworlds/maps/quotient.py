@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Hashable, Sequence
 from functools import cached_property
+from itertools import accumulate
 from math import factorial, gcd, perm, prod
 from typing import NamedTuple, TypeAlias
 
@@ -29,43 +30,31 @@ def coarsest_partition(
     Cost: O(n log n) for each permutation.  Source: Hopcroft 1971 ('process the smaller
     half').
     """
-    return _Partition(labels).refined(permutations)
+    parts = _Partition(labels)
+    inverses = [inverse(permutation) for permutation in permutations]
+    # What splits by the largest block splits by the others too.
+    sizes = [past - first for first, past in zip(parts.first, parts.past, strict=True)]
+    largest = sizes.index(max(sizes))
+    waiting = [block for block in range(len(sizes)) if block != largest]
+    while waiting:
+        splitter = waiting.pop()
+        members = parts.elements[parts.first[splitter] : parts.past[splitter]]
+        for back in inverses:
+            waiting += parts.split([back[element] for element in members])
+    return parts.block
 
 
 class _Partition:
     """Blocks as intervals of one array: block ``b`` is ``elements[first[b]:past[b]]``."""
 
     def __init__(self, labels: Sequence[Hashable]) -> None:
-        groups: dict[Hashable, list[int]] = {}
-        for element, label in enumerate(labels):
-            groups.setdefault(label, []).append(element)
-        self.elements = [element for group in groups.values() for element in group]
-        self.place = [0] * len(labels)
-        self.block = [0] * len(labels)
-        self.first: list[int] = []
-        self.past: list[int] = []
-        for place, element in enumerate(self.elements):
-            self.place[element] = place
-        end = 0
-        for number, group in enumerate(groups.values()):
-            self.first.append(end)
-            end += len(group)
-            self.past.append(end)
-            for element in group:
-                self.block[element] = number
-
-    def refined(self, permutations: Sequence[Sequence[int]]) -> list[int]:
-        inverses = [inverse(permutation) for permutation in permutations]
-        # What splits by the largest block splits by the others too.
-        sizes = [past - first for first, past in zip(self.first, self.past, strict=True)]
-        largest = sizes.index(max(sizes))
-        waiting = [block for block in range(len(sizes)) if block != largest]
-        while waiting:
-            splitter = waiting.pop()
-            members = self.elements[self.first[splitter] : self.past[splitter]]
-            for back in inverses:
-                waiting += self.split([back[element] for element in members])
-        return self.block
+        number: dict[Hashable, int] = {}
+        self.block = [number.setdefault(label, len(number)) for label in labels]
+        self.elements = sorted(range(len(labels)), key=self.block.__getitem__)
+        self.place = inverse(self.elements)
+        sizes = Counter(self.block)
+        self.past = [*accumulate(sizes[block] for block in range(len(sizes)))]
+        self.first = [0, *self.past[:-1]]
 
     def split(self, chosen: Sequence[int]) -> list[int]:
         """Split every block into its chosen and its other elements; the new blocks.

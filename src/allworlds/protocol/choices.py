@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Sized
 from random import Random
-from typing import Literal, Protocol, TypeAlias, TypeVar, cast, get_args, overload
+from typing import Literal, Protocol, TypeAlias, TypeVar, cast, get_args
 
 from typing_extensions import override
 
@@ -146,11 +146,7 @@ class Choices:
                 _check_costs(options, cost)
         turn = len(self.record)
         try:
-            # Options may compute their number; who need not know it does not ask.
-            if turn < len(self._script) and 0 <= self._script[turn] < len(options):
-                index = self._script[turn]
-            else:
-                index = self._policy.choose(of, options, cost)
+            index = self._index(of, options, cost)
             picked = options[index]
         except IndexError:
             raise ValueError(f"there is nothing to choose from: no option of {of}") from None
@@ -158,6 +154,13 @@ class Choices:
             raise ValueError("to look at the options was a choice of its own")
         self.record.append(index)
         return picked
+
+    def _index(self, of: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+        turn = len(self.record)
+        # Options may compute their number; who need not know it does not ask.
+        if turn < len(self._script) and 0 <= self._script[turn] < len(options):
+            return self._script[turn]
+        return self._policy.choose(of, options, cost)
 
 
 def _check_sequence(name: str, given: object) -> None:
@@ -201,33 +204,20 @@ class ScheduledChoices(Choices):
     """
 
     def __init__(self, script: Sequence[int]) -> None:
-        super().__init__(Fifo(), script)
+        super().__init__(script=script)
+        self._width = 0
 
     @override
     def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
-        _check_sequence("options", options)
-        # Asked once: it may be the explorer's code, and say something else the next time.
-        count = len(options)
-        picked = super().pick(_Fixed(options, count), of, cost)
-        self.widths.append(count)
+        picked = super().pick(options, of, cost)
+        self.widths.append(self._width)
         return picked
 
-
-class _Fixed(Sequence[T]):
-    """Options whose number does not change after it was asked for once."""
-
-    def __init__(self, options: Sequence[T], count: int) -> None:
-        self._options, self._count = options, count
-
-    def __len__(self) -> int:
-        return self._count
-
-    @overload
-    def __getitem__(self, index: int) -> T: ...
-    @overload
-    def __getitem__(self, index: slice) -> Sequence[T]: ...
-    def __getitem__(self, index: int | slice) -> T | Sequence[T]:
-        return self._options[index]
+    @override
+    def _index(self, of: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+        # Asked once: it may be the explorer's code, and say something else the next time.
+        self._width = len(options)
+        return super()._index(of, range(self._width), cost)
 
 
 Schedule: TypeAlias = Literal["one", "all"]

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, TypeAlias
 
 ANSWER_TIMEOUT = 10.0
 """Seconds of silence that break the law ``timeout``, unless another time is named."""
+
+
+FaultLaw: TypeAlias = Literal["crash", "timeout", "illegal-action", "no-estimate"]
+"""The laws that an explorer outside this process breaks by what it says."""
 
 
 class ExplorerFault(Exception):
     """Raised by an adapter (a pipe to a user's program) in place of an action.
 
     Attributes:
-        law: the broken law: ``crash``, ``timeout``, ``illegal-action`` or ``no-estimate``.
+        law: the broken law.
         seen: a sentence: the event in place of an answer.
         detail: for example the tail of the program's stderr; may be empty.
         machine: whether the machine, not the program, may be the cause.
@@ -20,7 +24,7 @@ class ExplorerFault(Exception):
 
     def __init__(
         self,
-        law: Literal["crash", "timeout", "illegal-action", "no-estimate"],
+        law: FaultLaw,
         seen: str,
         detail: str = "",
         *,

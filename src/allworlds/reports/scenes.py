@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from allworlds.judging.findings.belief import believed_walk
-from allworlds.judging.findings.walks import true_walk
+from allworlds.judging.findings.walks import believed_walk, true_walk
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate

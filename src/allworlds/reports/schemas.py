@@ -29,8 +29,8 @@ from allworlds.maps.classes import MapClass
 from allworlds.outcome import Result, Verdict
 from allworlds.protocol.answers import Estimate, RootedMap
 from allworlds.protocol.transcript import AtStart, Dropped, Moved, Picked, Transcript, Wrote
-from allworlds.studies.check.time_estimate import TimeEstimate
-from allworlds.studies.run.run_request import WorldNames
+from allworlds.studies.check.exhaustive import TimeEstimate
+from allworlds.studies.run import WorldNames
 from allworlds.verbs import VERBS, Verb
 from allworlds.world.corpus import Manifest
 from allworlds.world.lighthouses.base import Lighthouse

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from allworlds.protocol.actions import Percept
     from allworlds.reports.drawing.scene import Scene
     from allworlds.reports.rows import CsvRows
-    from allworlds.studies.run.hypotheses import Hypothesis
 
 
 class Shown(Struct, frozen=True):
@@ -170,7 +169,6 @@ class ToldWalk(Struct, frozen=True):
         agreement: the number of steps, the start included, for which the first two views show the
             same, which are then drawn alike; None where each is drawn by itself.
         parting: the step at which belief and truth part.
-        tests: the hypotheses that are tested on the way.
         tour: it only leads along every edge: its steps say nothing by themselves.
     """
 
@@ -181,7 +179,6 @@ class ToldWalk(Struct, frozen=True):
     elsewhere: Elsewhere | None = None
     agreement: int | None = None
     parting: int | None = None
-    tests: Sequence[Hypothesis] = ()
     tour: bool = False
 
     @property

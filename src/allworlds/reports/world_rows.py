@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from allworlds.engines.swept_report import By
 from allworlds.reports.rows import CsvRows, Value
-from allworlds.studies.compare.contestants import InWorld
+from allworlds.studies.compare.entrants import InWorld
 from allworlds.world.named import code_of
 
 NAMES = {"code": str, "family": str, "holes": str, "seed": int, "edges": int, "vertices": int}

@@ -5,14 +5,13 @@ from __future__ import annotations
 import shlex
 from collections.abc import Mapping
 from dataclasses import KW_ONLY
-from importlib.resources import files
 from pathlib import Path
 from typing import Annotated, Literal, overload
 
 from allworlds.document.report import Report
 from allworlds.document.struct import Positive, Text, about, computed, one_of
-from allworlds.explorers.shared_library.library import INTERFACE_VERSION, header_text
-from allworlds.explorers.skeletons.languages import LANGUAGES, Language, templates, templates_in
+from allworlds.explorers.languages import LANGUAGES, SKELETONS, Language, templates
+from allworlds.explorers.shared_library import INTERFACE_VERSION, header_text
 from allworlds.inputs.checks import InputError, a_path, one_of as one_of_these, show
 from allworlds.inputs.requests import OUTPUT, Argument, Option, Request, takes_fields
 
@@ -107,14 +106,13 @@ def begun(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
     if request.ledger:
         if lang is not None:
             raise InputError(f"lang {show(lang)} has no effect beside ledger")
-        folder = files("allworlds.studies") / "ledger" / "skeleton"
-        texts = dict(templates_in(folder))
+        texts = templates(Path(__file__).with_name("ledger") / "skeleton")
         return LedgerSkeleton(directory=_written(directory, texts), files=tuple(texts))
     if lang is None:
         lang = "python"
     if lang not in LANGUAGES:
         raise InputError(f"lang {show(lang)} is not one of {', '.join(LANGUAGES)}")
-    texts = dict(templates(lang))
+    texts = templates(SKELETONS / lang)
     return Skeleton(directory=_written(directory, texts), lang=lang, files=tuple(texts))
 
 

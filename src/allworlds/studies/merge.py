@@ -39,7 +39,7 @@ def sweep_of(verb: str) -> type[Sweep[Any, Any]]:
 
             return FuzzSweep
         case "compare":
-            from allworlds.studies.compare.contest import SameWorlds
+            from allworlds.studies.compare.comparison import SameWorlds
 
             return SameWorlds
         case "worst":

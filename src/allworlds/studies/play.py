@@ -21,7 +21,7 @@ from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.lighthouses.kinds import GivenLighthouse, kind_of
 from allworlds.world.lighthouses.marked import Directional
-from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, a_world
+from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, world_named
 from allworlds.world.world import World
 
 LARGEST = 200
@@ -135,7 +135,7 @@ def play(request: PlayRequest) -> Play:
     Raises:
         InputError: if there is no such world.
     """
-    world = a_world(request.world, request.lighthouse, request.seed, request.holes)
+    world = world_named(request.world, request.lighthouse, request.seed, request.holes)
     player = request.player
     state, percept, steps, refused = world.initial, world.first, [], ""
     while (action := player(percept, refused)) is not None:

@@ -20,11 +20,10 @@ from allworlds.document.struct import (
 from allworlds.engines.effort import AskedPatience
 from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
 from allworlds.explorers.asked import ProgramWords
-from allworlds.explorers.names import own_bound
+from allworlds.explorers.loading import own_bound
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import SCOPE, Named, Option, Request, answers
-from allworlds.judging.findings.asked_finding import AskedFinding
-from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.finding import AskedFinding, Finding
 from allworlds.judging.findings.walks import recorded_trail
 from allworlds.judging.laws.law_table import LawName
 from allworlds.outcome import Exit, Facts

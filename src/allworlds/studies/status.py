@@ -19,9 +19,9 @@ from allworlds.document.struct import (
     WhichShard,
     about,
 )
-from allworlds.engines.database import reading
+from allworlds.engines.job_records import ENDED
 from allworlds.engines.progress import Silent
-from allworlds.engines.run_directory import ENDED, in_use
+from allworlds.engines.run_directory import in_use, reading
 from allworlds.engines.units import is_counted, shards_of
 from allworlds.inputs.checks import a_path
 from allworlds.inputs.requests import Argument, Request, answers, given_again

@@ -29,14 +29,15 @@ if TYPE_CHECKING:
         Where as Where,
     )
     from allworlds.world.lighthouses.composed import Composed as Composed
-    from allworlds.world.lighthouses.everywhere import Compass as Compass, Labels as Labels
     from allworlds.world.lighthouses.kinds import (
         LIGHTHOUSES as LIGHTHOUSES,
         lighthouse_named as lighthouse_named,
     )
     from allworlds.world.lighthouses.marked import (
         Cluster as Cluster,
+        Compass as Compass,
         Directional as Directional,
+        Labels as Labels,
         Natural as Natural,
         Position as Position,
     )

@@ -147,7 +147,7 @@ def _lighthouse(given: object) -> LighthouseKind | None:
     return None if given is None else tried_kind(given)
 
 
-class AskedLighthouse(Request):
+class LighthouseOptions(Request):
     """The part of a request that names the kind of lighthouse."""
 
     lighthouse: Annotated[

@@ -1,9 +1,12 @@
-"""The checker of bisimulations; the way in which they were found is not used."""
+"""The checker of bisimulations, and worlds that are the same; how twins are found is not used."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+from allworlds.maps.canonical import carries, numbering
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.actions import Move, Percept
 from allworlds.world.world import World
 
 
@@ -34,3 +37,33 @@ def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str 
                 if a != b:
                     return f"{first[0]} and {mine[0]} are in class {q}, but differ in {what}"
     return None
+
+
+def same_world_from(a: World, b: World) -> Dart | None:
+    """The start with which ``b`` is the same world as ``a``, its own if that is one.
+
+    With it an isomorphism of the maps and their percepts takes start to start.  None if there is
+    none: the two are different worlds.
+
+    Cost: O(m) where there is one at once, O(m^2) at worst.
+    """
+    if len(a.map.sigma) != len(b.map.sigma):
+        return None
+    order = numbering(a.map.sigma, a.map.alpha, a.start)
+    for image in (b.start, *b.map.darts):
+        if a.first == b.percepts[image] and carries(
+            a.map.sigma, a.map.alpha, order, b.map.sigma, b.map.alpha, image
+        ):
+            images = numbering(b.map.sigma, b.map.alpha, image)
+            if all(a.percepts[d] == b.percepts[e] for d, e in zip(order, images, strict=True)):
+                return image
+    return None
+
+
+def sensed(world: World, motions: Sequence[int]) -> tuple[Percept, ...]:
+    """The percepts at the start and after each of the motions."""
+    state, percepts = world.initial, [world.first]
+    for k in motions:
+        state, percept = world.step(state, Move(k))
+        percepts.append(percept)
+    return tuple(percepts)

@@ -24,7 +24,7 @@ from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.families import FORMS, family
 from allworlds.world.asked_lighthouse import tried_kind
-from allworlds.world.corpus import own_corpus
+from allworlds.world.corpus import CorpusEntry, own_corpus
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
     OWN,
@@ -56,50 +56,36 @@ HOLES = Option(
 """An option of every verb that takes a family."""
 
 
-def a_world(
-    given: object, kind: GivenLighthouse, seed: int | None = None, holes: str | None = None
-) -> World:
-    """The world of a text, as :func:`world_named` has it, or a world that is given as it is.
-
-    Raises:
-        InputError: if it is neither, or a seed or holes are given beside a world.
-    """
-    if isinstance(given, str):
-        return world_named(given, kind, seed, holes)
-    if not isinstance(given, World):
-        raise InputError(f"world = {show(given)} is no World; World(map) makes one of a map")
-    for name, beside in (("seed", seed), ("holes", holes)):
-        if beside is not None:
-            raise InputError(f"{name} = {show(beside)} has no effect on a world that is given")
-    return given
-
-
 def world_named(
-    text: str,
+    given: str | World,
     kind: GivenLighthouse = Directional.kind,
     seed: int | None = None,
     holes: str | None = None,
 ) -> World:
-    """The world of inline JSON, of ``@file``, of the corpus, of a named map, or of a code.
+    """The world of inline JSON, of ``@file``, of the corpus, of a named map, of a family or a code.
 
     If no lighthouse is named, it is of that kind, at its default place: at dart 0 of a
     named map.  The seed is that of a family, by default 0, the holes are those in it.
+    A world that is given as such is that world.
 
     Raises:
         InputError: naming a text that is none of these, or a seed or holes without effect.
     """
-    world = _world_named(text, tried_kind(kind), seed, holes)
+    if not isinstance(given, str | World):
+        raise InputError(f"world = {show(given)} is no World; World(map) makes one of a map")
+    for name, beside in (("seed", seed), ("holes", holes)):
+        if beside is not None and not _names_family(given):
+            whose = f"world {show(given)}, which is no family"
+            what = whose if isinstance(given, str) else "a world that is given"
+            raise InputError(f"{name} {beside} has no effect on {what}")
+    if isinstance(given, World):
+        return given
+    world = _world_of_text(given, tried_kind(kind), seed, holes)
     tried_kind(kind_of(world.lighthouse))  # the text may name another one
     return world
 
 
-def _world_named(text: str, kind: LighthouseKind, seed: int | None, holes: str | None) -> World:
-    if not _names_family(text):
-        for name, given in (("seed", seed), ("holes", holes)):
-            if given is not None:
-                raise InputError(
-                    f"{name} {given} has no effect on world {show(text)}, which is no family"
-                )
+def _world_of_text(text: str, kind: LighthouseKind, seed: int | None, holes: str | None) -> World:
     if text.startswith("@"):
         return _world_of_json(read_text(text[1:]), kind, text[1:])
     if _is_json(text):
@@ -109,15 +95,15 @@ def _world_named(text: str, kind: LighthouseKind, seed: int | None, holes: str |
     if ":" in text:
         return World(map_of_family(text, holes, seed or 0), kind)
     try:
-        map_ = named_map(text)
+        return World(named_map(text), kind)
     except NoSuchMap as error:
         return _world_of_corpus(text, kind, error)
-    return World(map_, kind)
 
 
-def _names_family(text: str) -> bool:
+def _names_family(given: str | World) -> bool:
     """Whether a WORLD is one of a family, and so depends on a seed."""
-    return not _is_json(text) and text.partition(":")[0] in _families()
+    is_text = isinstance(given, str) and not _is_json(given)
+    return is_text and given.partition(":")[0] in _families()
 
 
 _CODE = re.compile(r"[0-9.]+/[0-9.]+", re.ASCII)
@@ -144,28 +130,31 @@ def map_of_code(text: str) -> CombinatorialMap:
 
 def names_of_worlds() -> dict[str, tuple[str, ...]]:
     """The names of a WORLD: maps, families (a capital letter is a number), the corpus."""
-    entries = tuple(entry.name for entry in own_corpus().of_kind("world"))
+    plain = [name for name in named_maps() if name.removesuffix("-N") not in _families()]
     return {
-        "maps": tuple(
-            name.replace("-N", ":N")
-            for name in named_maps()
-            if name.removesuffix("-N") not in _families()
-        ),
+        "maps": tuple(name.replace("-N", ":N") for name in plain),
         "families": tuple(FORMS.split(", ")),
-        "corpus": tuple(name for name in entries if name not in named_maps()),
+        "corpus": tuple(name for name in _entries() if name not in named_maps()),
     }
 
 
+def _entries() -> dict[str, CorpusEntry]:
+    """The worlds of the corpus, by their names."""
+    return {entry.name: entry for entry in own_corpus().of_kind("world")}
+
+
 def _world_of_corpus(name: str, kind: LighthouseKind, no_map: NoSuchMap) -> World:
-    corpus = own_corpus()
-    for entry in corpus.of_kind("world"):
-        if entry.name == name:
-            return World.from_json(corpus.document(entry), missing=kind)
+    entries = _entries()
+    if name in entries:
+        return World.from_json(own_corpus().document(entries[name]), missing=kind)
     if f"{name.rpartition('-')[0]}-N" in named_maps():
         raise no_map
+    to_read = f"; to read a file write {show('@' + name)}"
+    is_file = Path(name).suffix == ".json"
+    hint = to_read if is_file else did_you_mean(name, [*named_maps(), *entries])
     raise InputError(
         f"world {show(name)} is neither JSON, nor @file, nor a name that 'allworlds run --list' "
-        f"tells{_hint(name)}"
+        f"tells{hint}"
     )
 
 
@@ -188,19 +177,11 @@ def _world_of_json(text: str, kind: LighthouseKind, file: str = "") -> World:
         return World.from_json(document, missing=kind)
 
 
-def _hint(name: str) -> str:
-    """A hint for an unknown name: the nearest known one; empty if there is none near."""
-    if Path(name).suffix == ".json":
-        return f"; to read a file write {show('@' + name)}"
-    known = [*named_maps(), *(entry.name for entry in own_corpus().of_kind("world"))]
-    return did_you_mean(name, known)
-
-
 def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:
     return None if given is None else lighthouse_kind(given)
 
 
-class AskedWorld(Request):
+class WorldOptions(Request):
     """The part of a request that says of a WORLD what its text does not, or names a family."""
 
     family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
@@ -243,7 +224,7 @@ class AskedWorld(Request):
             if (given := getattr(self, name)) is not None:
                 raise InputError(f"{name} {given} has no effect on {what}")
 
-    def meant(self, given: object, usual: GivenLighthouse) -> World:
+    def meant(self, given: str | World | None, usual: GivenLighthouse) -> World:
         """The world of a text, or the given one, or the one of the family.
 
         Args:
@@ -260,7 +241,7 @@ class AskedWorld(Request):
             seed = self.seed if _names_family(given) else None
             world = world_named(given, kind, seed, self.holes)
         elif given is not None:
-            world = a_world(given, kind)
+            world = world_named(given, kind)
             self.refuse(("family", "holes", "lighthouse"), "a world that is given")
         elif self.family is not None:
             world = World(map_of_family(self.family, self.holes, self.seed or 0), kind)

@@ -164,7 +164,7 @@ def _tried(own: OwnCondition) -> OwnCondition:
     return own
 
 
-class AskedWhere(Request):
+class WhereOptions(Request):
     """The part of a request that adds a condition on the maps."""
 
     where: Annotated[

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from allworlds.inputs.checks import are_plain
+from allworlds.document.struct import Natural
 from allworlds.maps.combinatorial import Dart
 
 
@@ -22,18 +22,8 @@ class State:
 
     dart: Dart
     lying: tuple[int, ...] = ()
-    hand: int = 0
+    hand: Natural = 0
     written: tuple[tuple[int, int], ...] = ()
-
-    @property
-    def is_plain(self) -> bool:
-        """Whether it holds what it says: one made by code of the user's may hold anything."""
-        pairs = self.written if type(self.written) is tuple else (None,)
-        if type(self.lying) is not tuple or any(type(pair) is not tuple for pair in pairs):
-            return False
-        numbers = [number for pair in pairs for number in pair]  # type: ignore[union-attr]
-        plain = are_plain([self.dart, *self.lying, self.hand, *numbers])
-        return plain and self.hand >= 0 and all(len(pair) == 2 for pair in pairs)  # type: ignore[arg-type]
 
     def number_at(self, where: int) -> int:
         """The number that stands there."""

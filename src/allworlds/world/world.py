@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any
@@ -11,7 +11,7 @@ from allworlds.document.report import Pictured
 from allworlds.document.struct import Document, about
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
-from allworlds.maps.networks import from_faces, from_networkx, to_networkx
+from allworlds.maps.networks import from_networkx, to_networkx
 from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.player import Told
@@ -157,25 +157,6 @@ class World(Pictured):
         if "lighthouse" in told:
             lighthouse = lighthouse_from_json(told["lighthouse"], map_, begin)
         return cls(map_, lighthouse, begin)
-
-    @classmethod
-    def from_faces(
-        cls,
-        faces: Sequence[Sequence[Hashable]],
-        lighthouse: Lighthouse | GivenLighthouse | None = None,
-        start: Dart = 0,
-    ) -> World:
-        """The world on a closed surface glued of polygons.
-
-        Args:
-            faces: as :func:`allworlds.maps.networks.from_faces` takes them.
-            lighthouse: as for a world.
-            start: likewise.
-
-        Raises:
-            InvalidMap, InvalidWorld: naming the offending value and what would be legal.
-        """
-        return cls(from_faces(faces), lighthouse, start)
 
     def to_json(self) -> dict[str, Any]:
         """The document :class:`WorldDocument`."""

@@ -16,7 +16,7 @@ from allworlds.reports.web.sections import LONGEST, plot
 from allworlds.studies.ambiguity import class_of, projection_of
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import most_expensive_runs
-from allworlds.studies.compare.contest import compare
+from allworlds.studies.compare.comparison import compare
 from allworlds.world import Directional, World, world_named
 from html_tree import read
 

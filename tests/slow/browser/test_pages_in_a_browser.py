@@ -136,23 +136,6 @@ def test_what_the_explorer_knows_grows(shows):
         assert seen[0] == 0 < seen[1] < seen[2] == 6
 
 
-def test_the_hypothesis_under_test_is_shown_where_s_is(shows):
-    with shows("genus 1") as page:
-        shown = set()
-        for i, item in enumerate(page.locator(".walk li").all()):
-            page.locator(".slider").fill(str(i))
-            tested, supposed = (item.get_attribute(f"data-{n}") for n in ("tested", "supposed"))
-            for name, dart in (("tested", tested), ("supposed", supposed)):
-                seats = page.locator(f"#walk-1-known .{name}")
-                found = [seat.get_attribute("data-dart") for seat in seats.all()]
-                assert found == ([] if dart is None else [dart])
-            assert not page.locator("#walk-1-world .tested").count()
-            if tested is not None:
-                assert "test: " in item.text_content()
-                shown.add(tested)
-        assert len(shown) > 2
-
-
 def heights(page):
     """Of every number and name in a picture that is shown, in pixels of the screen."""
     return page.eval_on_selector_all(

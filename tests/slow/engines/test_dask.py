@@ -23,6 +23,19 @@ pytestmark = [
 ]
 
 
+class Interrupts(Silent):
+    def progress(self, worlds):
+        raise KeyboardInterrupt
+
+
+def test_an_interrupt_cancels_what_is_done_elsewhere(here, tmp_path):
+    report = check(edges=5, engine="kernel", dask=here, listener=Interrupts(), run=tmp_path)
+    assert report.exit_code == 130
+    with distributed.Client(here) as client:
+        assert processes.end(lambda: [v for v in client.processing().values() if v])
+    assert check(edges=5, run=tmp_path).to_json() == check(edges=5).to_json()
+
+
 class After(Silent):
     """A listener that does something when so many worlds are done, once."""
 
@@ -153,16 +166,3 @@ def test_a_cluster_of_this_machine_that_is_killed_is_told_of_in_one_line(capfd):
     assert "is gone" in notice
     assert processes.end(lambda: processes.named("engines.dask"))
     assert capfd.readouterr() == ("", "")
-
-
-class Interrupts(Silent):
-    def progress(self, worlds):
-        raise KeyboardInterrupt
-
-
-def test_an_interrupt_cancels_what_is_done_elsewhere(here, tmp_path):
-    report = check(edges=5, engine="kernel", dask=here, listener=Interrupts(), run=tmp_path)
-    assert report.exit_code == 130
-    with distributed.Client(here) as client:
-        assert processes.end(lambda: [v for v in client.processing().values() if v])
-    assert check(edges=5, run=tmp_path).to_json() == check(edges=5).to_json()

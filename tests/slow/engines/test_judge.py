@@ -7,13 +7,12 @@ from numba import cfunc, from_dtype, types
 
 from allworlds import CombinatorialMap, Estimate, Move
 from allworlds.document.struct import replace
-from allworlds.engines.compiled_engine import listed_runs
+from allworlds.engines.compiled_engine import level_of, listed_runs
 from allworlds.engines.kernel.algorithm1 import explorer_addresses
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
 from allworlds.engines.kernel.engine import judge
 from allworlds.engines.kernel.instructions import address_of
 from allworlds.engines.kernel.records import ACTION, ANSWER, PERCEPT, ROBOT
-from allworlds.engines.questions import level_of
 from allworlds.engines.scope import LevelRuns, Scope
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import in_process_subject

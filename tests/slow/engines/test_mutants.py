@@ -3,10 +3,10 @@
 import pytest
 
 from allworlds import check
-from allworlds.engines import compiled_engine as compiled, questions
+from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import compare_engines
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.kernel.rows import LevelBounds, tables
+from allworlds.engines.kernel.gluing import gluing_rule
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.explorers.loading import load
@@ -16,88 +16,65 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.enumeration import prefixes
 from allworlds.outcome import Verdict
 from engines import test_mutants as quick
-from engines.test_mutants import WHOLE, asked
+from engines.test_mutants import asked, table_of
 
 fresh_comparison = quick.fresh_comparison
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-def percepts_mixed_up(table):
-    """The robot takes a vertex of degree 3 for one of degree 2."""
-    table.sensed[3:4] = 2
-    return table
+def too_small(honest):
+    """The bound of worlds with two vertices is half as large."""
+
+    def bounds(*arguments):
+        table = honest(*arguments)
+        table[2] = [[bound // 2 for bound in row] for row in table[2]]
+        return table
+
+    return bounds
 
 
-def percepts_too_large(table):
-    """The robot takes every vertex for one of the greatest degree."""
-    table.sensed[1:] = len(table.sensed) - 1
-    return table
-
-
-def retracing_for_nothing(table):
-    return table._replace(back_weight=0)
-
-
-def retracing_counted_twice(table):
-    return table._replace(back_weight=2)
-
-
-def a_bound_too_small(table):
-    table.bound[2] //= 2
-    return table
-
-
-def no_fuel(table):
-    return table._replace(fuel=3)
-
-
-def a_gluing_forgotten(table):
+def a_gluing_forgotten(honest):
     """No decision leads to two darts owed and two open, from four edges on."""
-    if len(table.viable) > 8:
-        table.viable[2, 2] = 0
-    return table
+
+    def rule(edges):
+        viable = honest(edges)
+        if edges >= 4:
+            viable[2, 2] = 0
+        return viable
+
+    return rule
 
 
-def dead_ends_allowed(table):
-    table.viable[:, 0] = 1
-    return table
+def dead_ends_allowed(honest):
+    def rule(edges):
+        viable = honest(edges)
+        viable[:, 0] = 1
+        return viable
+
+    return rule
 
 
-TABLES = [
-    percepts_mixed_up,
-    percepts_too_large,
-    retracing_for_nothing,
-    retracing_counted_twice,
-    a_bound_too_small,
-    no_fuel,
-    a_gluing_forgotten,
-    dead_ends_allowed,
+MUTANTS = [
+    ("allworlds.engines.compiled_engine.bounds_of", compiled.bounds_of, too_small),
+    ("allworlds.engines.kernel.engine.gluing_rule", gluing_rule, a_gluing_forgotten),
+    ("allworlds.engines.kernel.engine.gluing_rule", gluing_rule, dead_ends_allowed),
 ]
 
 
-@pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
-def test_a_check_with_a_damaged_table_ends_as_an_internal_error(monkeypatch, mutant):
-    monkeypatch.setattr(questions, "level_tables", lambda *a: mutant(WHOLE(*a)))
+@pytest.mark.parametrize(("where", "honest", "mutant"), MUTANTS, ids=lambda part: getattr(part, "__name__", part))
+@pytest.mark.parametrize("compares", [True, False])
+def test_a_check_with_a_damaged_table_ends_as_an_internal_error(
+    monkeypatch, where, honest, mutant, compares
+):
+    monkeypatch.setattr(where, mutant(honest))
+    if not compares:
+        monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
     report = check(edges=6, engine="kernel", workers=2)
     assert report.verdict is Verdict.ERROR
     assert report.exit_code == 70
-    assert report.ending.reason
-
-
-@pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
-def test_without_the_comparison_a_damaged_table_is_found_out_as_well(monkeypatch, mutant):
-    monkeypatch.setattr(questions, "level_tables", lambda *a: mutant(WHOLE(*a)))
-    monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
-    report = check(edges=6, engine="kernel")
-    if mutant in (retracing_for_nothing, retracing_counted_twice):
-        # Only another engine can know what a walk should have cost.
-        monkeypatch.undo()
-        questions.level_of.cache_clear()
-        honest = check(edges=6, engine="kernel")
-        assert report.tally.traversals != honest.tally.traversals
-        return
-    assert report.exit_code == 70
+    if compares:
+        assert report.ending.reason
 
 
 @pytest.mark.parametrize("damage", ["doubled", "lost"])
@@ -120,8 +97,7 @@ def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damag
 
 def test_both_modes_break_in_the_same_worlds():
     allowed = [4, 20, 20, 20, 20, 20]
-    bounds = LevelBounds(lambda n, _d0, _largest: allowed[n - 1])
-    level = asked(5, tables=tables(5, 2000, allowed), bounds=bounds)
+    level = asked(5, bounds=table_of([0, *allowed]))
     for prefix in prefixes(5, depth=1):
         walked, judged = (does(level, prefix, keep=10_000) for does in (walk, judge))
         # A walk stands for every bearing, of which the judge keeps the least.
@@ -132,7 +108,12 @@ def test_both_modes_break_in_the_same_worlds():
 
 
 def test_a_disagreement_names_the_world(monkeypatch):
-    monkeypatch.setattr(questions, "level_tables", lambda *a: retracing_for_nothing(WHOLE(*a)))
+    honest = compiled.walk_costs
+
+    def without_retracing(*arguments):
+        return {code: min(cost, 8) for code, cost in honest(*arguments).items()}
+
+    monkeypatch.setattr(compiled, "walk_costs", without_retracing)
     scope = Scope(Extent(MapClass.MAPS, 6), Rules())
-    with pytest.raises(EnginesDisagree, match=r"sigma=\[.*place=0"):
+    with pytest.raises(EnginesDisagree, match=r"the kernel walks 8 .*sigma=\[.*place=0"):
         compare_engines(scope, load("algorithm1"))

@@ -34,10 +34,10 @@ def without_choices():
 
 @pytest.mark.usefixtures("compiled")
 def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
+    from allworlds.engines.compiled_engine import level_of
     from allworlds.engines.kernel.batches import UnitJudge
     from allworlds.engines.kernel.library_player import LibraryPlayer
     from allworlds.engines.kernel.records import Stretch
-    from allworlds.engines.questions import level_of
 
     memory = Stretch(2)
     beat = array("q", [0, 0])
@@ -46,7 +46,7 @@ def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
     judge.lay_out(4)
     laid = judge.lay_out(4)  # a second batch, whose numbers in the unit are others
     subject = load(native(example("c/algorithm1.c")))
-    player, played = LibraryPlayer(subject.innermost.native, beat), set()
+    player, played = LibraryPlayer(subject.native, beat), set()
     for seed in range(30):
         batch = {"heads": judge.heads.tobytes(), "worlds": memory.worlds[: laid.runs].tobytes()}
         told = {"edges": 2, "runs": laid.runs, "seed": seed, "policy": "fifo", "again": False}

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from allworlds.explorers.skeletons.languages import LANGUAGES
+from allworlds.explorers.languages import LANGUAGES
 from allworlds.studies.init import init
 from explorers import test_skeletons as quick
 from explorers.test_skeletons import ready

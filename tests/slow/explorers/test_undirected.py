@@ -2,8 +2,8 @@
 
 import pytest
 
+from allworlds.explorers.builtin.algorithm1 import algorithm1_natural
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.builtin.undirected import algorithm1_natural
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.choices import Choices, policy_named

@@ -6,7 +6,7 @@ from hypothesis.strategies import data, permutations
 
 from allworlds.document.struct import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.judging.endings import Answered
+from allworlds.judging.episode import Answered
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.strategies import maps, worlds

@@ -6,7 +6,7 @@ import pytest
 
 from allworlds.maps import CombinatorialMap, MapClass, automorphisms, rooted_maps, unrooted_code
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import source_for
+from allworlds.maps.counting.sources import SOURCES
 from allworlds.maps.enumeration import prefixes
 from maps.test_enumeration import LEVELS, codes
 
@@ -19,7 +19,7 @@ FURTHER = [(c, 7 if c.simple else 6) for c in MapClass]
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), [*GATED, *FURTHER])
 def test_every_cell_holds_as_many_maps_as_the_independent_source_says(map_class, edges):
-    cells = source_for(map_class.value).cells(edges)
+    cells = SOURCES[map_class.value].cells(edges)
     met = Counter(map_.vertex_count for map_ in rooted_maps(edges, map_class))
     assert met == {n: count for n, count in cells.items() if count}
 

@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 
-from allworlds.explorers.skeletons.languages import LANGUAGES
+from allworlds.explorers.languages import LANGUAGES
 from allworlds.studies.init import init
 from project import test_action as quick
 from project.runner import ROOT

@@ -7,7 +7,7 @@ from itertools import product
 
 import pytest
 
-from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
+from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
 from proofs import test_formulas as quick
 from proofs.test_formulas import literals, rooted_maps, solvers
 from searches import question

@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
+from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
 from bruteforce import rooted_maps_by_permutations as rooted_maps
 from searches import question
 from small import long

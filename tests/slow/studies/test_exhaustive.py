@@ -8,7 +8,7 @@ from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.maps import rooted_code, rooted_maps
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Move
-from allworlds.studies.run.single import run
+from allworlds.studies.run import run
 from allworlds.world import worlds
 from small import long
 from studies import test_exhaustive as quick

@@ -2,14 +2,9 @@ from random import Random
 
 import pytest
 
-from allworlds.studies.ambiguity.smt.formula import Formula
-from allworlds.studies.ambiguity.smt.lrat import check_lrat
-from allworlds.studies.ambiguity.smt.rup import ProofRefused, lrat_of_drat
-from allworlds.studies.ambiguity.smt.solvers import (
-    Clock,
-    python_sat_is_installed,
-    solve_with_python_sat,
-)
+from allworlds.studies.ambiguity.formulas import Formula
+from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat
+from allworlds.studies.ambiguity.solvers import python_sat_is_installed, solve_with_python_sat
 from studies.test_proofs_by_propagation import lines
 
 
@@ -25,7 +20,7 @@ def test_random_formulas_are_either_solved_or_proved(tmp_path, seed):
         chosen = chance.sample(range(1, variables + 1), 3)
         formula.add(*[chance.choice((1, -1)) * v for v in chosen])
     formula.write(tmp_path / "f.cnf")
-    solved = solve_with_python_sat(tmp_path / "f.cnf", tmp_path / "f.drat", Clock(None))
+    solved = solve_with_python_sat(tmp_path / "f.cnf", tmp_path / "f.drat", None)
     if solved.status == "sat":
         for clause in formula.clauses:
             assert any((literal > 0) == (abs(literal) in solved.model) for literal in clause)

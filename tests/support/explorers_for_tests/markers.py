@@ -1,7 +1,7 @@
 """Explorers that drop and pick up markers, rightly and wrongly."""
 
 from allworlds import CombinatorialMap, Drop, Estimate, Move, Pick
-from allworlds.explorers.builtin.undirected import algorithm1_cluster
+from allworlds.explorers.builtin.algorithm1 import algorithm1_cluster
 
 EDGE = CombinatorialMap((0, 1), (1, 0))
 

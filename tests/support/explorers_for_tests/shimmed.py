@@ -3,7 +3,7 @@
 import ctypes
 
 from allworlds.explorers.loading import load
-from allworlds.explorers.shared_library.library import CAction, CPercept
+from allworlds.explorers.shared_library import CAction, CPercept
 from allworlds.protocol.actions import Drop, Move, Percept
 from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.choices import Choices

@@ -24,15 +24,15 @@ from allworlds.corpus.explorers import (
     WrongLearner,
 )
 from allworlds.explorers.loading import in_process_subject
-from allworlds.judging.endings import Answered, Undecided
-from allworlds.judging.episode import default_step_budget, play
+from allworlds.judging.episode import Answered, Undecided, default_step_budget, play
 from allworlds.judging.findings.finding import canonical_world
+from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.case import Case
-from allworlds.judging.laws.law_table import LAWS, Setting, judge
+from allworlds.judging.laws.law_table import LAWS, judge
+from allworlds.judging.laws.laws import Case
 from allworlds.judging.tasks import task_named
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
-from allworlds.maps.counting.sources import source_for
+from allworlds.maps.counting.sources import SOURCES
 from allworlds.protocol.choices import Choices
 from allworlds.studies.check.exhaustive import check
 from allworlds.words import plural
@@ -180,8 +180,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
     for map_ in rooted_maps(level):
         bound = paper_bound(map_.vertex_count, level)
         for name, kind, player in players:
-            setting = Setting(kind.folds, bounded=kind.default_bound == "paper")
-            laws = {law: LAWS[law].check for law in LAWS if LAWS[law].applies(setting)}
+            laws = {law: LAWS[law].check for law in Rules(kind.kind).applying}
             world = World(map_, next(iter(kind.places(map_, 0))), 0)
             episode = play(world, player, Choices(), default_step_budget(bound))
             match episode.ending:
@@ -192,7 +191,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
                         episode.transcript,
                         episode.checkpoints,
                         answer,
-                        bound if setting.bounded else None,
+                        bound if "bound" in laws else None,
                     )
                     if judge(case, laws.values()):
                         yield (case, laws), world, name
@@ -203,7 +202,7 @@ def _enumerator(mutant: BrokenEnumerator, edges: int) -> Kill:
     row = Kill(mutant=mutant.name, kind="enumerator", breaks=mutant.breaks)
     for level in range(1, edges + 1):
         level_maps = list(mutant.enumerate(level))
-        counted = source_for("maps").cells(level)
+        counted = SOURCES["maps"].cells(level)
         by_vertices = Counter(map_.vertex_count for map_ in level_maps)
         gate_agrees = all(by_vertices[n] == known for n, known in counted.items())
         wrong = _first_difference(level_maps, level)

@@ -5,7 +5,7 @@ lock only to start and to end, so that threads share the work.
 
 ``engine``, ``rows``: the door; plain numbers in, plain rows out.
 ``runs``, ``laws``, ``code``: every run of a unit, played or read from its log, judged and tallied.
-``gluing``, ``worlds``, ``counting``: maps one after the other, with lighthouses, or their numbers.
+``gluing``, ``worlds``: maps one after the other, with lighthouses, or their numbers.
 ``algorithm1``: built-in explorers, behind the C interface of all explorers.
 ``batches``, ``library_player``: runs of users' explorers, laid out and judged; played by a library.
 ``demand_driven``: the check of Algorithm 1 in which a world is decided where the robot looks.

@@ -5,8 +5,7 @@ Without one v0 and a neighbour v1 of it can be recognised: before its first pass
 the dart of v0 that leads to v1, and a test that has come to v0 is proved by the query: out by that
 dart, and back.  Hypotheses are tried in the order of S, on the first of the shortest paths.
 
-The twins are
-:mod:`allworlds.explorers.builtin.algorithm1` and :mod:`allworlds.explorers.builtin.undirected`.
+The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
 
 Source: Algorithm 1, Section IV.
 """

@@ -91,7 +91,7 @@ def _begin(w, s, prefix):
     degree = w.degree[0]
     for dart in range(degree):
         w.image[dart] = dart
-        w.s_owner[dart], w.s_degree[dart] = 0, w.felt[0]
+        w.s_owner[dart], w.s_degree[dart] = 0, w.degree[0]
     for d in range(2 * w.edges + 1):
         w.of_degree[d] = 0
     w.adjacent[0] = 0
@@ -108,8 +108,7 @@ def _add_vertex(w, s, degree):
     v, first = s.vertices, s.darts
     w.degrees[v] = degree
     for dart in range(first, first + degree):
-        w.owner[dart], w.end[dart] = v, first + degree
-        w.degree[dart], w.felt[dart] = degree, w.sensed[degree]
+        w.owner[dart], w.end[dart], w.degree[dart] = v, first + degree, degree
     s.vertices += 1
     s.darts += degree
     s.open |= (1 << s.darts) - (1 << first)
@@ -278,7 +277,7 @@ def _arrive(w, s):
         _augment_by_loop(w, s)
         return
     s.x = z
-    s.hypotheses = s.unexplored & w.of_degree[w.felt[z]]
+    s.hypotheses = s.unexplored & w.of_degree[w.degree[z]]
     if not s.hypotheses:
         s.total += ONE_EMPTY_H
     s.stage = NEXT
@@ -307,7 +306,7 @@ def _test_all(w, s):
                 return False
             # The last step would have to end in t, which has its partner: it cannot match,
             # wherever y leads.
-            s.total += 1 + w.back_weight * (s.steps + 1) + ONE_CASE_2
+            s.total += s.steps + 2 + ONE_CASE_2
             s.stage = NEXT
             continue
         z = w.partner[s.y]
@@ -317,10 +316,10 @@ def _test_all(w, s):
             if z == s.t:
                 _augment_by_loop(w, s)
                 return s.stage == PICK
-            s.total += w.back_weight * s.steps + ONE_CASE_2
+            s.total += s.steps + ONE_CASE_2
             s.stage = NEXT
-        elif z < w.end[0] or w.felt[z] != w.s_degree[s.t]:
-            s.total += w.back_weight * s.steps + ONE_CASE_1
+        elif z < w.end[0] or w.degree[z] != w.s_degree[s.t]:
+            s.total += s.steps + ONE_CASE_1
             s.stage = NEXT
         else:
             _aim(w, s, s.t, z)
@@ -345,7 +344,7 @@ def _aim(w, s, dart, x):
 def _augment_by_vertex(w, s):
     """Lines 20-21: add a new vertex to S."""
     u, x, end = w.owner[s.x], s.x, w.end[s.x]
-    degree = w.felt[x]
+    degree = w.degree[x]
     if s.in_s >> u & 1 or s.s_darts + degree > 2 * w.edges:
         s.stage = FAILED
         return

@@ -10,24 +10,20 @@ import json
 import subprocess
 import sys
 from collections.abc import Sequence
-from functools import lru_cache
 from threading import local
 from typing import Any
 
-from numpy import argwhere, array, asarray, full, int8, int64, maximum, zeros
+from numpy import argwhere, array, asarray, int8, int64, maximum, zeros
 
 from allworlds.engines.kernel import demand_driven as walks, runs
 from allworlds.engines.kernel.algorithm1 import explorer_addresses
 from allworlds.engines.kernel.capabilities import EVENTS, EXPLORERS, POLICIES
 from allworlds.engines.kernel.compiling import uncollected
-from allworlds.engines.kernel.gluing import rule_address
+from allworlds.engines.kernel.gluing import gluing_rule, rule_address
 from allworlds.engines.kernel.laws import LAWS
 from allworlds.engines.kernel.records import JOB, ROBOT, WALK, Kept, new
-from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows, packed
+from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows
 from allworlds.engines.kernel.worlds import lighthouse_address
-
-UNDEFINED = runs.UNDEFINED
-"""The entry for a bound that has no value."""
 
 
 def judge(
@@ -71,10 +67,10 @@ def rows_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Rows:
 
 def unit_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0) -> runs.UnitArrays:
     """The arrays of the judge, with room for its results."""
-    bounds = _bound_table(level)
+    bounds = array(level.bounds, int64)
     return runs.UnitArrays(
         array(prefix, int64),
-        level.tables.viable,
+        gluing_rule(level.edges),
         bounds,
         zeros(bounds.shape, int8),
         array(level.budgets, int64),
@@ -143,20 +139,6 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
     explorer.state = asarray(robot).ctypes.data
 
 
-@lru_cache(1)
-def _bound_table(level: Level) -> Any:
-    """The bounds by vertices, degree of v0 and largest degree."""
-    bounds, degrees = level.bounds, 2 * level.edges + 1
-    shape = (level.edges + 2, degrees if bounds.by_d0 else 1, degrees if bounds.by_largest else 1)
-    table = full(shape, UNDEFINED, int64)
-    for n in range(1, shape[0]):
-        for d0 in range(shape[1]):
-            for largest in range(shape[2]):
-                value = bounds.value(n, d0, largest)
-                table[n, d0, largest] = value if value == UNDEFINED else packed(value)
-    return table
-
-
 def _at(row: list[int], darts: int) -> At:
     """The run of a row."""
     n, *code = row
@@ -169,7 +151,8 @@ def walk(
     """Walk Algorithm 1 once in every map whose gluing begins with ``prefix``.
 
     The class is ``maps``, the lighthouse directional, all laws are checked together, and the
-    bound depends on n alone.  A broken world is one in which some law is broken at some place.
+    bound depends on n alone; a walk that costs more than the largest budget has failed.  A broken
+    world is one in which some law is broken at some place.
 
     The arguments are those of :func:`judge`.  The array ``reached`` knows, by vertices, costs that
     other pieces have met, and learns those of this one; where this one costs less, it looks for no
@@ -220,13 +203,12 @@ def _walked(level: Level, prefix: Sequence[int], reached: Any, kept: Kept, halt:
     """The record of a walk that has been done."""
     if not hasattr(_OWN, "walk"):
         _OWN.walk = new(WALK)
-    w, tables = _OWN.walk, level.tables
+    w = _OWN.walk
     w.edges, w.limit, w.policy = level.edges, level.limit, POLICIES[level.policy]
-    w.fuel, w.back_weight = tables.fuel, tables.back_weight
-    w.bound[: len(tables.bound)] = tables.bound
-    owed, opened = tables.viable.shape
-    w.viable[:owed, :opened] = tables.viable
-    w.sensed[: len(tables.sensed)] = tables.sensed
+    w.fuel = max(level.budgets)
+    w.bound[: len(level.bounds)] = [bound for ((bound, *_), *_) in level.bounds]
+    viable = gluing_rule(level.edges)
+    w.viable[: len(viable), : viable.shape[1]] = viable
     w.counts[:] = 0
     walks.explore(w, array(prefix, int64), reached, kept, halt)
     return w

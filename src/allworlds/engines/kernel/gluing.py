@@ -9,13 +9,58 @@ The twin is :mod:`allworlds.maps.enumeration`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
+from typing import Any
 
 from numba import types
+from numpy import array, int64, ones, zeros
 
-from allworlds.engines.kernel.compiling import RECORD, callback, inlined, inner
+from allworlds.engines.kernel.compiling import RECORD, callback, entry, inlined, inner
 from allworlds.engines.kernel.instructions import call, lowest, size
-from allworlds.engines.kernel.records import GLUING, NONE
+from allworlds.engines.kernel.records import GLUING, NONE, new
+
+
+def gluing_rule(edges: int) -> Any:
+    """The rule by darts owed and open: the last open dart may not close while darts are owed."""
+    viable = ones((2 * edges + 1, 4 * edges + 1), int64)
+    viable[1:, 0] = 0
+    return viable
+
+
+def by_vertices_and_faces(
+    edges: int, limit: int, prefix: Sequence[int]
+) -> dict[tuple[int, int], int]:
+    """The number of maps whose gluing begins with ``prefix``, by (vertices, faces).
+
+    Cost: some 150 ns a map; constant memory.
+    """
+    counts = zeros((edges + 2, edges + 3), int64)
+    # Compiled code begins with a first decision, which is the degree of the root.
+    for begun in [prefix] if prefix else [(-degree,) for degree in range(1, 2 * edges + 1)]:
+        gluing = new(GLUING)
+        gluing.edges, gluing.limit = edges, limit
+        count(gluing, array(begun, int64), gluing_rule(edges), counts)
+    rows = counts.tolist()
+    return {(n, f): times for n, row in enumerate(rows) for f, times in enumerate(row) if times}
+
+
+@entry
+def count(g, prefix, viable, counts):
+    """Add to ``counts[vertices, faces]`` the maps whose gluing begins with ``prefix``."""
+    while advance(g, prefix, viable):
+        faces, left = 0, (1 << g.darts) - 1
+        while left:
+            faces += 1
+            dart = lowest(left)
+            while left >> dart & 1:
+                left ^= 1 << dart
+                dart = g.alpha[dart]
+                v = g.owner[dart]
+                dart += 1
+                if dart == g.first[v] + g.degree[v]:
+                    dart = g.first[v]
+        counts[g.vertices, faces] += 1
 
 
 @inner

@@ -13,7 +13,6 @@ from typing import Any
 from llvmlite import ir
 from numba import extending, types
 from numba.core.cgutils import raw_memcpy, unpack_tuple
-from numpy import int64
 
 from allworlds.engines.kernel.compiling import inlined
 
@@ -22,9 +21,6 @@ intrinsic: Any = extending.intrinsic
 _BYTE, _INT, _LONG = (ir.IntType(bits) for bits in (8, 32, 64))
 _POINTER = _BYTE.as_pointer()
 _NOT_EMPTY = ir.Constant(ir.IntType(1), 0)
-
-LANES = 16
-"""The number of entries that are turned into bytes, or back, at a time."""
 
 
 def _lowered(builder: Any, kind: Any, value: Any) -> Any:
@@ -139,12 +135,6 @@ def byte_of(builder, address, index):
     return builder.zext(builder.load(_at(builder, address, index, _BYTE)), _LONG)
 
 
-@statement
-def put_word(builder, address, value):
-    """Write the value to the eight bytes at the address, the lowest first."""
-    builder.store(value, _at(builder, address, number(0), _LONG), align=1)
-
-
 @intrinsic
 def address_of(_context, array):
     """The address of an array."""
@@ -154,73 +144,6 @@ def address_of(_context, array):
         return builder.ptrtoint(made.data, _LONG)
 
     return types.int64(array), generate
-
-
-@expression
-def narrow(builder, target, source, count):
-    """Copy the first ``count`` of ``LANES`` 32-bit integers to bytes, and make the others 0.
-
-    The returned value is not 0 if one of them is no byte.
-    """
-    entries, lanes = ir.VectorType(_INT, LANES), ir.IntType(LANES)
-    some = builder.sub(builder.shl(number(1), count), number(1))
-    every = builder.icmp_signed(">=", count, number(LANES))
-    asked = builder.trunc(builder.select(every, number(-1), some), lanes)
-    among = builder.bitcast(asked, ir.VectorType(ir.IntType(1), LANES))
-    read = builder.load(_at(builder, source, number(0), entries), align=4)
-    wanted = builder.select(among, read, ir.Constant(entries, [0] * LANES))
-    narrowed = builder.trunc(wanted, ir.VectorType(_BYTE, LANES))
-    builder.store(narrowed, _at(builder, target, number(0), narrowed.type), align=1)
-    odd = builder.icmp_unsigned(">", wanted, ir.Constant(entries, [255] * LANES))
-    return builder.zext(builder.bitcast(odd, lanes), _LONG)
-
-
-@inlined
-def narrow_map(target, sigma, alpha, darts):
-    """Copy sigma, and alpha behind it, to bytes; the value is not 0 if one of them is no byte."""
-    odd = int64(0)
-    # What is written too much of sigma is written over.
-    for source in (sigma, alpha):
-        for dart in range(0, darts, LANES):
-            odd |= narrow(target + dart, source + 4 * dart, darts - dart)
-        target += darts
-    return odd
-
-
-WIDE_LANES = 32
-"""The number of bytes that are compared, or copied, at a time."""
-
-_WIDE = ir.VectorType(_BYTE, WIDE_LANES)
-
-
-def _wide(builder: Any, address: Any) -> Any:
-    """The vector of bytes at the address."""
-    return builder.load(_at(builder, address, number(0), _WIDE), align=1)
-
-
-def _where_unlike(builder: Any, one: Any, other: Any) -> Any:
-    """The places where the two vectors differ, as a set."""
-    differ = builder.icmp_unsigned("!=", one, other)
-    return builder.zext(builder.bitcast(differ, ir.IntType(WIDE_LANES)), _LONG)
-
-
-@expression
-def unlike(builder, one, other):
-    """The places of the bytes that differ at the two addresses, as a set."""
-    return _where_unlike(builder, _wide(builder, one), _wide(builder, other))
-
-
-@expression
-def moved(builder, address):
-    """The places of the bytes at the address that differ from their own number, as a set."""
-    places = ir.Constant(_WIDE, list(range(WIDE_LANES)))
-    return _where_unlike(builder, _wide(builder, address), places)
-
-
-@statement
-def copy_bytes(builder, target, source):
-    """Copy ``WIDE_LANES`` bytes."""
-    builder.store(_wide(builder, source), _at(builder, target, number(0), _WIDE), align=1)
 
 
 @intrinsic

@@ -1,9 +1,7 @@
 """The laws, by number: published maps against the world, the answer, and the folded log.
 
 A published S is embedded into the world: its ``here`` goes to the robot's true dart, and all else
-follows along sigma and the explored edges.  An embedded S is remembered; of the next one only the
-new part is checked, or if Algorithm 1 would not publish it, it is embedded anew, which also names
-the broken law.
+follows along sigma and the explored edges.
 
 For the folded log a tree of fresh nodes is walked as the log says; on each arrival at v0 the node
 is merged with v0, aligned by the bearing, and merging goes on where one dart would lead to two
@@ -20,18 +18,7 @@ from numpy import int64
 
 from allworlds.engines.kernel.capabilities import LONG
 from allworlds.engines.kernel.compiling import inlined, inner
-from allworlds.engines.kernel.instructions import (
-    address_of,
-    byte_of,
-    copy_bytes,
-    entry_of,
-    lowest,
-    moved,
-    narrow_map,
-    put_entry,
-    size as size_of,
-    unlike,
-)
+from allworlds.engines.kernel.instructions import entry_of, lowest, size as size_of
 from allworlds.engines.kernel.records import DARTS, NONE
 from allworlds.judging.laws.law_table import PRECEDENCE
 
@@ -59,11 +46,17 @@ def look_at(judged, published, world, dart, walked):
 
     The robot is truly at the dart, and the darts of the edges walked so far are a set.
     """
-    if _grown(judged, published, world, dart, walked):
-        explored = judged.explored
-    else:
-        _spell_out(published)
-        explored = _look_anew(judged, published, world, dart, walked)
+    darts, alpha, explored = published.darts, published.alpha, 0
+    for d in range(darts):
+        e = entry_of(alpha, d)
+        if e != d:
+            explored += 1
+            if 0 <= e < darts and entry_of(alpha, e) == e:
+                judged.broken |= 1 << INVARIANT_2
+    if not judged.broken >> INVARIANT_1 & 1 and not _is_part(
+        judged, published, world, dart, walked
+    ):
+        judged.broken |= 1 << INVARIANT_1
     t = world.darts // 2 - (explored + 1) // 2
     if judged.shown and t >= judged.t:
         judged.broken |= 1 << VARIANT
@@ -71,150 +64,26 @@ def look_at(judged, published, world, dart, walked):
 
 
 @inner
-def _look_anew(judged, published, world, dart, walked):
-    """The number of explored darts; I-1 and I-2 are checked without an earlier S."""
-    darts, alpha = published.darts, published.alpha
-    explored, mutual = 0, True
-    for d in range(darts):
-        e = entry_of(alpha, d)
-        if e != d:
-            explored += 1
-            if 0 <= e < darts and entry_of(alpha, e) == e:
-                judged.broken |= 1 << INVARIANT_2
-                mutual = False
-    if not judged.broken >> INVARIANT_1 & 1:
-        taken = _explored_part(judged, published, world, dart, walked)
-        if taken == 0:
-            judged.broken |= 1 << INVARIANT_1
-        elif mutual:
-            judged.known, judged.explored, judged.taken = darts, explored, taken
-            for d in range(darts):
-                judged.sigma[d], judged.alpha[d] = entry_of(published.sigma, d), entry_of(alpha, d)
-    return explored
-
-
-@inner
 def answer_law(published, world, dart, judged):
     """The law that the answer breaks (no-estimate, map or pose), or 0."""
     size, here = int64(published.darts), int64(published.here)
-    fits = size == world.darts and 0 <= here < size
-    if fits and _grown(judged, published, world, dart, -1) and judged.explored == size:
-        return 0  # the last published S has become the whole world
-    _spell_out(published)
     if here < 0 or here >= size or not _is_map(published, judged):
         return NO_ESTIMATE
-    if fits:
-        if _explored_part(judged, published, world, dart, -1):
+    if size == world.darts:
+        if _is_part(judged, published, world, dart, -1):
             return 0
-        for other in range(world.darts):
-            if _explored_part(judged, published, world, other, -1):
+        for other in range(size):
+            if _is_part(judged, published, world, other, -1):
                 return POSE
     return MAP
 
 
 @inner
-def _spell_out(published):
-    """Write the integers of a published S, if it was published as bytes."""
-    if published.bytes:
-        darts = int64(published.darts)
-        for d in range(darts):
-            put_entry(published.sigma, d, byte_of(published.bytes, d))
-            put_entry(published.alpha, d, byte_of(published.bytes, darts + d))
-
-
-@inlined
-def _bytes_of(judged, published):
-    """The address of its sigma as bytes, with alpha behind it; 0 if that is not possible."""
-    if published.bytes:
-        return published.bytes
-    sigma = address_of(judged.bytes)
-    odd = narrow_map(sigma, published.sigma, published.alpha, int64(published.darts))
-    return int64(0) if odd else sigma
-
-
-@inner
-def _grown(judged, published, world, dart, walked):
-    """Whether it extends the remembered S and is embedded, too; then it is remembered.
-
-    Else it is unknown whether it is embedded, and no S is remembered.
-
-    If anything is remembered, ``judged.to`` is as it was then.
-    """
-    known, darts, here = judged.known, int64(published.darts), int64(published.here)
-    judged.known = 0
-    if known == 0 or darts < known or darts > world.darts or here < 0 or here >= darts:
-        return False
-    sigma = _bytes_of(judged, published)
-    if sigma == 0:
-        return False
-    alpha, before = sigma + darts, (1 << known) - 1
-    changed = unlike(alpha, address_of(judged.alpha)) & before
-    if unlike(sigma, address_of(judged.sigma)) & before or changed & moved(
-        address_of(judged.alpha)
-    ):
-        return False
-    met, entries = 0, changed
-    while darts > known + met and entries:
-        d = lowest(entries)
-        entries &= entries - 1
-        if byte_of(alpha, d) >= known:
-            met += _new_vertex(judged, sigma, darts, world, byte_of(alpha, d), d)
-    if darts != known + met:
-        return False
-    changed |= moved(alpha) & ((1 << darts) - 1) & ~before
-    judged.explored += size_of(changed)
-    copy_bytes(address_of(judged.sigma), sigma)
-    copy_bytes(address_of(judged.alpha), alpha)
-    while changed:
-        d = lowest(changed)
-        changed &= changed - 1
-        e, true = byte_of(alpha, d), judged.to[d]
-        if e >= darts or byte_of(alpha, e) != d:
-            return False
-        if judged.to[e] != world.alpha[true] or not walked >> true & 1:
-            return False
-    if judged.to[here] != dart:
-        return False
-    judged.known = darts
-    return True
-
-
-@inlined
-def _new_vertex(judged, sigma, darts, world, first, behind):
-    """The number of darts of a new vertex, which was discovered by this dart.
-
-    The darts are embedded; if that is not possible, the number is too large on purpose.
-    """
-    if first >= darts:
-        return darts
-    d, true, met = first, world.alpha[judged.to[behind]], 0
-    while True:
-        if judged.taken >> true & 1:
-            return darts
-        judged.taken |= 1 << true
-        judged.to[d] = true
-        met += 1
-        true = world.sigma[true]
-        e = byte_of(sigma, d)
-        if e == first:
-            break
-        # Its darts stand one after the other.
-        if e != d + 1 or e >= darts:
-            return darts
-        d = e
-    return met if true == judged.to[first] else darts
-
-
-@inner
-def _explored_part(judged, published, world, dart, walked):
-    """The darts of the world that are in S, as a set.
-
-    The set is empty if S is no part of the world, in its cyclic orders, or an edge of S has not
-    been walked.
-    """
+def _is_part(judged, published, world, dart, walked):
+    """Whether S is a part of the world, in its cyclic orders, and each of its edges was walked."""
     size, here = published.darts, published.here
     if here < 0 or here >= size or size > world.darts:
-        return 0
+        return False
     sigma, alpha = published.sigma, published.alpha
     # A dart in U that another dart claims as its partner (the fault of I-2) goes with that one.
     for d in range(size):
@@ -234,14 +103,14 @@ def _explored_part(judged, published, world, dart, walked):
         y, true = entry_of(sigma, x), world.sigma[judged.to[x]]
         for _ in range(2):
             if y < 0 or y >= size:
-                return 0
+                return False
             if judged.to[y] == NONE and not taken >> true & 1:
                 judged.to[y] = true
                 taken |= 1 << true
                 judged.queue[known] = y
                 known += 1
             elif judged.to[y] != true:
-                return 0
+                return False
             y = entry_of(alpha, x)
             if y == x:
                 y = judged.claim[x]
@@ -249,11 +118,11 @@ def _explored_part(judged, published, world, dart, walked):
                 break
             true = world.alpha[judged.to[x]]
     if known < size:
-        return 0
+        return False
     for d in range(size):
         if entry_of(alpha, d) != d and not walked >> judged.to[d] & 1:
-            return 0
-    return taken
+            return False
+    return True
 
 
 @inner

@@ -1,7 +1,7 @@
 """Batches of runs played by a shared library, in worlds or against records; for players alone.
 
 A run leaves a log (:mod:`allworlds.log`), which is judged elsewhere.  The twin is
-:mod:`allworlds.explorers.shared_library.library`.
+:mod:`allworlds.explorers.shared_library`.
 """
 
 from __future__ import annotations
@@ -11,39 +11,18 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from numba import int32, types
-from numpy import (
-    array,
-    diff,
-    empty,
-    frombuffer,
-    int32 as c_int,
-    int64,
-    uint8,
-)
+from numpy import array, diff, empty, frombuffer, int32 as c_int, int64, uint8
 from numpy.random import default_rng
 
 from allworlds import log as codes
 from allworlds.engines.kernel import capabilities as names, records as layout
 from allworlds.engines.kernel.compiling import RECORD, callback, entry, inlined, inner
-from allworlds.engines.kernel.instructions import (
-    LANES,
-    WIDE_LANES,
-    address_of,
-    ask,
-    byte_of,
-    call,
-    copy_bytes,
-    entry_of,
-    narrow_map,
-    put_word,
-)
+from allworlds.engines.kernel.instructions import address_of, ask, byte_of, call, entry_of
 from allworlds.engines.kernel.records import LIBRARY, NONE, Stretch, new
-from allworlds.explorers.shared_library.library import NativeExplorer, threads_left, threads_now
+from allworlds.explorers.shared_library import NativeExplorer, threads_left, threads_now
 
-LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS + LANES
+LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS
 """The largest number of bytes that are written in one step."""
-
-span = inlined(codes.span)
 
 
 class Handed(NamedTuple):
@@ -70,7 +49,7 @@ class LibraryPlayer:
         self._handed = _handed(functions, self._memory, beat)
         self._memories: dict[int, Stretch] = {}
         self._threads = threads_now()
-        self._moved = empty(layout.LOG_BYTES + WIDE_LANES, uint8)
+        self._moved = empty(layout.LOG_BYTES, uint8)
 
     def play(self, batch: dict[str, Any]) -> tuple[bytes, Any] | None:
         """The lengths of the logs, and the logs; None if they do not fit, or threads are left."""
@@ -106,22 +85,20 @@ def _handed(functions: Sequence[int], memory: Sequence[Any], beat: Any) -> Hande
     """An explorer for compiled code.
 
     The functions are the addresses of start, step, answer, choose (0: none), and of its state, the
-    memory is percept, action, here, and twice sigma and alpha.
+    memory is percept, action, here, sigma and alpha.
     """
     library = new(LIBRARY)
-    parts = [frombuffer(part, c_int) for part in memory]
-    percept, action, here, *rooms = parts
+    percept, action, here, sigma, alpha = (frombuffer(part, c_int) for part in memory)
     library.start, library.step, library.answer, library.choose, library.state = functions
     library.percept, library.action = percept.ctypes.data, action.ctypes.data
     library.here, library.pick = here.ctypes.data, pick_address()
-    library.sigma, library.alpha = ([each.ctypes.data for each in rooms[i::2]] for i in range(2))
-    library.room = len(rooms[0])
+    library.sigma, library.alpha, library.room = sigma.ctypes.data, alpha.ctypes.data, len(sigma)
     return Handed(library, percept, action, here, frombuffer(beat, int64))
 
 
 def load_player() -> None:
     """Load or compile the code by which a library plays."""
-    memory = [bytearray(4 * length) for length in (3, 2, 1, 1, 1, 1, 1)]
+    memory = [bytearray(4 * length) for length in (3, 2, 1, 1, 1)]
     handed = _handed([0] * 5, memory, bytearray(16))
     no_runs = Stretch(1).shared
     play(handed, no_runs, array([], int64), again=False)
@@ -131,12 +108,11 @@ def load_player() -> None:
 @entry
 def move(begins, lengths, logs, moved):
     """Copy logs that begin there, and are so long, one behind the other."""
-    to, logs_at = address_of(moved), address_of(logs)
+    to = 0
     for run in range(len(lengths)):
-        # What is written too much of one is written over by the next.
-        for at in range(0, lengths[run], WIDE_LANES):
-            copy_bytes(to + at, logs_at + begins[run] + at)
-        to += lengths[run]
+        for at in range(begins[run], begins[run] + lengths[run]):
+            moved[to] = logs[at]
+            to += 1
 
 
 @entry
@@ -145,20 +121,19 @@ def play(handed, shared, order, again):
 
     If they are played again it is without a world, against the percepts of the first play.
     """
-    at, due = int64(0), NOTHING_DUE
+    at = int64(0)
     for run in order:
         shared.begins[run] = at
-        at, due = _episode(handed, shared, run, again, at, due)
+        at = _episode(handed, shared, run, again, at)
         if at < 0:
             return -1
     handed.beat[1] = 0
-    _write(handed.library, shared.logs, due)
     return at
 
 
 @inlined
-def _episode(handed, shared, run, again, at, due):
-    """Play an episode; return where its log ends, -1 if there is no room, and what is due."""
+def _episode(handed, shared, run, again, at):
+    """Play an episode; return where its log ends, -1 if there is no room."""
     explorer, action, head, logs = handed.library, handed.action, shared.heads[run], shared.logs
     cost, shown, turn = 0, 0, 1
     # Where three bytes are for each percept, and which of them is the present one.
@@ -174,7 +149,7 @@ def _episode(handed, shared, run, again, at, due):
         turn += 1
         handed.beat[1] = turn
         if at + LONGEST_ENTRY > len(logs):
-            return int64(-1), due
+            return int64(-1)
         kind = action[0]
         if explorer.wrong:
             logs[at] = codes.BEYOND
@@ -200,22 +175,22 @@ def _episode(handed, shared, run, again, at, due):
             cost += 1
         elif kind == names.CHECKPOINT and shown <= head[layout.RUN_BUDGET]:
             shown += 1
-            at, due = _publish(handed, logs, at, codes.SHOWN, due)
-            if due[0] < 0:
+            behind = _publish(handed, logs, at, codes.SHOWN)
+            if behind == at:
                 break
+            at = behind
         else:
-            at, due = _end(handed, logs, at, due)
+            at = _end(handed, logs, at)
             break
         action[0] = action[1] = 0
         call(explorer.step, (explorer.state, explorer.percept, explorer.action))
-    return at + 1, due
+    return at + 1
 
 
 @inlined
 def _sense(address, percept):
     """Write the percept whose three bytes are at the address."""
-    # Degree and marks are stored at once: who copies both waits for nothing.
-    put_word(address_of(percept), byte_of(address, 0) | byte_of(address, 1) << 32)
+    percept[0], percept[1] = byte_of(address, 0), byte_of(address, 1)
     percept[2] = byte_of(address, 2) - 1
 
 
@@ -240,56 +215,45 @@ def _begin(explorer, action, head):
 
 
 @inlined
-def _end(handed, logs, at, due):
-    """Write the end of the log, with an answer or without; return its place, and what is due."""
+def _end(handed, logs, at):
+    """Write the end of the log, with an answer or without; return the place of its last byte."""
     kind = handed.action[0]
     if kind == names.ANSWER_READY:
-        at, due = _publish(handed, logs, at, codes.ANSWERED, due)
-        if due[0] >= 0:
-            at -= 1
-    elif kind == names.CHECKPOINT:
+        return max(at, _publish(handed, logs, at, codes.ANSWERED) - 1)
+    if kind == names.CHECKPOINT:
         logs[at] = codes.SHOWN_TOO_OFTEN
     elif kind == names.AMBIGUOUS:
         # The Python judge knows what a quotient is worth.
         logs[at] = codes.BEYOND
     else:
         logs[at] = codes.FAULT
-    return at, due
-
-
-# What has been published, and is to be written into the log when the next thing is: where, from
-# which room, and how many darts.
-NOTHING_DUE = (int64(-1), int64(0), int64(0))
-
-
-@inlined
-def _publish(handed, logs, at, what, due):
-    """Write a published map; return the place behind it, and the address of the map that is due.
-
-    If the map does not fit, BEYOND is written, and no map is due.
-    """
-    explorer, here, room = handed.library, handed.here, 1 - due[1]
-    here[0] = NONE
-    sigma, alpha = explorer.sigma[room], explorer.alpha[room]
-    arguments = explorer.state, int32(explorer.room), sigma, alpha, explorer.here
-    darts = int64(ask(explorer.answer, arguments))
-    _write(explorer, logs, due)
-    if darts < 1 or darts > codes.MOST_DARTS or here[0] < 0 or here[0] > 255:
-        logs[at] = codes.BEYOND
-        return at, NOTHING_DUE
-    logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
-    return at + 3 + span(darts), (at, room, darts)
+    return at
 
 
 @inner
-def _write(explorer, logs, due):
-    """Write the pending map's darts; mark the log BEYOND if one of them is no byte."""
-    at, room, darts = due
-    if at < 0:
-        return
-    target = address_of(logs) + at + 3
-    if narrow_map(target, explorer.sigma[room], explorer.alpha[room], darts):
+def _publish(handed, logs, at, what):
+    """Write a published map; return the place behind it.
+
+    If it does not fit into bytes, BEYOND is written, and its own place is returned.
+    """
+    explorer, here = handed.library, handed.here
+    here[0] = NONE
+    room = int32(explorer.room)
+    arguments = explorer.state, room, explorer.sigma, explorer.alpha, explorer.here
+    darts = int64(ask(explorer.answer, arguments))
+    odd = darts < 1 or darts > codes.MOST_DARTS or here[0] < 0 or here[0] > 255
+    if not odd:
+        logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
+        for i in range(2 * darts):
+            value = (
+                entry_of(explorer.sigma, i) if i < darts else entry_of(explorer.alpha, i - darts)
+            )
+            odd |= value < 0 or value > 255
+            logs[at + 3 + i] = value
+    if odd:
         logs[at] = codes.BEYOND
+        return at
+    return at + 3 + 2 * darts
 
 
 def pick(library, of, options, cost):  # pragma: no cover  # compiled

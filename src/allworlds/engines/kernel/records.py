@@ -50,16 +50,6 @@ GLUING = _record(
 )
 """The enumeration: a partial map that grows by decisions and takes them back."""
 
-COUNTING = _record(
-    (int64, "edges limit"),
-    # By depth: how many vertices, darts, and faces that have closed; the open darts; what
-    # is to be tried: partners as a set, then degrees.
-    (int64, "vertices darts faces opened untried degrees", DEPTHS),
-    # By depth: the open darts behind and before each one round its face.
-    (uint8, "after before", (DEPTHS, DARTS)),
-)
-"""A count: the boundaries of a partial map."""
-
 WORLD = _record(
     # The lighthouse: the number of its place, its dart at v0, what it tells.
     (int64, "darts vertices place pointed told"),
@@ -80,9 +70,6 @@ ANSWER = _record(
     # Addresses of 32-bit integers.
     (int64, "sigma alpha"),
     (int32, "darts here"),
-    # The same as bytes: the address of sigma, and behind it alpha; 0 if there are none.  If
-    # there are, the integers need not have been written yet.
-    (int64, "bytes"),
 )
 """An answer, or the S that is shown."""
 
@@ -147,14 +134,6 @@ JUDGED = _record(
     # Of the checkpoints so far: the laws that they break, as a set; whether there was one,
     # and t at the last.
     (int64, "broken shown t"),
-    # The S that was shown last, if it is known how it is embedded: its darts (0: it is not),
-    # how many of them lead somewhere, sigma and alpha, and the darts of the world, as a set.
-    # The embedding stands in ``to``.
-    (int64, "known explored"),
-    (uint8, "sigma alpha", DARTS),
-    (int64, "taken"),
-    # Room for one that is shown as integers.
-    (uint8, "bytes", 3 * DARTS),
     # Room for images, for what is still to be looked at, and for claims.
     (int64, "to queue", LONG),
     (int64, "claim", DARTS),
@@ -178,10 +157,8 @@ JOB = _record(
 LIBRARY = _record(
     # Addresses: of its functions, its state, what is exchanged, and what answers its choices.
     (int64, "start step answer choose state percept action here pick"),
-    # Two rooms for sigma and alpha, which take turns: who reads what has just been written, in
-    # other portions, waits for it to get to memory.  How many darts they hold.
-    (int64, "sigma alpha", 2),
-    (int64, "room"),
+    # Sigma and alpha, and how many darts they hold.
+    (int64, "sigma alpha room"),
     # How choices are answered, and whether one was illegal.
     (int64, "policy wrong"),
 )
@@ -225,16 +202,15 @@ CHOICE = _record((int64, "untried degree"), (NOW, "now"))
 
 WALK = _record(
     (NOW, "now"),
-    (int64, "edges limit policy fuel back_weight"),
+    (int64, "edges limit policy fuel"),
     (int64, "bound", DARTS),
     (uint8, "viable", (DARTS, 2 * DARTS)),
-    (uint8, "sensed", DARTS),
     # What has been met: worlds, and by vertices what they have shown.
     (int64, "worlds"),
     (int64, "counts", (DARTS, DEPTHS)),
-    # W, by darts: the partner, the vertex, the degree there as it is and as it is sensed,
-    # and the dart behind the last one of the vertex.  The degrees of the vertices.
-    (uint8, "partner owner degree felt end degrees", WALKED),
+    # W, by darts: the partner, the vertex, the degree there, and the dart behind the last one of
+    # the vertex.  The degrees of the vertices.
+    (uint8, "partner owner degree end degrees", WALKED),
     # S, by darts: the partner, the vertex, the degree that is expected there, the image in
     # W.  By vertices: the darts, and the vertices joined to each.  By degrees: the darts.
     (uint8, "s_partner s_owner s_degree image", WALKED),

@@ -1,77 +1,11 @@
-"""The requests to the engines, the tables in them, and the results: plain numbers."""
+"""The requests to the engines, and the results: plain numbers."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
 from msgspec import Struct
-from numpy import array, int64, ones
-
-from allworlds.judging.laws.bounds import paper_bound
-
-UNBOUNDED = 1 << 40
-"""The number in place of no bound: more than any walk costs."""
-
-
-class Tables(NamedTuple):
-    """The tables of one level.
-
-    Attributes:
-        bound: the largest legal cost of a walk, by vertices.
-        viable: by darts owed and darts open after a decision: a map can still be finished.
-        sensed: the degree that the robot of a walk senses, by the degree of the vertex.
-        fuel: a walk that costs more has failed.
-        back_weight: the cost of a step of retracing in a walk.
-    """
-
-    bound: Any
-    viable: Any
-    sensed: Any
-    fuel: int
-    back_weight: int
-
-
-def tables(edges: int, fuel: int, bounds: Sequence[int | None] = ()) -> Tables:
-    """The tables of the level; a walk that costs more than ``fuel`` has failed.
-
-    The bounds are the largest legal costs for 1, 2, ... vertices, None for none; empty: (1) + (2).
-    """
-    darts = 2 * edges
-    bounds = bounds or [paper_bound(n, edges) for n in range(1, edges + 2)]
-    return Tables(
-        bound=array([0, *map(packed, bounds)], int64),
-        viable=gluing_rule(edges),
-        sensed=array(range(darts + 1), int64),
-        fuel=fuel,
-        back_weight=1,
-    )
-
-
-def gluing_rule(edges: int) -> Any:
-    """The rule by darts owed and open: the last open dart may not close while darts are owed."""
-    viable = ones((2 * edges + 1, 4 * edges + 1), int64)
-    viable[1:, 0] = 0
-    return viable
-
-
-def packed(bound: int | None) -> int:
-    """Clamp a bound to the kernel's integers; no verdict changes, as every walk costs 0 or more."""
-    return UNBOUNDED if bound is None else max(-1, min(bound, UNBOUNDED))
-
-
-class LevelBounds(Struct, frozen=True):
-    """The largest legal cost of every run of a level.
-
-    Attributes:
-        value: of n, d0 and D; None if there is no bound, UNDEFINED where the bound has no value.
-        by_d0, by_largest: whether it depends on the degree of v0, and on the largest degree;
-            other arguments are given as 0.
-    """
-
-    value: Callable[[int, int, int], int | None]
-    by_d0: bool = False
-    by_largest: bool = False
 
 
 class Level(Struct, frozen=True, eq=False):
@@ -85,9 +19,9 @@ class Level(Struct, frozen=True, eq=False):
         lighthouse: one of :data:`allworlds.engines.kernel.capabilities.LIGHTHOUSES`.
         policy: ``fifo``, ``lifo`` or ``nearest``.
         laws: the checked ones; those before ``map`` always are.
-        bounds: of the law ``bound``.
+        bounds: the largest legal costs by vertices, degree of v0 and largest degree; the latter two
+            have one entry where the bound does not depend on them.
         budgets: the largest number of traversals, by vertices from 0 on; at most MOST_BUDGET.
-        tables: of the engines.
     """
 
     edges: int
@@ -98,9 +32,8 @@ class Level(Struct, frozen=True, eq=False):
     lighthouse: str
     policy: str
     laws: tuple[str, ...]
-    bounds: LevelBounds
+    bounds: list[list[list[int]]]
     budgets: tuple[int, ...]
-    tables: Tables
 
 
 class Counts(Struct, frozen=True):

@@ -142,7 +142,7 @@ def _list(world, log, law, row):
 def _judged_run(job, player, budget, bound, beat):
     """Play and judge a run; return the first law that it breaks, or 0."""
     world, log, judged = job.world, job.log, job.judged
-    judged.broken = judged.shown = judged.known = 0
+    judged.broken = judged.shown = 0
     law = play(world, player, budget, beat, log, judged)
     beat[1] = 0
     if law:
@@ -187,7 +187,6 @@ def _meet(world, explorer, budget, beat, log, judged):
     """Play an episode of an explorer behind its C interface."""
     percept, action = explorer.percept, explorer.action
     log.cost = log.checkpoints = log.walked = 0
-    log.published.bytes = 0
     dart = 0
     _sense(world, dart, percept)
     action.kind = 0
@@ -232,9 +231,6 @@ def _sense(world, dart, percept):
     percept.bearing = world.bearing[dart]
 
 
-span = inlined(codes.span)
-
-
 @inner
 def _follow(world, reader, budget, log, judged):
     """Follow the next log through the world; note the percepts on the way for the second play.
@@ -262,11 +258,11 @@ def _follow(world, reader, budget, log, judged):
             cost += 1
             walked |= 1 << dart | 1 << world.alpha[dart]
         elif code == codes.SHOWN and shown <= budget and _find_map(reader, at, published):
-            at += 2 + span(published.darts)
+            at += 2 + 2 * published.darts
             shown += 1
             look_at(judged, published, world, dart, walked)
         elif code == codes.ANSWERED and _find_map(reader, at, published):
-            at += 2 + span(published.darts)
+            at += 2 + 2 * published.darts
             law = 0
         elif code == codes.CHOICE:
             at += 2
@@ -294,11 +290,14 @@ def _note(reader, at, world, dart):
 
 @inlined
 def _find_map(reader, at, published):
-    """Whether there is a published map in the log."""
-    darts = 0
-    if at + 2 <= reader.size:
-        darts = byte_of(reader.logs, at)
-        published.darts, published.here = darts, byte_of(reader.logs, at + 1)
-    published.bytes = reader.logs + at + 2
+    """Whether there is a published map in the log; then it is read."""
+    darts = byte_of(reader.logs, at) if at + 2 <= reader.size else 0
+    if darts < 1 or darts > codes.MOST_DARTS or at + 2 + 2 * darts > reader.size:
+        return False
+    published.darts, published.here = darts, byte_of(reader.logs, at + 1)
     published.sigma, published.alpha = address_of(reader.sigma), address_of(reader.alpha)
-    return 1 <= darts <= codes.MOST_DARTS and at + 2 + span(darts) <= reader.size
+    first = reader.logs + at + 2
+    for d in range(darts):
+        put_entry(published.sigma, d, byte_of(first, d))
+        put_entry(published.alpha, d, byte_of(first, darts + d))
+    return True

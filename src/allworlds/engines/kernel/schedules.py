@@ -20,10 +20,9 @@ from numpy import array, int64, zeros
 
 from allworlds.engines.kernel.code import encode, keep_least
 from allworlds.engines.kernel.compiling import entry, inner
-from allworlds.engines.kernel.gluing import advance, rule_address
+from allworlds.engines.kernel.gluing import advance, gluing_rule, rule_address
 from allworlds.engines.kernel.instructions import lowest, neighbours
 from allworlds.engines.kernel.records import SCHEDULES, new
-from allworlds.engines.kernel.rows import gluing_rule
 from allworlds.engines.kernel.worlds import settle
 
 SHORTEST, SIMPLE = range(2)

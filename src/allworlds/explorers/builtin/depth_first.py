@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
 from allworlds.explorers.builtin.partial_map import PartialMap, bearing_of, walks
-from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.choices import Choices
@@ -27,7 +26,8 @@ def dfs(
     """
     choices = choices or Choices()
     s, here = PartialMap(first), 0
-    reference = {first.marks: _reference(s, 0, first)}
+    # The number of each vertex, and its reference dart.
+    reference = {first.marks: s.turn(0, bearing_of(first))}
     way: list[int] = []  # the darts that lead back to the first vertex
     while s.unexplored:
         at = s.first[s.vertex[here]]
@@ -55,12 +55,7 @@ def dfs(
         else:
             notice("unknown")
             here = s.add_vertex(dart, seen)
-            reference[seen.marks] = _reference(s, here, seen)
+            reference[seen.marks] = s.turn(here, bearing_of(seen))
             way.append(here)
         yield s.checkpoint(here)
-    return Estimate(CombinatorialMap(s.sigma, s.alpha), here)
-
-
-def _reference(s: PartialMap, dart: int, percept: Percept) -> int:
-    """The reference dart of the vertex at which the robot has arrived by ``dart``."""
-    return s.turn(dart, bearing_of(percept))
+    return s.estimate(here)

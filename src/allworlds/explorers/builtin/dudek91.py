@@ -16,18 +16,13 @@ needs; the open darts there are tried clockwise from the dart of entry.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
-from typing import TypeAlias
+from collections.abc import Callable
 
-from allworlds.explorers.builtin.algorithm1 import R, nobody
+from allworlds.explorers.builtin.algorithm1 import Walk, nobody
 from allworlds.explorers.builtin.partial_map import PartialMap, walks
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick
-from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.actions import Drop, Move, Percept, Pick
+from allworlds.protocol.answers import Estimate
 from allworlds.protocol.choices import Choices
-
-Acts: TypeAlias = Generator[Action | Checkpoint, Percept, R]
-"""A part of the exploration that ends with a value of type R."""
 
 
 def dudek91(
@@ -35,7 +30,7 @@ def dudek91(
     *,
     choices: Choices | None = None,
     notice: Callable[[str], None] = nobody,
-) -> Acts[Estimate]:
+) -> Walk[Estimate]:
     """Explore a simple world with one marker in hand that can be taken up again.
 
     Events are ``new-vertex`` and ``back-link``, the two ends of a pass.
@@ -55,7 +50,7 @@ class _Dudek:
         self.choices = choices
         self.notice = notice
 
-    def explore(self) -> Acts[Estimate]:
+    def explore(self) -> Walk[Estimate]:
         s = self.s
         while s.unexplored:
             cost = walks(s, s.vertex[self.here], s.unexplored)
@@ -76,9 +71,9 @@ class _Dudek:
                 yield Pick()
                 self.here = s.add_vertex(dart, beyond)
             yield s.checkpoint(self.here)
-        return Estimate(CombinatorialMap(s.sigma, s.alpha), self.here)
+        return s.estimate(self.here)
 
-    def go(self, goal: int) -> Acts[Percept | None]:
+    def go(self, goal: int) -> Walk[Percept | None]:
         """Walk to a vertex by a shortest way in S; return the percept there (no step: None)."""
         s, seen = self.s, None
         lengths = s.distances(goal)
@@ -89,7 +84,7 @@ class _Dudek:
             self.here = s.alpha[dart]
         return seen
 
-    def leave_by(self, dart: int) -> Acts[Percept]:
+    def leave_by(self, dart: int) -> Walk[Percept]:
         """Leave through a dart of the robot's vertex; ``here`` is not changed."""
         return (yield Move(self.s.offset(self.here, dart)))
 
@@ -110,7 +105,7 @@ class _Dudek:
                 waiting += [other for _, other in s.ways(vertex)]
         return [vertex for vertex in order if vertex in possible]
 
-    def find_marker(self, candidates: list[int], here: Percept) -> Acts[bool]:
+    def find_marker(self, candidates: list[int], here: Percept) -> Walk[bool]:
         """Visit the candidates until the marker is seen; the robot stays there."""
         for vertex in candidates:
             seen = yield from self.go(vertex)
@@ -118,7 +113,7 @@ class _Dudek:
                 return True
         return False
 
-    def close(self, dart: int) -> Acts[None]:
+    def close(self, dart: int) -> Walk[None]:
         """Carry the marker to the known end, go back, and find the open dart that leads to it."""
         s = self.s
         vertex = s.vertex[self.here]

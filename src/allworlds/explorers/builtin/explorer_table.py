@@ -2,11 +2,11 @@
 
 The modules:
 
-``algorithm1``, ``undirected``
-    Algorithm 1 of the paper, and its variant without a direction;
+``algorithm1``
+    Algorithm 1 of the paper, and its variants without a direction;
 ``partial_map``
     its S and U, and its ways through S;
-``folded_log``, ``folding``
+``folding``
     all percepts of a run as one map, and explorers that only fold it;
 ``shield``
     the shield that makes any explorer right;
@@ -21,12 +21,7 @@ from typing import Any, TypeAlias
 
 from msgspec import Struct, field
 
-from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.builtin.depth_first import dfs
-from allworlds.explorers.builtin.dudek91 import dudek91
-from allworlds.explorers.builtin.folding import folding, folding_oldest
-from allworlds.explorers.builtin.quotient import quotient
-from allworlds.explorers.builtin.undirected import algorithm1_cluster, algorithm1_natural
+Explore: TypeAlias = Callable[..., Any]
 
 Size: TypeAlias = tuple[int, int]
 """Numbers of edges and of vertices."""
@@ -36,9 +31,7 @@ class BuiltIn(Struct, frozen=True):
     """An explorer that ships with the package.
 
     Attributes:
-        explore: the generator function; it takes the percept before any motion, ``choices``
-            (default: first in, first out) and ``notice``, which hears of events and changes
-            nothing, and may take ``told``.
+        load: imports the generator function, and returns it.
         lighthouse: the one that it is written for, as ``KIND[:key=value,...]``.
         witnesses: the events that a complete check must have seen, each with the least known
             (edges, vertices) within which every policy meets it, for classes with loops and
@@ -52,17 +45,74 @@ class BuiltIn(Struct, frozen=True):
         about: a description, for a sentence of the page on the protocol.
     """
 
-    explore: Callable[..., Any]
+    load: Callable[[], Explore]
     lighthouse: str
     witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
     bound: str | None = None
     step_budget: int | None = None
     about: str = ""
 
+    @property
+    def explore(self) -> Explore:
+        """The generator function.
+
+        It takes the percept before any motion, ``choices`` (default: first in, first out) and
+        ``notice``, which hears of events and changes nothing, and may take ``told``.
+        """
+        return self.load()
+
+
+def _algorithm1() -> Explore:
+    from allworlds.explorers.builtin.algorithm1 import algorithm1
+
+    return algorithm1
+
+
+def _algorithm1_cluster() -> Explore:
+    from allworlds.explorers.builtin.algorithm1 import algorithm1_cluster
+
+    return algorithm1_cluster
+
+
+def _algorithm1_natural() -> Explore:
+    from allworlds.explorers.builtin.algorithm1 import algorithm1_natural
+
+    return algorithm1_natural
+
+
+def _dudek91() -> Explore:
+    from allworlds.explorers.builtin.dudek91 import dudek91
+
+    return dudek91
+
+
+def _dfs() -> Explore:
+    from allworlds.explorers.builtin.depth_first import dfs
+
+    return dfs
+
+
+def _folding() -> Explore:
+    from allworlds.explorers.builtin.folding import folding
+
+    return folding
+
+
+def _folding_oldest() -> Explore:
+    from allworlds.explorers.builtin.folding import folding_oldest
+
+    return folding_oldest
+
+
+def _quotient() -> Explore:
+    from allworlds.explorers.builtin.quotient import quotient
+
+    return quotient
+
 
 BUILT_IN: dict[str, BuiltIn] = {
     "algorithm1": BuiltIn(
-        algorithm1,
+        _algorithm1,
         "directional",
         {
             "case-1": ((4, 3), (6, 4)),
@@ -78,7 +128,7 @@ BUILT_IN: dict[str, BuiltIn] = {
         about="Algorithm 1 of the paper; the default",
     ),
     "algorithm1-cluster": BuiltIn(
-        algorithm1_cluster,
+        _algorithm1_cluster,
         "cluster:single=true",
         {
             "case-1": ((5, 5), (8, 8)),
@@ -95,7 +145,7 @@ BUILT_IN: dict[str, BuiltIn] = {
         "back",
     ),
     "algorithm1-natural": BuiltIn(
-        algorithm1_natural,
+        _algorithm1_natural,
         "natural",
         # A rejected test cannot be asked for: no world is known in which it is unavoidable.
         {
@@ -109,7 +159,7 @@ BUILT_IN: dict[str, BuiltIn] = {
         about="as `algorithm1-cluster`, with the degrees of v0 and v1 for marks",
     ),
     "dudek91": BuiltIn(
-        dudek91,
+        _dudek91,
         "movable",
         {"new-vertex": ((1, 2), (1, 2)), "back-link": ((1, 1), (3, 3))},
         "3*n*(n-1)//2 + (m-n+1)*(5*n+2*D-4)",
@@ -118,14 +168,14 @@ BUILT_IN: dict[str, BuiltIn] = {
         "two loops",
     ),
     "dfs": BuiltIn(
-        dfs,
+        _dfs,
         "labels",
         {"known": ((1, 1), (3, 3)), "unknown": ((1, 2), (1, 2))},
         "2*m",
         about="depth first, where every vertex has a number and a direction: the baseline of 2m",
     ),
     "folding": BuiltIn(
-        folding,
+        _folding,
         "directional",
         {"merged": ((1, 1), (3, 3))},
         "none",
@@ -134,14 +184,14 @@ BUILT_IN: dict[str, BuiltIn] = {
         "open dart that is nearest to v0",
     ),
     "folding-oldest": BuiltIn(
-        folding_oldest,
+        _folding_oldest,
         "directional",
         {"merged": ((1, 1), (3, 3))},
         "none",
         about="as `folding`, but a shortest way to the dart that is open for the longest time",
     ),
     "quotient": BuiltIn(
-        quotient,
+        _quotient,
         "position",
         {"map": ((1, 1), (1, 2)), "ambiguous": ((2, 1), (6, 4))},
         step_budget=100_000,

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Percept
-from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.choices import Choices, Kind
 
 
@@ -41,12 +42,9 @@ class PartialMap:
         self.expected: list[Percept] = []
         self.unexplored: list[int] = []
         self._add_vertex(first)
-        bearing = first.bearing
-        if bearing is not None:
-            self.expected = [
-                Percept(first.degree, first.marks, (bearing - d) % first.degree)
-                for d in range(first.degree)
-            ]
+        if (bearing := first.bearing) is not None:
+            degree, marks = first.degree, first.marks
+            self.expected = [Percept(degree, marks, (bearing - d) % degree) for d in range(degree)]
 
     def offset(self, start: int, end: int) -> int:
         """The motion from dart ``start`` to dart ``end`` of the same vertex."""
@@ -98,6 +96,10 @@ class PartialMap:
         """S and U as a checkpoint, with the robot's dart."""
         return Checkpoint(tuple(self.sigma), tuple(self.alpha), here)
 
+    def estimate(self, here: int) -> Estimate:
+        """S as the answer, with the robot's dart; no dart may be open."""
+        return Estimate(CombinatorialMap(self.sigma, self.alpha), here)
+
     def _add_vertex(self, percept: Percept) -> int:
         start, degree = len(self.sigma), percept.degree
         darts = range(start, start + degree)
@@ -111,26 +113,11 @@ class PartialMap:
         return start
 
 
-def simple_path(
-    s: PartialMap, start: int, goal: int, choices: Choices, kind: Kind
-) -> Iterator[int]:
-    """The darts by which a simple path in S from vertex ``start`` leaves its vertices."""
-    vertex = start
-    visited: list[int] = []
-    lengths = s.distances(goal) if start != goal else {}
-    while vertex != goal:
-        visited.append(vertex)
-        options = NextDarts(s, vertex, goal, visited, lengths)
-        dart = choices.pick(options, of=kind, cost=options.cost)
-        vertex = s.vertex[s.alpha[dart]]
-        yield dart
-
-
 class Lazy(Sequence[int]):
-    """Integers that are computed when a policy looks at the first of them."""
+    """Integers that are computed when a policy looks at them; the first may be known before."""
 
-    def __init__(self, compute: Callable[[], list[int]]) -> None:
-        self._compute = compute
+    def __init__(self, compute: Callable[[], list[int]], first: int | None = None) -> None:
+        self._compute, self._first = compute, first
 
     @cached_property
     def _values(self) -> list[int]:
@@ -140,45 +127,9 @@ class Lazy(Sequence[int]):
         return len(self._values)
 
     def __getitem__(self, index: Any) -> Any:
+        if index == 0 and self._first is not None:
+            return self._first
         return self._values[index]
-
-
-class NextDarts(Lazy):
-    """The options of one step of a path.  The first is found without looking at the others.
-
-    While a path has only taken first options it is a shortest one, and the first option is
-    the first dart that is one step nearer to the goal.
-    """
-
-    def __init__(
-        self, s: PartialMap, vertex: int, goal: int, visited: list[int], lengths: dict[int, int]
-    ) -> None:
-        super().__init__(lambda: [dart for _, dart in self._ranked])
-        self._s, self._vertex, self._goal = s, vertex, goal
-        self._visited = tuple(visited)
-        self._lengths = lengths
-        self.cost = Lazy(lambda: [length for length, _ in self._ranked])
-
-    def __getitem__(self, index: Any) -> Any:
-        if index == 0 and self._on_a_shortest_path():
-            nearer = self._lengths[self._vertex] - 1
-            ways = self._s.ways(self._vertex)
-            return next(dart for dart, other in ways if self._lengths[other] == nearer)
-        return super().__getitem__(index)
-
-    def _on_a_shortest_path(self) -> bool:
-        steps = len(self._visited) - 1
-        return self._lengths[self._vertex] + steps == self._lengths[self._visited[0]]
-
-    @cached_property
-    def _ranked(self) -> list[tuple[int, int]]:
-        """``(length of the way to go, dart)`` for every option, ascending."""
-        lengths = self._s.distances(self._goal, self._visited)
-        return sorted(
-            (lengths[other] + 1, dart)
-            for dart, other in self._s.ways(self._vertex)
-            if other in lengths and other not in self._visited
-        )
 
 
 def walks(s: PartialMap, start: int, darts: list[int]) -> Lazy:
@@ -189,3 +140,40 @@ def walks(s: PartialMap, start: int, darts: list[int]) -> Lazy:
         return [lengths[s.vertex[dart]] for dart in darts]
 
     return Lazy(compute)
+
+
+def simple_path(
+    s: PartialMap, start: int, goal: int, choices: Choices, kind: Kind
+) -> Iterator[int]:
+    """The darts by which a simple path in S from vertex ``start`` leaves its vertices."""
+    vertex = start
+    visited: list[int] = []
+    lengths = s.distances(goal) if start != goal else {}
+    while vertex != goal:
+        visited.append(vertex)
+        options, costs = _next_darts(s, goal, visited, lengths)
+        dart = choices.pick(options, of=kind, cost=costs)
+        vertex = s.vertex[s.alpha[dart]]
+        yield dart
+
+
+def _next_darts(
+    s: PartialMap, goal: int, visited: list[int], lengths: dict[int, int]
+) -> tuple[Lazy, Lazy]:
+    """The options of the next step of a path through these vertices, and the ways to go.
+
+    While a path has only taken first options it is a shortest one, and the first option is the
+    first dart that is one step nearer to the goal: the others need not be known for that.
+    """
+    vertex = visited[-1]
+
+    @cache
+    def ranked() -> list[tuple[int, int]]:
+        left = s.distances(goal, visited)
+        return sorted((left[other] + 1, dart) for dart, other in s.ways(vertex) if other in left)
+
+    first = None
+    if lengths[vertex] + len(visited) - 1 == lengths[visited[0]]:
+        first = next(d for d, other in s.ways(vertex) if lengths[other] == lengths[vertex] - 1)
+    options = Lazy(lambda: [dart for _, dart in ranked()], first)
+    return options, Lazy(lambda: [length for length, _ in ranked()])

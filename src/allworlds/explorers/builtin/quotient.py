@@ -11,18 +11,31 @@ from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.protocol.choices import Choices
 
+Word: TypeAlias = tuple[str, ...]
+Row: TypeAlias = tuple[Percept, ...]
+
 
 class TreeDart(NamedTuple):
-    """A dart of the tree: the dart ``turn`` places clockwise of a node's dart of entry."""
+    """A dart of the tree, ``turn`` places clockwise of the dart by which its node was entered.
 
-    node: int
+    The node is named by the turns of the darts that lead to it from the start.
+    """
+
+    node: tuple[int, ...]
     turn: int
+
+    @property
+    def beyond(self) -> TreeDart:
+        """The other end of its edge; a node's dart of entry leads back to the parent."""
+        if self.node and self.turn == 0:
+            return TreeDart(self.node[:-1], self.node[-1])
+        return TreeDart((*self.node, self.turn), 0)
 
 
 class Experiments:
     """The tree of all walks from the start: each arrival that is not a way back is a new node.
 
-    The tree does not know which nodes are one vertex.  Node 0 is the start.
+    The tree does not know which nodes are one vertex.
 
     Attributes:
         start: the dart that the robot faces at the start.
@@ -33,15 +46,12 @@ class Experiments:
     """
 
     def __init__(self, first: Percept) -> None:
-        self.start = self.here = TreeDart(0, 0)
-        self._percept = [first]
-        self._beyond: list[dict[int, int]] = [{}]
-        # The dart of the parent by which a node was found; the root has none.
-        self._from = [self.start]
+        self.start = self.here = TreeDart((), 0)
+        self._percepts = {self.start.node: first}
 
     def sensed(self, place: TreeDart) -> Percept:
         """The percept of the robot at a dart of the tree."""
-        return self._percept[place.node]
+        return self._percepts[place.node]
 
     def walk(self, word: Sequence[str], place: TreeDart | None = None) -> Walk[TreeDart]:
         """Walk a word of ``s`` (turn) and ``a`` (go through), by default from the start."""
@@ -49,65 +59,30 @@ class Experiments:
         for letter in word:
             if letter == "s":
                 at = TreeDart(at.node, (at.turn + 1) % self.sensed(at).degree)
-            else:
-                at = yield from self._through(at)
+                continue
+            beyond = at.beyond
+            if beyond.node not in self._percepts:
+                yield from self._go(at.node)
+                self._percepts[beyond.node] = yield from self._leave(at.turn)
+            at = beyond
         return at
 
-    def word_to(self, place: TreeDart) -> tuple[str, ...]:
+    def word_to(self, place: TreeDart) -> Word:
         """The word that leads from the start to a place along the tree."""
-        word: list[str] = []
-        while True:
-            word = [*"s" * place.turn, *word]
-            if not place.node:
-                return tuple(word)
-            word = ["a", *word]
-            place = self._from[place.node]
+        return (*"".join("s" * turn + "a" for turn in place.node), *"s" * place.turn)
 
-    def _through(self, at: TreeDart) -> Walk[TreeDart]:
-        known = self._known(at)
-        if known is not None:
-            return known
-        yield from self._go(at.node)
-        seen = yield Move(at.turn - self.here.turn)
-        node = len(self._percept)
-        self._percept.append(seen)
-        self._beyond.append({})
-        self._from.append(at)
-        self._beyond[at.node][at.turn] = node
-        self.here = TreeDart(node, 0)
-        return self.here
+    def _go(self, goal: tuple[int, ...]) -> Walk[None]:
+        """Walk to a node: up to where the ways from the start part, and down."""
+        while self.here.node != goal[: len(self.here.node)]:
+            yield from self._leave(0)
+        for turn in goal[len(self.here.node) :]:
+            yield from self._leave(turn)
 
-    def _known(self, at: TreeDart) -> TreeDart | None:
-        """The other end, if it was reached; a node's dart of entry leads back to its parent."""
-        if at.node and at.turn == 0:
-            return self._from[at.node]
-        node = self._beyond[at.node].get(at.turn)
-        return None if node is None else TreeDart(node, 0)
-
-    def _go(self, goal: int) -> Walk[None]:
-        """Walk to a node: up to where the ways from the root part, and down."""
-        below = self._line(goal)
-        while self.here.node not in below:
-            yield from self._step(TreeDart(self.here.node, 0))
-        for node in reversed(below[: below.index(self.here.node)]):
-            yield from self._step(self._from[node])
-
-    def _line(self, node: int) -> list[int]:
-        """The node, its parent, and so on to the root."""
-        line = [node]
-        while line[-1]:
-            line.append(self._from[line[-1]].node)
-        return line
-
-    def _step(self, dart: TreeDart) -> Walk[None]:
-        yield Move(dart.turn - self.here.turn)
-        other = self._known(dart)
-        assert other is not None
-        self.here = other
-
-
-Word: TypeAlias = tuple[str, ...]
-Row: TypeAlias = tuple[Percept, ...]
+    def _leave(self, turn: int) -> Walk[Percept]:
+        """Leave the robot's node by one of its darts."""
+        seen = yield Move(turn - self.here.turn)
+        self.here = TreeDart(self.here.node, turn).beyond
+        return seen
 
 
 def quotient(

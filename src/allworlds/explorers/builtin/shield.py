@@ -2,7 +2,7 @@
 
 Two *guests*, the explorer and Algorithm 1, take turns with budgets 1, 2, 4, ...: in its turn a
 guest goes on until it has made that many traversals in all.  All percepts go into one
- folded log (:mod:`allworlds.explorers.builtin.folded_log`); as soon as no dart of it is open the
+folded log (:mod:`allworlds.explorers.builtin.folding`); as soon as no dart of it is open the
 folded map is the answer, and the guests' answers are never used.
 
 A guest walks in the log as far as that is known, which costs nothing: its percepts are read from
@@ -22,8 +22,14 @@ from itertools import count
 from typing import Any
 
 from allworlds.explorers.builtin.algorithm1 import Walk, algorithm1
-from allworlds.explorers.builtin.folded_log import OPEN, FoldedLog
-from allworlds.explorers.builtin.folding import begun, estimate, has_open_dart, way
+from allworlds.explorers.builtin.folding import (
+    OPEN,
+    FoldedLog,
+    begun,
+    estimate,
+    has_open_dart,
+    way,
+)
 from allworlds.inputs.checks import integer, let_users_interrupt, show
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.answers import Checkpoint, Estimate

@@ -6,30 +6,484 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from allworlds.explorers.names import is_program
+from allworlds.explorers.loading import is_program
 from allworlds.inputs.checks import InputError, an_integer
 from allworlds.judging.episode import default_step_budget
-from allworlds.judging.explanations.slips import (
-    bearings_anticlockwise,
-    mirror_image,
-    tell_rounds,
-    telling_line,
-    the_slip,
+from allworlds.judging.explanations.slips import bearings_anticlockwise, mirror_image, the_slip
+from allworlds.judging.explanations.story import (
+    Belief,
+    Story,
+    Teller,
+    Telling,
+    Walked,
+    round_at_the_end,
+    spending,
 )
-from allworlds.judging.explanations.story import Belief, Story, Teller, Telling, spending
-from allworlds.judging.findings.belief import Parting
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import true_walk
+from allworlds.judging.findings.walks import Parting
 from allworlds.judging.laws.bounds import paper_terms
 from allworlds.judging.laws.folding import Folded, fold
 from allworlds.maps.canonical import carries, numbering, rooted_isomorphism
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
-from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol.actions import Move
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.protocol.transcript import Transcript
 from allworlds.words import listed, plural, size
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.world import World
+
+# ---------------------------------------------------------------- the run ended too early
+
+PYTHON = "Traceback (most recent call last):"
+
+TELLING = re.compile(
+    r"""(\b\w*(Error|Exception)\b.*:)  # Node, Java, Ruby, C#
+    |(^panic:)                         # Go
+    |(\bpanicked\ at\b)                # Rust
+    |(^\s*what\(\):)                   # C++
+    |(\bAssertion\b.*\bfailed\b)        # C
+    |(^(fatal|Segmentation\ fault|Aborted|Killed)\b)
+    """,
+    re.VERBOSE | re.IGNORECASE,
+)
+"""The words at the beginning of that line, or in it."""
+
+FRAME = re.compile(r"^\s+at\s|^\s*File \"|^note: ")
+"""The words in a line about the place of an error, not about the error."""
+
+
+def telling_line(text: str) -> str:
+    """The line of a traceback, or of a text on stderr, that names the error.
+
+    Python writes this line last, other languages first, followed by places, or a version.  If no
+    line looks like one, it is the last line; empty if there is none.
+    """
+    lines = [line for line in text.split("\n") if line.strip()]
+    if not lines:
+        return ""
+    if any(line.startswith(PYTHON) for line in lines):
+        return next((line for line in reversed(lines) if line[0] != " "), lines[-1]).strip()
+    for i in reversed(range(len(lines))):
+        if TELLING.search(lines[i]) and not FRAME.search(lines[i]):
+            # Rust tells where on this line, and what on the next.
+            after = lines[i + 1 : i + 2] if lines[i].endswith(":") else []
+            return " ".join(line.strip() for line in [lines[i], *after])
+    return lines[-1].strip()
+
+
+PANIC = "panicked at"
+"""Words by which a program in Rust says itself why and where it ends."""
+
+OUTSIDE = re.compile(r"\(signal (6|7|8|11)\)")
+"""The end of a process by what it does to memory: SIGABRT, SIGBUS, SIGFPE, SIGSEGV."""
+
+SANITIZER = (
+    "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
+    "come long before: compile with -g -fsanitize=address,undefined to see the line."
+)
+"""The advice for such an end."""
+
+STDOUT = "The program's stdout is for its actions alone: output for debugging goes to stderr."
+"""The advice for a program that prints anything else, or when it is not its turn."""
+
+OF_PROGRAMS = (
+    (
+        "illegal-action",
+        # So JavaScript writes an undefined value.
+        r"^the line \{\}:",
+        "Was a value undefined: a return that was forgotten, or an ended generator?",
+    ),
+    (
+        "illegal-action",
+        "a line that is no JSON|a line that is no object|it has none of the keys",
+        STDOUT,
+    ),
+    ("nondeterministic", "a line before it was asked|a line after its answer", STDOUT),
+    (
+        "timeout",
+        r"of one\)",
+        "Does every line of the program end in a newline? Until it does, it is not read.",
+    ),
+    (
+        "timeout",
+        "",
+        "Does the program flush its output after every line? A line in a buffer is silence.",
+    ),
+)
+"""The advice for programs: the broken law, a pattern of what was seen, and the words."""
+
+KEPT = (
+    "Does it keep something from an earlier run: a global or static variable, or a field that is "
+    "not reset when an episode begins? Does it go by chance, by time or by addresses?"
+)
+"""The questions about an explorer that does not repeat itself."""
+
+
+def _advice(finding: Finding) -> list[str]:
+    """The cause that the kind of the fault makes likely; no sentence where there is none."""
+    seen = str(finding.seen)
+    if finding.law == "crash" and OUTSIDE.search(seen):
+        said = f"{finding.detail}\n{finding.output}"
+        return [f"It said: {telling_line(said)}" if PANIC in said else SANITIZER]
+    for law, pattern, words in OF_PROGRAMS:
+        if law == finding.law and is_program(finding.explorer) and re.search(pattern, seen):
+            return [words]
+    return [KEPT] if finding.law == "nondeterministic" else []
+
+
+def ending(how: str) -> Teller:
+    """Tell how the run ended, in that sentence, then its last step and the last percept."""
+
+    def tell(story: Story) -> Telling:
+        finding = story.finding
+        line = telling_line(finding.detail)
+        told = [how.format(seen=finding.seen), *_advice(finding)]
+        told += [*_tell_first_wrong(story), _say_last_step(story)]
+        if line not in str(finding.seen):
+            told.append(f"Its last message: {line}")
+        return Telling(told, story.checkpoint)
+
+    return tell
+
+
+ANTICLOCKWISE = (
+    "A frequent cause is a bearing, a motion or a way back that is counted anticlockwise; all of "
+    "them count darts clockwise."
+)
+"""The advice for an answer that is no map."""
+
+
+def tell_no_estimate(story: Story) -> Telling:
+    """Tell the ending, and for a map that could not be built the law of maps that it breaks."""
+    seen = str(story.finding.seen)
+    if not seen.startswith(NO_MAP):
+        return ending("The explorer ended without an answer that could be judged.")(story)
+    built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
+    message = seen.removeprefix(NO_MAP)
+    told = [f"The answer is no map: {message}."]
+    if built:
+        told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
+        told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
+        if "must be a permutation" in message:
+            told.append(ANTICLOCKWISE)
+    return Telling([*told, *_tell_first_wrong(story), _say_last_step(story)], story.checkpoint)
+
+
+def tell_nondeterministic(story: Story) -> Telling:
+    """Tell that two plays differ, and what is mostly the cause."""
+    told = "In a second run of the same world the explorer acted differently."
+    return Telling([told, *_advice(story.finding), _say_last_step(story)])
+
+
+SHOW = (
+    "A checkpoint after each edge would show the first wrong S; where the explorer shows them, all "
+    "of them fit the world."
+)
+"""The advice for a walk without an end and without a wrong checkpoint."""
+
+
+def tell_budget(story: Story) -> Telling:
+    """Tell whose the budget is, and whether the robot went round, or found no new edge."""
+    how = "The explorer did not end within its step budget, so the run was stopped."
+    wrong = _tell_first_wrong(story)
+    if wrong:  # that is the cause
+        return Telling([*wrong, how], story.checkpoint)
+    if str(story.finding.seen).startswith("checkpoint "):
+        why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
+    else:
+        why = tell_rounds(story) or [_say_last_step(story)]
+        why += [SHOW] if story.finding.rules.task.is_map else []
+    return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
+
+
+def tell_whose_budget(finding: Finding) -> str:
+    """Tell where the step budget comes from, and how to get another one."""
+    rules, map_ = finding.rules, finding.world.map
+    if rules.step_budget is not None:
+        return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
+    value = rules.budget(map_)
+    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    world = size(map_.edge_count, map_.vertex_count)
+    told = "the bound that the explorer names"
+    if value == default_step_budget(new + closing):
+        told = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
+    return (
+        f"In a world with {world} the budget is {plural(value, 'traversal')}, {told}. An explorer "
+        "that is right and walks more needs a larger budget: --step-budget N."
+    )
+
+
+WAY_BACK = (
+    "Look at its ways back: motions a, b, c are undone by 0, -c, -b, and then the robot stands at "
+    "the dart by which it left, a darts clockwise of the one where it stood before."
+)
+"""The rule of ways back: a wrong one is a likely cause of a walk without an end."""
+
+
+LOST = (
+    "Either it takes a vertex or an edge that it knows for a new one, or the robot is not where "
+    "the explorer believes."
+)
+"""The cause of a walk that goes on in a known world."""
+
+
+def tell_rounds(story: Walked) -> list[str]:
+    """Tell that the robot went round, or since when no edge was new; skip short walks."""
+    actions = story.transcript.actions
+    found = round_at_the_end([*zip(actions, story.walked[1:], strict=True)])
+    if found:
+        steps = plural(found.length, "step")
+        told = f"From step {found.first} on it repeated {steps} {found.times} times"
+        return [f"{told}, until the end.", *_tell_ways_back(story, found.first + found.length - 1)]
+    found_at = story.discoveries
+    if not found_at:
+        return []
+    left = story.map.edge_count - len(found_at)
+    step = f"After step {found_at[-1]}"
+    if left:
+        told = f"{step} it met no new edge; {plural(left, 'edge')} it never met."
+        return [told, *_tell_ways_back(story, len(actions))]
+    return [
+        f"{step} it had walked every edge of the world, and yet it went on.",
+        LOST,
+        WAY_BACK,
+    ]
+
+
+def _tell_ways_back(story: Walked, end: int) -> list[str]:
+    """Tell how a way back is walked, where one may begin before that step."""
+    actions = story.transcript.actions[:end]
+    if all(action == Move(0) for action in actions):
+        return []
+    back = (i for i, action in enumerate(actions) if i and action == Move(0))
+    return [WAY_BACK] if any(story.sensed[i].degree > 1 for i in back) else []
+
+
+def _tell_first_wrong(story: Story) -> list[str]:
+    """Tell the first checkpoint with a wrong S; no sentence where there is none."""
+    if story.checkpoint is None:
+        return []
+    what = story.finding.wrong_checkpoint or "it shows another S than the explored part"
+    told = f"The checkpoint after step {story.checkpoint} is wrong already: {what}."
+    return [f"{told} Mend that first: all that followed may be built on it."]
+
+
+def _say_last_step(story: Story) -> str:
+    steps, place = story.transcript.steps, story.place(story.walked[-1])
+    if not steps:
+        return f"It made no step: it stood at the start, {place}, and sensed '{story.sensed[0]}'."
+    action, percept = steps[-1]
+    return (
+        f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{percept}'."
+    )
+
+
+# ---------------------------------------------------------------- the answer is wrong
+
+GUESSED = "guessed"
+"""The cause of a wrong answer that is no slip in drawing the map."""
+
+
+def tell_map(story: Story) -> Telling:
+    """Tell the sizes of both maps, and the step where the walks in them diverge."""
+    belief = Belief(story)
+    slip, parting = the_slip(belief), tell_parting(belief)
+    name = slip.name if slip else ""
+    if slip:
+        told = [slip.sentence, *parting]
+    elif belief.walk.parting is None:
+        told, name = parting, GUESSED
+    else:
+        told = [_say_sizes(story.map, belief.answer.map), *parting]
+    return Telling(told, belief.step, belief.answer, slip=name)
+
+
+def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
+    first, second = (size(map_.edge_count, map_.vertex_count) for map_ in (world, answer))
+    if first == second:
+        return f"The answer has {second}, as the world has, but is another map."
+    return f"The world has {first}, the answer {second}."
+
+
+def tell_parting(belief: Belief) -> list[str]:
+    """Tell where the walk and its image in the answer diverge, and how that could be sensed."""
+    parting, misfits = belief.walk.parting, belief.walk.misfits
+    if parting is None:
+        fits = (
+            "The answer is another world that fits the whole log: nothing that the robot sensed "
+            "tells the two apart, so it was guessed."
+        )
+        return [fits, *tell_open_darts(belief.story)]
+    sentences = [_say_parting(belief, parting)]
+    if parting.step in misfits:
+        return sentences
+    if misfits:
+        step, misfit = misfits[0], _say_misfit(belief, misfits[0])
+        sentences.append(f"The first percept against the answer came at step {step}: {misfit}.")
+        return sentences
+    sentences.append(
+        "Every percept fits the answer, too: the walk was too short to tell the two apart."
+    )
+    return sentences + tell_open_darts(belief.story)
+
+
+def _say_parting(belief: Belief, parting: Parting) -> str:
+    """The step at which they diverge, as one sentence."""
+    story = belief.story
+    step, robot, taken_for = parting.step, parting.robot, parting.taken_for
+    vertex = story.vertex(robot)
+    misfit = _say_misfit(belief, step) if step in belief.walk.misfits else ""
+    if step == 0:
+        return f"They part at the start, at {vertex}: {misfit}."
+    if parting.fresh:
+        truth = f"At step {step} the robot came to {vertex} for the first time"
+    else:
+        truth = f"At step {step} the robot was back at {vertex}, {story.last_left(robot, step)}"
+    if taken_for == (None if parting.fresh else robot):
+        return f"{truth}, and so it is in its answer, but {misfit}."
+    if taken_for is None:
+        taken = "its answer takes the place for a new vertex"
+    elif story.vertex(taken_for) != vertex:
+        left = story.last_left(taken_for, step)
+        taken = f"its answer takes the place for {story.vertex(taken_for)}, {left}"
+    else:
+        taken = f"in its answer it came by dart {taken_for}, in truth by dart {robot}"
+    return f"{truth}, but {taken}{': ' if misfit else ''}{misfit}."
+
+
+def _say_misfit(belief: Belief, step: int) -> str:
+    expected, sensed = belief.walk.expected[step], belief.story.sensed[step]
+    return f"it sensed '{sensed}', where the answer predicts '{expected}'"
+
+
+TURNED, ELSEWHERE = "off by a turn", "another vertex"
+"""The names of a wrong ``here``, at the robot's vertex and at another one."""
+
+
+def tell_pose(story: Story) -> Telling:
+    """Tell where the robot is, where the answer says that it is, and where the walks diverge."""
+    belief = Belief(story)
+    images = _images(belief)
+    alike = len(images) - 1
+    symmetry = f" (for this symmetric map {plural(alike, 'other dart')} would be right, too)"
+    where = f"{_say_where(belief, images)}{symmetry if alike else ''}"
+    turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
+    name = TURNED if turned else ELSEWHERE
+    bearings = bearings_anticlockwise(belief)
+    told = [f"The map is right, but 'here' is wrong: {where}."]
+    if mirror_image(belief):
+        causes = ["'here' is wrong", "the rotations are anticlockwise"]
+        causes += ["the bearings are counted anticlockwise"] if bearings else []
+        told = [
+            f"Either {', or '.join(causes)}: {where}.",
+            "This world is its own mirror image and does not show which.",
+        ]
+    elif bearings:
+        name = bearings.name
+        told.append(f"Or: {bearings.sentence}")
+    return Telling([*told, *tell_parting(belief)], belief.step, belief.answer, slip=name)
+
+
+def _images(belief: Belief) -> list[Dart]:
+    """The darts of the world that ``here`` can stand for: one, or more by symmetry."""
+    answer, map_ = belief.answer, belief.story.map
+    sigma, alpha = answer.map.sigma, answer.map.alpha
+    order = numbering(sigma, alpha, answer.here)
+    images = [d for d in map_.darts if carries(sigma, alpha, order, map_.sigma, map_.alpha, d)]
+    if not images:
+        raise InputError("the finding's answer is not the map of its world, so its law is not pose")
+    return images
+
+
+def _say_where(belief: Belief, images: list[Dart]) -> str:
+    """Tell where the robot stands, and where the answer says that it stands."""
+    story = belief.story
+    map_, robot = story.map, story.walked[-1]
+    stands = f"the robot stands at {story.place(robot)}, and the answer says"
+    parting = belief.walk.parting
+    meant = parting.taken_for if parting and parting.step == len(story.walked) - 1 else None
+    near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
+    if not near:
+        said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
+        told = f"{stands} {story.place(said)}, which is another vertex"
+    else:
+        said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
+        turned, degree = map_.offset(said, robot), map_.degree_at[robot]
+        back = degree - turned
+        darts, way = (turned, "anticlockwise") if turned < back else (back, "clockwise")
+        told = f"{stands} dart {said} of the same vertex, {plural(darts, 'dart')} too far {way}"
+    if said != map_.alpha[robot] or len(story.walked) == 1:
+        return told
+    return f"{told}; dart {said} is the other end of the edge by which the robot came"
+
+
+def tell_ambiguity(story: Story) -> Telling:
+    """Tell the quotient that the answer should have been, or that it should have been a map."""
+    broken = (
+        "The answer says that several worlds look alike, and what they have in common: the "
+        "quotient in which darts are one that nothing tells apart, rooted at the robot's."
+    )
+    stands = f"In the world the robot stands at {story.place(story.walked[-1])}."
+    return Telling([broken, stands])
+
+
+# ---------------------------------------------------------------- a checkpoint is wrong
+
+
+def checkpoint(broken: str) -> Teller:
+    """Tell in that sentence what is broken, and the checkpoint that shows it."""
+
+    def tell(story: Story) -> Telling:
+        told, step = [broken], story.checkpoint
+        if step is not None:
+            told.append(
+                f"The checkpoint came after step {step}, where the robot stood at "
+                f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
+            )
+        # Where a pass brings no progress S may be right: there the walks do not diverge.
+        return Telling(told, None if story.finding.law == "variant" else step)
+
+    return tell
+
+
+# ---------------------------------------------------------------- the answer was guessed, or dear
+
+
+NAMED = 3
+"""The number of open darts that are named, the others are counted."""
+
+
+def tell_open_darts(story: Story) -> list[str]:
+    """Tell the open darts of the folded log, and the vertices that it has several times.
+
+    No sentence if no dart is open, or if the lighthouse allows no folding.
+    """
+    if not story.world.lighthouse.as_kind.folds:
+        return []
+    folded, map_ = fold(story.transcript), story.map
+    image = {0: story.world.start}
+    for x in (queue := [0]):
+        for y, true in ((folded.sigma[x], map_.sigma), (folded.alpha[x], map_.alpha)):
+            if y not in image:
+                image[y] = true[image[x]]
+                queue.append(y)
+    unsettled = {image[x] for x, y in enumerate(folded.alpha) if x == y}
+    if not unsettled:
+        return []
+    named = [f"dart {dart} of {story.vertex(dart)}" for dart in sorted(unsettled)]
+    if len(named) > NAMED:
+        named[NAMED:] = [plural(len(named) - NAMED, "other dart")]
+    open_ = f"where {listed(named)} {'lead' if len(named) > 1 else 'leads'}"
+    copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
+    twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
+    told = [f"After this walk it is not known {open_}."]
+    if twice:
+        one = "each of these" if len(twice) > 1 else "this"
+        told.append(
+            f"The robot came to {listed(twice)}, and the log does not show that {one} is one "
+            "vertex."
+        )
+    return told
 
 
 def another_world(world: World, transcript: Transcript) -> World | None:
@@ -41,28 +495,16 @@ def another_world(world: World, transcript: Transcript) -> World | None:
     Cost: exponential in the number of these darts at the worst; the first try is nearly always
     another world.
     """
-    folded = fold(transcript)
+    folded, bearing = fold(transcript), transcript.first.bearing
     if not folded.open_darts:
         return None
+    assert bearing is not None
     return next(
-        other
+        World(map_, Directional(map_.turn(0, bearing)), 0)
         for map_ in _completions(folded)
         if (map_.is_simple or not world.map.is_simple)
-        and (other := _agreeing(map_, transcript))
-        and not rooted_isomorphism(other.map, other.start, world.map, world.start)
+        and not rooted_isomorphism(map_, 0, world.map, world.start)
     )
-
-
-def _agreeing(map_: CombinatorialMap, transcript: Transcript) -> World | None:
-    """The world of this map with the marker of the log; None if it does not have this log."""
-    bearing = transcript.first.bearing
-    assert bearing is not None
-    other = World(map_, Directional(map_.turn(0, bearing)), 0)
-    try:
-        sensed = [percept for _, percept in true_walk(other, transcript)]
-    except IllegalAction:
-        return None
-    return other if sensed == transcript.percepts else None
 
 
 def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
@@ -117,452 +559,6 @@ def _completed(
     return CombinatorialMap(sigma, alpha)
 
 
-NAMED = 3
-"""The number of open darts that are named, the others are counted."""
-
-
-def tell_parting(belief: Belief) -> list[str]:
-    """Tell where the walk and its image in the answer diverge, and how that could be sensed."""
-    parting, misfits = belief.parting, belief.misfits
-    if parting is None:
-        fits = (
-            "The answer is another world that fits the whole log: nothing that the robot sensed "
-            "tells the two apart, so it was guessed."
-        )
-        return [fits, *tell_open_darts(belief.story)]
-    sentences = [_say_parting(belief, parting)]
-    if parting.step in misfits:
-        return sentences
-    if misfits:
-        step, misfit = misfits[0], _say_misfit(belief, misfits[0])
-        sentences.append(f"The first percept against the answer came at step {step}: {misfit}.")
-        return sentences
-    sentences.append(
-        "Every percept fits the answer, too: the walk was too short to tell the two apart."
-    )
-    return sentences + tell_open_darts(belief.story)
-
-
-def _say_parting(belief: Belief, parting: Parting) -> str:
-    """The step at which they diverge, as one sentence."""
-    story = belief.story
-    step, robot, taken_for = parting.step, parting.robot, parting.taken_for
-    vertex = story.vertex(robot)
-    misfit = _say_misfit(belief, step) if step in belief.misfits else ""
-    if step == 0:
-        return f"They part at the start, at {vertex}: {misfit}."
-    if parting.fresh:
-        truth = f"At step {step} the robot came to {vertex} for the first time"
-    else:
-        truth = f"At step {step} the robot was back at {vertex}, {story.last_left(robot, step)}"
-    if taken_for == (None if parting.fresh else robot):
-        return f"{truth}, and so it is in its answer, but {misfit}."
-    if taken_for is None:
-        taken = "its answer takes the place for a new vertex"
-    elif story.vertex(taken_for) != vertex:
-        left = story.last_left(taken_for, step)
-        taken = f"its answer takes the place for {story.vertex(taken_for)}, {left}"
-    else:
-        taken = f"in its answer it came by dart {taken_for}, in truth by dart {robot}"
-    return f"{truth}, but {taken}{': ' if misfit else ''}{misfit}."
-
-
-def _say_misfit(belief: Belief, step: int) -> str:
-    expected, sensed = belief.expected[step], belief.story.sensed[step]
-    return f"it sensed '{sensed}', where the answer predicts '{expected}'"
-
-
-def tell_open_darts(story: Story) -> list[str]:
-    """Tell the open darts of the folded log, and the vertices that it has several times.
-
-    No sentence if no dart is open, or if the lighthouse allows no folding.
-    """
-    if not story.world.lighthouse.as_kind.folds:
-        return []
-    folded, map_ = fold(story.transcript), story.map
-    image = {0: story.world.start}
-    for x in (queue := [0]):
-        for y, true in ((folded.sigma[x], map_.sigma), (folded.alpha[x], map_.alpha)):
-            if y not in image:
-                image[y] = true[image[x]]
-                queue.append(y)
-    unsettled = {image[x] for x, y in enumerate(folded.alpha) if x == y}
-    if not unsettled:
-        return []
-    named = [f"dart {dart} of {story.vertex(dart)}" for dart in sorted(unsettled)]
-    if len(named) > NAMED:
-        named[NAMED:] = [plural(len(named) - NAMED, "other dart")]
-    open_ = f"where {listed(named)} {'lead' if len(named) > 1 else 'leads'}"
-    copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
-    twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
-    told = [f"After this walk it is not known {open_}."]
-    if twice:
-        one = "each of these" if len(twice) > 1 else "this"
-        told.append(
-            f"The robot came to {listed(twice)}, and the log does not show that {one} is one "
-            "vertex."
-        )
-    return told
-
-
-def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell that the answer is right, whose bound it is, and how to check without it."""
-    others = [law for law in finding.rules.applying if law != "bound"]
-    rest = f"every other law that was checked holds: {listed(others)}" if others else ""
-    if {"map", "pose"} <= {*others}:
-        right = "The map and the pose are right; the walk is longer than the bound allows."
-    else:
-        right = f"The walk is longer than the bound allows{'; ' if rest else ''}{rest}."
-    other = "4*m" if finding.rules.the_bound.name == "2*m" else "2*m"
-    without = (
-        "The option --bound none checks the other laws alone; --bound EXPR checks another cost, "
-        f"such as --bound '{other}'."
-    )
-    return [right, _whose(finding), without]
-
-
-def tell_whose_budget(finding: Finding) -> str:
-    """Tell where the step budget comes from, and how to get another one."""
-    rules, map_ = finding.rules, finding.world.map
-    if rules.step_budget is not None:
-        return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
-    value = rules.budget(map_)
-    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
-    world = size(map_.edge_count, map_.vertex_count)
-    told = "the bound that the explorer names"
-    if value == default_step_budget(new + closing):
-        told = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
-    return (
-        f"In a world with {world} the budget is {plural(value, 'traversal')}, {told}. An explorer "
-        "that is right and walks more needs a larger budget: --step-budget N."
-    )
-
-
-def _whose(finding: Finding) -> str:
-    rules, map_ = finding.rules, finding.world.map
-    name, value = rules.the_bound.name, finding.expected
-    world = size(map_.edge_count, map_.vertex_count)
-    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
-    paper = (
-        "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
-        "find a new vertex, and (2), the passes that close an edge between known ones"
-    )
-    sums = f"In a world with {world} that is {new} + {closing}"
-    if name == "paper":
-        return f"The bound 'paper' is {paper}. {sums} = {value}."
-    if name == "two-vertices":
-        return (
-            f"The bound 'two-vertices' is {paper}; with two traversals for each test of a "
-            f"hypothesis, and the search among the darts of the start. {sums}, with those {value}."
-        )
-    own = rules.the_bound == rules.own_bound
-    owner = "the explorer's own" if own else "the one that was asked for"
-    return f"The bound is {owner}: {name}, which is {value} in a world with {world}."
-
-
-TURNED, ELSEWHERE = "off by a turn", "another vertex"
-"""The names of a wrong ``here``, at the robot's vertex and at another one."""
-
-
-def tell_pose(story: Story) -> Telling:
-    """Tell where the robot is, where the answer says that it is, and where the walks diverge."""
-    belief = Belief(story)
-    images = _images(belief)
-    alike = len(images) - 1
-    symmetry = f" (for this symmetric map {plural(alike, 'other dart')} would be right, too)"
-    where = f"{_say_where(belief, images)}{symmetry if alike else ''}"
-    turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
-    name = TURNED if turned else ELSEWHERE
-    bearings = bearings_anticlockwise(belief)
-    told = [f"The map is right, but 'here' is wrong: {where}."]
-    if mirror_image(belief):
-        causes = ["'here' is wrong", "the rotations are anticlockwise"]
-        causes += ["the bearings are counted anticlockwise"] if bearings else []
-        told = [
-            f"Either {', or '.join(causes)}: {where}.",
-            "This world is its own mirror image and does not show which.",
-        ]
-    elif bearings:
-        name = bearings.name
-        told.append(f"Or: {bearings.sentence}")
-    return Telling([*told, *tell_parting(belief)], belief.step, belief.answer, slip=name)
-
-
-def _images(belief: Belief) -> list[Dart]:
-    """The darts of the world that ``here`` can stand for: one, or more by symmetry."""
-    answer, map_ = belief.answer, belief.story.map
-    sigma, alpha = answer.map.sigma, answer.map.alpha
-    order = numbering(sigma, alpha, answer.here)
-    images = [d for d in map_.darts if carries(sigma, alpha, order, map_.sigma, map_.alpha, d)]
-    if not images:
-        raise InputError("the finding's answer is not the map of its world, so its law is not pose")
-    return images
-
-
-def _say_where(belief: Belief, images: list[Dart]) -> str:
-    """Tell where the robot stands, and where the answer says that it stands."""
-    story = belief.story
-    map_, robot = story.map, story.walked[-1]
-    stands = f"the robot stands at {story.place(robot)}, and the answer says"
-    parting = belief.parting
-    meant = parting.taken_for if parting and parting.step == len(story.walked) - 1 else None
-    near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
-    if not near:
-        said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
-        told = f"{stands} {story.place(said)}, which is another vertex"
-    else:
-        said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
-        turned, degree = map_.offset(said, robot), map_.degree_at[robot]
-        back = degree - turned
-        darts, way = (turned, "anticlockwise") if turned < back else (back, "clockwise")
-        told = f"{stands} dart {said} of the same vertex, {plural(darts, 'dart')} too far {way}"
-    if said != map_.alpha[robot] or len(story.walked) == 1:
-        return told
-    return f"{told}; dart {said} is the other end of the edge by which the robot came"
-
-
-GUESSED = "guessed"
-"""The cause of a wrong answer that is no slip in drawing the map."""
-
-FLUSH = (
-    "Does the program flush its output after every line? A line in a buffer is silence, and so is "
-    "an endless loop."
-)
-"""The question about a program that was silent for too long."""
-
-NEWLINE = "Does every line of the program end in a newline? Until it does, it is not read."
-"""The question about one that has begun a line."""
-
-NO_ACTION = ("a line that is no JSON", "a line that is no object", "it has none of the keys")
-"""Words of the observation of a program that prints anything else than actions."""
-
-LATE = ("a line before it was asked", "a line after its answer")
-"""Words of the observation of a program that prints when it is not its turn."""
-
-STDOUT = "The program's stdout is for its actions alone: output for debugging goes to stderr."
-"""The advice for it."""
-
-PANIC = "panicked at"
-"""Words by which a program in Rust says itself why and where it ends."""
-
-OUTSIDE = re.compile(r"\(signal (6|7|8|11)\)")
-"""The end of a process by what it does to memory: SIGABRT, SIGBUS, SIGFPE, SIGSEGV."""
-
-SHOW = (
-    "A checkpoint after each edge would show the first wrong S; where the explorer shows them, all "
-    "of them fit the world."
-)
-"""The advice for a walk without an end and without a wrong checkpoint."""
-
-UNDEFINED = (
-    "Was a value undefined: a return that was forgotten, or a generator that had ended already?"
-)
-"""The question about an empty object, which is how JavaScript writes such a value."""
-
-ANTICLOCKWISE = (
-    "A frequent cause is a bearing, a motion or a way back that is counted anticlockwise; all of "
-    "them count darts clockwise."
-)
-"""The advice for an answer that is no map."""
-
-SANITIZER = (
-    "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
-    "come long before: compile with -g -fsanitize=address,undefined to see the line."
-)
-"""The advice for such an end."""
-
-KEPT = (
-    "Does it keep something from an earlier run: a global or static variable, or a field that is "
-    "not reset when an episode begins? Does it go by chance, by time or by addresses?"
-)
-"""The questions about an explorer that does not repeat itself."""
-
-# ---------------------------------------------------------------- the run ended too early
-
-
-def ending(how: str) -> Teller:
-    """Tell how the run ended, in that sentence, then its last step and the last percept."""
-
-    def tell(story: Story) -> Telling:
-        line = telling_line(story.finding.detail)
-        why = [f"Its last message: {line}"] if line not in str(story.finding.seen) else []
-        wrong = _tell_first_wrong(story)
-        return Telling([how, *wrong, _say_last_step(story), *why], story.checkpoint)
-
-    return tell
-
-
-def tell_crash(story: Story) -> Telling:
-    """Tell the error, then the last step; for damaged memory how its place is found."""
-    told = ending(f"The explorer crashed: {story.finding.seen}.")(story)
-    if OUTSIDE.search(str(story.finding.seen)):
-        said = f"{story.finding.detail}\n{story.finding.output}"
-        panic = PANIC in said
-        told.sentences.insert(1, f"It said: {telling_line(said)}" if panic else SANITIZER)
-    return told
-
-
-def tell_no_estimate(story: Story) -> Telling:
-    """Tell the ending, and for a map that could not be built the law of maps that it breaks."""
-    seen = str(story.finding.seen)
-    if not seen.startswith(NO_MAP):
-        return ending("The explorer ended without an answer that could be judged.")(story)
-    built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
-    message = seen.removeprefix(NO_MAP)
-    told = [f"The answer is no map: {message}."]
-    if built:
-        told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
-        told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
-    if built and "must be a permutation" in message:
-        told.append(ANTICLOCKWISE)
-    told += _tell_first_wrong(story)
-    return Telling([*told, _say_last_step(story)], story.checkpoint)
-
-
-def tell_illegal_action(story: Story) -> Telling:
-    """Tell the ending, and for a line that is no action what stdout is for."""
-    told = ending("The explorer did what no robot can do here.")(story)
-    seen = str(story.finding.seen)
-    if is_program(story.finding.explorer) and seen.startswith("the line {}:"):
-        told.sentences.insert(1, UNDEFINED)
-    elif is_program(story.finding.explorer) and any(words in seen for words in NO_ACTION):
-        told.sentences.insert(1, STDOUT)
-    return told
-
-
-def tell_nondeterministic(story: Story) -> Telling:
-    """Tell that two plays differ, and what is mostly the cause."""
-    told = ["In a second run of the same world the explorer acted differently."]
-    seen = str(story.finding.seen)
-    if is_program(story.finding.explorer) and any(words in seen for words in LATE):
-        told.append(STDOUT)
-    else:
-        told.append(KEPT)
-    return Telling([*told, _say_last_step(story)])
-
-
-def tell_timeout(story: Story) -> Telling:
-    """Tell the ending, and that a program may be waiting with its line in a buffer."""
-    told = ending("The explorer was silent for too long.")(story)
-    if is_program(story.finding.explorer):
-        begun = "of one)" in str(story.finding.seen)
-        told.sentences.insert(1, NEWLINE if begun else FLUSH)
-    return told
-
-
-def tell_budget(story: Story) -> Telling:
-    """Tell whose the budget is, and whether the robot went round, or found no new edge."""
-    how = "The explorer did not end within its step budget, so the run was stopped."
-    wrong = _tell_first_wrong(story)
-    if wrong:  # that is the cause
-        return Telling([*wrong, how], story.checkpoint)
-    if str(story.finding.seen).startswith("checkpoint "):
-        why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
-    else:
-        why = tell_rounds(story) or [_say_last_step(story)]
-        if story.finding.rules.task.is_map:
-            why = [*why, SHOW]
-    return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
-
-
-def _tell_first_wrong(story: Story) -> list[str]:
-    """Tell the first checkpoint with a wrong S; no sentence where there is none."""
-    if story.checkpoint is None:
-        return []
-    step = story.checkpoint
-    what = story.finding.wrong_checkpoint or "it shows another S than the explored part"
-    told = (
-        f"The checkpoint after step {step} is wrong already: {what}. Mend that first: all that "
-        "followed may be built on it."
-    )
-    return [told]
-
-
-def _say_last_step(story: Story) -> str:
-    steps, place = story.transcript.steps, story.place(story.walked[-1])
-    if not steps:
-        return f"It made no step: it stood at the start, {place}, and sensed '{story.sensed[0]}'."
-    action, percept = steps[-1]
-    return (
-        f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{percept}'."
-    )
-
-
-# ---------------------------------------------------------------- the answer is wrong
-
-
-def tell_map(story: Story) -> Telling:
-    """Tell the sizes of both maps, and the step where the walks in them diverge."""
-    belief = Belief(story)
-    slip, parting = the_slip(belief), tell_parting(belief)
-    name = slip.name if slip else ""
-    if slip:
-        told = [slip.sentence, *parting]
-    elif belief.parting is None:
-        told, name = parting, GUESSED
-    else:
-        told = [_say_sizes(story.map, belief.answer.map), *parting]
-    return Telling(told, belief.step, belief.answer, slip=name)
-
-
-def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
-    if _size(world) == _size(answer):
-        return f"The answer has {_size(answer)}, as the world has, but is another map."
-    return f"The world has {_size(world)}, the answer {_size(answer)}."
-
-
-def _size(map_: CombinatorialMap) -> str:
-    return size(map_.edge_count, map_.vertex_count)
-
-
-def tell_ambiguity(story: Story) -> Telling:
-    """Tell the quotient that the answer should have been, or that it should have been a map."""
-    broken = (
-        "The answer says that several worlds look alike, and what they have in common: the "
-        "quotient in which darts are one that nothing tells apart, rooted at the robot's."
-    )
-    stands = f"In the world the robot stands at {story.place(story.walked[-1])}."
-    return Telling([broken, stands])
-
-
-# ---------------------------------------------------------------- a checkpoint is wrong
-
-
-def tell_invariant_1(story: Story) -> Telling:
-    """Tell the checkpoint that shows a wrong S."""
-    broken = "What was published as S, the explored part, does not lie so in the world."
-    return Telling(_tell_checkpoint(broken, story), story.checkpoint)
-
-
-def tell_invariant_2(story: Story) -> Telling:
-    """Tell the checkpoint that shows a wrong U."""
-    broken = "What was published as U, the unexplored darts, holds one that is explored."
-    return Telling(_tell_checkpoint(broken, story), story.checkpoint)
-
-
-def tell_variant(story: Story) -> Telling:
-    """Tell the checkpoint without progress; its S may be right, so no step of divergence."""
-    broken = (
-        "A pass brought no progress: from one checkpoint to the next S, the explored part, must "
-        "gain an edge, and at the last one it must have them all."
-    )
-    return Telling(_tell_checkpoint(broken, story))
-
-
-def _tell_checkpoint(broken: str, story: Story) -> list[str]:
-    sentences = [broken]
-    step = story.checkpoint
-    if step is not None:
-        sentences.append(
-            f"The checkpoint came after step {step}, where the robot stood at "
-            f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
-        )
-    return sentences
-
-
-# ---------------------------------------------------------------- the answer was guessed, or dear
-
-
 def tell_folding(story: Story) -> Telling:
     """Tell the open darts of the log, and another world that agrees with it."""
     guessed = "The log does not determine the map, so the answer, right or not, was guessed."
@@ -589,13 +585,51 @@ def tell_bound(story: Story) -> Telling:
     return Telling(told, spent=spent)
 
 
+def tell_whose_bound(finding: Finding) -> list[str]:
+    """Tell that the answer is right, whose bound it is, and how to check without it."""
+    others = [law for law in finding.rules.applying if law != "bound"]
+    rest = f"every other law that was checked holds: {listed(others)}" if others else ""
+    if {"map", "pose"} <= {*others}:
+        right = "The map and the pose are right; the walk is longer than the bound allows."
+    else:
+        right = f"The walk is longer than the bound allows{'; ' if rest else ''}{rest}."
+    other = "4*m" if finding.rules.the_bound.name == "2*m" else "2*m"
+    without = (
+        "The option --bound none checks the other laws alone; --bound EXPR checks another cost, "
+        f"such as --bound '{other}'."
+    )
+    return [right, _whose(finding), without]
+
+
+def _whose(finding: Finding) -> str:
+    rules, map_ = finding.rules, finding.world.map
+    name, value = rules.the_bound.name, finding.expected
+    world = size(map_.edge_count, map_.vertex_count)
+    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    paper = (
+        "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
+        "find a new vertex, and (2), the passes that close an edge between known ones"
+    )
+    sums = f"In a world with {world} that is {new} + {closing}"
+    if name == "paper":
+        return f"The bound 'paper' is {paper}. {sums} = {value}."
+    if name == "two-vertices":
+        return (
+            f"The bound 'two-vertices' is {paper}; with two traversals for each test of a "
+            f"hypothesis, and the search among the darts of the start. {sums}, with those {value}."
+        )
+    own = rules.the_bound == rules.own_bound
+    owner = "the explorer's own" if own else "the one that was asked for"
+    return f"The bound is {owner}: {name}, which is {value} in a world with {world}."
+
+
 # ---------------------------------------------------------------- the table
 
 
 TELLERS: dict[str, Teller] = {
-    "crash": tell_crash,
-    "timeout": tell_timeout,
-    "illegal-action": tell_illegal_action,
+    "crash": ending("The explorer crashed: {seen}."),
+    "timeout": ending("The explorer was silent for too long."),
+    "illegal-action": ending("The explorer did what no robot can do here."),
     "no-estimate": tell_no_estimate,
     "budget": tell_budget,
     "nondeterministic": tell_nondeterministic,
@@ -603,9 +637,16 @@ TELLERS: dict[str, Teller] = {
     "pose": tell_pose,
     "ambiguity": tell_ambiguity,
     "task": ending("The explorer did not do what the task asks for."),
-    "invariant-1": tell_invariant_1,
-    "invariant-2": tell_invariant_2,
-    "variant": tell_variant,
+    "invariant-1": checkpoint(
+        "What was published as S, the explored part, does not lie so in the world."
+    ),
+    "invariant-2": checkpoint(
+        "What was published as U, the unexplored darts, holds one that is explored."
+    ),
+    "variant": checkpoint(
+        "A pass brought no progress: from one checkpoint to the next S, the explored part, must "
+        "gain an edge, and at the last one it must have them all."
+    ),
     "folding": tell_folding,
     "bound": tell_bound,
 }

@@ -1,136 +1,18 @@
-"""Slips that are looked for, and that have words of their own."""
+"""Slips: the one difference between a wrong answer and the world, where there is one."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
-from typing import TypeAlias, TypeGuard
+from collections.abc import Callable, Iterable, Iterator
+from typing import TypeAlias
 
 from msgspec import Struct
 
-from allworlds.judging.explanations.story import Belief, Walked
+from allworlds.judging.explanations.story import Belief
 from allworlds.judging.findings.walks import trail_to
 from allworlds.maps.canonical import Mismatch, isomorphism, rooted_isomorphism
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap
 from allworlds.maps.surgery import contracted, deleted
-from allworlds.protocol.actions import Move, Percept
-from allworlds.words import plural
-
-PYTHON = "Traceback (most recent call last):"
-
-TELLING = re.compile(
-    r"""(\b\w*(Error|Exception)\b.*:)  # Node, Java, Ruby, C#
-    |(^panic:)                         # Go
-    |(\bpanicked\ at\b)                # Rust
-    |(^\s*what\(\):)                   # C++
-    |(\bAssertion\b.*\bfailed\b)        # C
-    |(^(fatal|Segmentation\ fault|Aborted|Killed)\b)
-    """,
-    re.VERBOSE | re.IGNORECASE,
-)
-"""The words at the beginning of that line, or in it."""
-
-FRAME = re.compile(r"^\s+at\s|^\s*File \"|^note: ")
-"""The words in a line about the place of an error, not about the error."""
-
-
-def telling_line(text: str) -> str:
-    """The line of a traceback, or of a text on stderr, that names the error.
-
-    Python writes this line last, other languages first, followed by places, or a version.  If no
-    line looks like one, it is the last line; empty if there is none.
-    """
-    lines = [line for line in text.split("\n") if line.strip()]
-    if not lines:
-        return ""
-    if any(line.startswith(PYTHON) for line in lines):
-        return next((line for line in reversed(lines) if line[0] != " "), lines[-1]).strip()
-    for i in reversed(range(len(lines))):
-        if TELLING.search(lines[i]) and not FRAME.search(lines[i]):
-            # Rust tells where on this line, and what on the next.
-            after = lines[i + 1 : i + 2] if lines[i].endswith(":") else []
-            return " ".join(line.strip() for line in [lines[i], *after])
-    return lines[-1].strip()
-
-
-LONGEST = 200
-"""The number of steps of the longest round that is looked for."""
-
-TIMES = 3
-"""The least number of times that a round is gone."""
-
-WAY_BACK = (
-    "motions a, b, c are undone by 0, -c, -b, and then the robot stands at the dart by which it "
-    "left, a darts clockwise of the one where it stood before"
-)
-"""The rule of ways back: a wrong one is a likely cause of a walk without an end."""
-
-
-class Round(Struct, frozen=True):
-    """The steps that a walk repeats until its end.
-
-    Attributes:
-        first: the first step of the first round.
-        length: steps of a round.
-        times: the number of times, the last one perhaps in part.
-    """
-
-    first: int
-    length: int
-    times: int
-
-
-def round_at_the_end(steps: Sequence[Hashable]) -> Round | None:
-    """The shortest round with which the steps end; steps are numbered from 1.  Cost: O(n LONGEST).
-
-    None if it is gone less than :data:`TIMES` times, or is not the greater part of the steps: a
-    wandering robot goes round by chance, for a while.
-    """
-    for length in range(1, min(LONGEST, len(steps) // TIMES) + 1):
-        first = len(steps) - length
-        while first > 0 and steps[first - 1] == steps[first - 1 + length]:
-            first -= 1
-        if len(steps) - first >= max(TIMES * length, len(steps) / 2):
-            return Round(first + 1, length, -(-(len(steps) - first) // length))
-    return None
-
-
-def tell_rounds(story: Walked) -> list[str]:
-    """Tell that the robot went round, or since when no edge was new; skip short walks."""
-    actions = story.transcript.actions
-    found = round_at_the_end([*zip(actions, story.walked[1:], strict=True)])
-    if found:
-        steps = plural(found.length, "step")
-        told = f"From step {found.first} on it repeated {steps} {found.times} times"
-        return [f"{told}, until the end.", *_tell_ways_back(story, found.first + found.length - 1)]
-    found_at = story.discoveries
-    if not found_at:
-        return []
-    left = story.map.edge_count - len(found_at)
-    step = f"After step {found_at[-1]}"
-    if left:
-        told = f"{step} it met no new edge; {plural(left, 'edge')} it never met."
-        return [told, *_tell_ways_back(story, len(actions))]
-    why = (
-        "Either it takes a vertex or an edge that it knows for a new one, or the robot is not "
-        "where the explorer believes."
-    )
-    return [
-        f"{step} it had walked every edge of the world, and yet it went on.",
-        why,
-        f"Look at its ways back: {WAY_BACK}.",
-    ]
-
-
-def _tell_ways_back(story: Walked, end: int) -> list[str]:
-    """Tell how a way back is walked, where one may begin before that step."""
-    actions, turns = story.transcript.actions[:end], story.sensed
-    back = (i for i, action in enumerate(actions) if i and action == Move(0))
-    may_begin = any(turns[i].degree > 1 for i in back)
-    if not may_begin or all(action == Move(0) for action in actions):
-        return []
-    return [f"Look at its ways back: {WAY_BACK}."]
-
+from allworlds.protocol.actions import Percept
 
 LARGEST = 40
 """Edges above which slips are not looked for: there are quadratically many, each compared anew."""
@@ -140,7 +22,7 @@ class Slip(Struct, frozen=True):
     """The one difference between an answer and the world.
 
     Attributes:
-        name: in the table.
+        name: in a word or two.
         sentence: a description with the darts of the world.
         mended: the map without the slip; None if the slip is in the reading of percepts.
         truth: the map that the mended one equals: the world's, or that without the edge of the
@@ -162,10 +44,10 @@ Recogniser: TypeAlias = Callable[[Belief], Slip | None]
 
 
 def the_slip(belief: Belief) -> Slip | None:
-    """The first slip of the table that accounts for all of the difference; None if none does."""
+    """The first slip that accounts for all of the difference; None if none does."""
     if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
         return None
-    return next((slip for recognise in SLIPS.values() if (slip := recognise(belief))), None)
+    return next((slip for recognise in SLIPS if (slip := recognise(belief))), None)
 
 
 def mirror_image(belief: Belief) -> Slip | None:
@@ -226,21 +108,23 @@ def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: i
 
 def _glued_crosswise(belief: Belief) -> Slip | None:
     """Recognise an answer in which two edges have one end each exchanged."""
-    world, robot = belief.story.map, belief.story.walked[-1]
-    if isomorphism(belief.answer.map, world):
+    answer, world, robot = belief.answer, belief.story.map, belief.story.walked[-1]
+    if isomorphism(answer.map, world):
         return None
-    of_map_alone = None
-    for mended, wrong in _reglued(belief.answer.map):
-        names = rooted_isomorphism(mended, belief.answer.here, world, robot)
-        if not isinstance(names, Mismatch):
-            sentence = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
-            return Slip("edges crossed", sentence, mended, world, belief.answer.here)
-        if of_map_alone is None:
-            names = isomorphism(mended, world)
-            if not isinstance(names, Mismatch):
-                sentence = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
-                of_map_alone = Slip("edges crossed", sentence, mended, world)
-    return of_map_alone
+    with_wrong_place = None
+    for mended, wrong in _reglued(answer.map):
+        here: Dart | None = answer.here
+        names = rooted_isomorphism(mended, answer.here, world, robot)
+        if not names and with_wrong_place is None:
+            here, names = None, isomorphism(mended, world)
+        if isinstance(names, Mismatch):
+            continue
+        sentence = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
+        slip = Slip("edges crossed", sentence, mended, world, here)
+        if here is not None:
+            return slip
+        with_wrong_place = slip
+    return with_wrong_place
 
 
 def _reglued(
@@ -301,46 +185,48 @@ def _edge_misplaced(belief: Belief) -> Slip | None:
 def _edge_missing(belief: Belief) -> Slip | None:
     """Recognise an answer that lacks one edge of the world, or has a vertex in its place."""
     world, answer = belief.story.map, belief.answer.map
-    if answer.edge_count != world.edge_count - 1:
-        return None
-    for d, e in world.edges:
-        if _same(less := deleted(world, d), answer):
-            sentence = f"The answer lacks one edge of the world: that of darts {d} and {e}."
-            return Slip("edge missing", sentence, answer, less)
-    for d, e in world.edges:
-        if _same(less := contracted(world, d), answer):
-            ends = f"{belief.story.vertex(d)} and {belief.story.vertex(e)}"
-            sentence = f"The answer takes {ends} for one vertex, and has no edge between them."
-            return Slip("one vertex for two", sentence, answer, less)
+    for d, less in _without_an_edge(deleted, world, answer):
+        ends = f"darts {d} and {world.alpha[d]}"
+        sentence = f"The answer lacks one edge of the world: that of {ends}."
+        return Slip("edge missing", sentence, answer, less)
+    for d, less in _without_an_edge(contracted, world, answer):
+        ends = f"{belief.story.vertex(d)} and {belief.story.vertex(world.alpha[d])}"
+        sentence = f"The answer takes {ends} for one vertex, and has no edge between them."
+        return Slip("one vertex for two", sentence, answer, less)
     return None
 
 
 def _edge_too_many(belief: Belief) -> Slip | None:
     """Recognise an answer with one edge that is not in the world, or is a vertex there."""
     world, answer = belief.story.map, belief.answer.map
-    if answer.edge_count != world.edge_count + 1:
-        return None
-    for d, _ in answer.edges:
-        if _same(less := deleted(answer, d), world):
-            sentence = "The answer has one edge too many: without it, it is the map of the world."
-            return Slip("edge too many", sentence, less, world)
-    for d, _ in answer.edges:
-        if _same(less := contracted(answer, d), world):
-            sentence = "The answer takes one vertex for two, with an edge between them."
-            return Slip("two vertices for one", sentence, less, world)
+    for _, less in _without_an_edge(deleted, answer, world):
+        sentence = "The answer has one edge too many: without it, it is the map of the world."
+        return Slip("edge too many", sentence, less, world)
+    for _, less in _without_an_edge(contracted, answer, world):
+        sentence = "The answer takes one vertex for two, with an edge between them."
+        return Slip("two vertices for one", sentence, less, world)
     return None
 
 
-def _same(a: CombinatorialMap | None, b: CombinatorialMap) -> TypeGuard[CombinatorialMap]:
-    return a is not None and bool(isomorphism(a, b))
+def _without_an_edge(
+    taking: Callable[[CombinatorialMap, Dart], CombinatorialMap | None],
+    larger: CombinatorialMap,
+    smaller: CombinatorialMap,
+) -> Iterator[tuple[Dart, CombinatorialMap]]:
+    """The edges of the larger map without which it is the smaller one; each by its first dart."""
+    if larger.edge_count == smaller.edge_count + 1:
+        for d, _ in larger.edges:
+            less = taking(larger, d)
+            if less is not None and isomorphism(less, smaller):
+                yield d, less
 
 
-SLIPS: dict[str, Recogniser] = {
-    "mirrored": mirror_image,
-    "bearings read anticlockwise": bearings_anticlockwise,
-    "glued crosswise": _glued_crosswise,
-    "an edge misplaced": _edge_misplaced,
-    "an edge missing": _edge_missing,
-    "an edge too many": _edge_too_many,
-}
+SLIPS: tuple[Recogniser, ...] = (
+    mirror_image,
+    bearings_anticlockwise,
+    _glued_crosswise,
+    _edge_misplaced,
+    _edge_missing,
+    _edge_too_many,
+)
 """The slips that are looked for, the commonest first."""

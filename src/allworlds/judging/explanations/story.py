@@ -1,19 +1,17 @@
-"""The story of a run: its walk in names, and the rounds of its passes."""
+"""The story of a run: its walk in names, what it was spent on, and the round in which it ended."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import cached_property
+from collections.abc import Callable, Hashable, Sequence
 from typing import TypeAlias
 
 from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.findings.belief import Parting, believed_walk
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import recorded_trail
+from allworlds.judging.findings.walks import believed_walk, recorded_trail
 from allworlds.maps.combinatorial import Dart
-from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
@@ -132,7 +130,7 @@ class Belief:
     Attributes:
         story: the finding with its walk in the world.
         answer: the wrong answer.
-        believed: the robot's darts in the answer at the start and after each step.
+        walk: the walk in it.
 
     Raises:
         InputError: if the observation is no answer.
@@ -141,40 +139,55 @@ class Belief:
     def __init__(self, story: Story) -> None:
         self.story = story
         self.answer = _answer(story.finding.seen)
-        self._walk = believed_walk(story.world, self.answer, story.transcript)
-        self.believed = self._walk.trail
-
-    @cached_property
-    def expected(self) -> Sequence[Percept]:
-        """The percepts that the answer predicts at each step, as far as they are determined."""
-        return self._walk.expected(self.answer.map)
-
-    @cached_property
-    def misfits(self) -> list[int]:
-        """The steps at which the percept was not the one that the answer predicts."""
-        pairs = zip(self.expected, self.story.sensed, strict=True)
-        return [step for step, (expected, sensed) in enumerate(pairs) if expected != sensed]
-
-    @property
-    def parting(self) -> Parting | None:
-        """The step where the walk and its image in the answer diverge; None if they never do."""
-        return self._walk.parting
-
-    @property
-    def agreement(self) -> int:
-        """The number of steps, the start included, in which both agree."""
-        return self._walk.agreement
+        self.walk = believed_walk(story.world, self.answer, story.transcript)
 
     @property
     def step(self) -> int | None:
         """The first step at which belief and truth diverge."""
-        return self.parting.step if self.parting else None
+        parting = self.walk.parting
+        return parting.step if parting else None
 
 
 def _answer(seen: object) -> Estimate:
     if not isinstance(seen, Estimate):
         raise InputError(f"seen = {show(seen)} is no rooted map, but the law is about the answer")
     return seen
+
+
+LONGEST = 200
+"""The number of steps of the longest round that is looked for."""
+
+TIMES = 3
+"""The least number of times that a round is gone."""
+
+
+class Round(Struct, frozen=True):
+    """The steps that a walk repeats until its end.
+
+    Attributes:
+        first: the first step of the first round.
+        length: steps of a round.
+        times: the number of times, the last one perhaps in part.
+    """
+
+    first: int
+    length: int
+    times: int
+
+
+def round_at_the_end(steps: Sequence[Hashable]) -> Round | None:
+    """The shortest round with which the steps end; steps are numbered from 1.  Cost: O(n LONGEST).
+
+    None if it is gone less than :data:`TIMES` times, or is not the greater part of the steps: a
+    wandering robot goes round by chance, for a while.
+    """
+    for length in range(1, min(LONGEST, len(steps) // TIMES) + 1):
+        first = len(steps) - length
+        while first > 0 and steps[first - 1] == steps[first - 1 + length]:
+            first -= 1
+        if len(steps) - first >= max(TIMES * length, len(steps) / 2):
+            return Round(first + 1, length, -(-(len(steps) - first) // length))
+    return None
 
 
 class Telling(Struct, frozen=True):

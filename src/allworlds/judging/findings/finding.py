@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shlex
 from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Any, Final, Literal, NamedTuple
 
 from allworlds.document.reading import taken
 from allworlds.document.report import SCHEMA, Paged
@@ -20,12 +21,12 @@ from allworlds.document.struct import (
     computed,
     read_by,
 )
-from allworlds.explorers.loading import HASH_SEED
-from allworlds.explorers.names import named_on_command_line, own_bound
-from allworlds.inputs.checks import InputError, parse_json, show
+from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
+from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
+from allworlds.inputs.requests import SCOPE, Argument, Named, Option, Request
 from allworlds.judging.findings.rules import RecordedRules, Rules
-from allworlds.judging.laws.case import Value
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName
+from allworlds.judging.laws.laws import Value
 from allworlds.maps.canonical import Code, numbering, rooted_code
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
@@ -162,6 +163,18 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
         line = shlex.join(command + self.rules.arguments(self.choices))
         return line if self.hash_seed is None else f"{HASH_SEED}={self.hash_seed} {line}"
 
+    @property
+    def text(self) -> str:
+        """The text of its file."""
+        return json.dumps(self.to_json(), indent=1) + "\n"
+
+    @property
+    def file_name(self) -> str:
+        """The name of its file: ``LAW-mMnN-DIGEST.json``."""
+        map_ = self.world.map
+        size = f"m{map_.edge_count}n{map_.vertex_count}"
+        return f"{self.law}-{size}-{digest_of(self.text)}.json"
+
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> Finding:
         """The finding of :meth:`to_json`'s document, or of its text.
@@ -225,3 +238,62 @@ def canonical_world(world: World) -> World:
     for number, dart in enumerate(numbering(world.map.sigma, world.map.alpha, world.start)):
         names[dart] = number
     return world.relabelled(names)
+
+
+DIGITS = 12
+"""The hexadecimal digits of the digest in a file's name."""
+
+
+def digest_of(text: str) -> str:
+    """The digest of the text of a file, as in its name."""
+    return hashlib.sha256(text.encode()).hexdigest()[:DIGITS]
+
+
+class ChosenFinding(NamedTuple):
+    """A finding, its number in its report, from 1 on, and the number of findings there."""
+
+    finding: Finding
+    number: int = 1
+    findings: int = 1
+
+
+class FindingWords(Request):
+    """The argument and options of the command line that name a finding."""
+
+    file: Annotated[str, Argument("", "FILE", "A finding, or a check's report; - for stdin.")]
+    number: Annotated[
+        int,
+        Option(
+            SCOPE,
+            "K",
+            "Which finding of a report: 1 is the smallest.",
+            "finding",
+            parse=integer_of,
+        ),
+    ] = 1
+
+    def chosen(self) -> ChosenFinding:
+        """The finding of that number in the file.
+
+        Raises:
+            InputError: naming the file, the offending value in it, or the number.
+        """
+        document = parse_json(read_text(self.file), file=self.file)
+        with in_file(self.file):
+            found = findings_of(document)
+        if not 1 <= self.number <= len(found):
+            holds = f"findings 1 to {len(found)}" if len(found) > 1 else "1 finding"
+            raise InputError(f"finding = {self.number} is not there: the file holds {holds}")
+        with in_file(self.file):
+            finding = Finding.from_json(found[self.number - 1])
+        return ChosenFinding(finding, self.number, len(found))
+
+    def value(self) -> Finding:
+        """The chosen finding alone, without its number."""
+        return self.chosen().finding
+
+
+class AskedFinding(Request, kw_only=False):
+    """The part of a request that names a finding."""
+
+    finding: Annotated[Finding, Named(FindingWords, "the finding")]

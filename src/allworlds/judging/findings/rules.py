@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 from allworlds.document.struct import Different, Document, IfAny, Positive, Text, about
-from allworlds.explorers.loading import Subject
-from allworlds.explorers.names import is_library, own_bound
+from allworlds.explorers.loading import Subject, is_library, own_bound
 from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
 from allworlds.inputs.requests import (
     RARE_RULES,
@@ -26,7 +25,15 @@ from allworlds.inputs.requests import (
 )
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.laws.bounds import BOUNDS, NO_BOUND, Bound, bound_named, paper_bound
-from allworlds.judging.laws.law_table import LAWS, TASK, JudgedLaw, Setting
+from allworlds.judging.laws.law_table import (
+    BOUNDED,
+    FOLDS,
+    IDLE,
+    LAWS,
+    MAPS,
+    TASK,
+    JudgedLaw,
+)
 from allworlds.judging.tasks import MAP, TASKS, Judge, Task, task_named
 from allworlds.maps.classes import AND, Condition
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -235,8 +242,8 @@ class Rules(AskedRules, kw_only=False):
 
     def __post_init__(self) -> None:
         for law in self.laws or ():
-            if not LAWS[law].applies(self._setting):
-                raise InputError(f"law {law!r} {LAWS[law].idle}")
+            if (condition := LAWS[law].needs) not in self._met:
+                raise InputError(f"law {law!r} {IDLE[condition]}")
         if self.bound == self.default_bound:
             vars(self)["bound"] = None
         if self.laws is not None:
@@ -276,16 +283,15 @@ class Rules(AskedRules, kw_only=False):
         return self.default_bound if self.bound is None else self.bound
 
     @property
-    def _setting(self) -> Setting:
-        return Setting(
-            folds=self.kind.folds and not self.promised,
-            bounded=self._named_bound != NO_BOUND,
-            maps=self.task.is_map,
-        )
+    def _met(self) -> set[str]:
+        """The conditions of laws that are met."""
+        met = {MAPS} if self.task.is_map else set[str]()
+        met |= {FOLDS} if met and self.kind.folds and not self.promised else set()
+        return met | ({BOUNDED} if self._named_bound != NO_BOUND else set())
 
     @property
     def _usual_laws(self) -> tuple[str, ...]:
-        return tuple(name for name, law in LAWS.items() if law.applies(self._setting))
+        return tuple(name for name, law in LAWS.items() if law.needs in self._met)
 
     @cached_property
     def applying(self) -> tuple[str, ...]:

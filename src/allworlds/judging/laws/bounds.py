@@ -9,7 +9,6 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any
 
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
@@ -120,100 +119,83 @@ def bound_named(text: str) -> Bound:
         raise InputError(
             f"bound {show(text)} is not one of {', '.join(BOUNDS)} or an expression{hint}"
         ) from None
+    too_deep = f"bound of {len(text)} characters is nested too deeply"
     try:
         evaluate = _compile(tree.body, text)
     except RecursionError:
-        raise InputError(f"bound of {len(text)} characters is nested too deeply") from None
+        raise InputError(too_deep) from None
 
     named = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
     if papers := "paper" in named:
         named |= {"n", "m"}
 
     def value(n: int, m: int, d0: int, largest: int, d: int, g: int) -> int:
-        told = {"n": n, "m": m, "d0": d0, "D": largest, "d": d, "g": g}
+        numbers = {"n": n, "m": m, "d0": d0, "D": largest, "d": d, "g": g}
         try:
-            result = evaluate(told | {"paper": paper_bound(n, m)} if papers else told)
+            result = evaluate(numbers | {"paper": paper_bound(n, m)} if papers else numbers)
         except ZeroDivisionError:
-            rare = ("d", "g")
-            met = [f"{k}={v}" for k, v in told.items() if k not in rare or k in named]
-            raise InputError(f"bound {show(text)} divides by zero at {' '.join(met)}") from None
+            usual = [f"{k}={v}" for k, v in numbers.items() if k not in ("d", "g") or k in named]
+            raise InputError(f"bound {show(text)} divides by zero at {' '.join(usual)}") from None
         except RecursionError:
-            raise InputError(f"bound of {len(text)} characters is nested too deeply") from None
+            raise InputError(too_deep) from None
+        except InputError as error:
+            raise InputError(f"bound {show(text)} {error}") from None
         if result.bit_length() > _LARGEST_BITS:
-            raise InputError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
+            raise InputError(f"bound {show(text)} {TOO_LARGE}")
         return result
 
     return Bound(text, value, frozenset(named & set(VARIABLES)))
 
 
 _Evaluate = Callable[[dict[str, int]], int]
+_LARGEST_POWER = 64
+_LARGEST_BITS = 4096
+_FUNCTIONS: dict[str, Callable[..., int]] = {"min": min, "max": max}
+
+
+def _power(base: int, exponent: int) -> int:
+    if not 0 <= exponent <= _LARGEST_POWER:
+        raise InputError(f"raises to the power {show(exponent)}; legal are 0..{_LARGEST_POWER}")
+    if base.bit_length() * exponent > _LARGEST_BITS:
+        raise InputError(TOO_LARGE)
+    result: int = base**exponent
+    return result
+
+
+TOO_LARGE = f"has a value of over {_LARGEST_BITS} bits"
+
 _OPERATORS: dict[type[ast.operator], Callable[[int, int], int]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
     ast.FloorDiv: operator.floordiv,
+    ast.Pow: _power,
 }
-_OTHERS: dict[type[ast.operator], str] = {
-    ast.Div: "/",
-    ast.Mod: "%",
-    ast.MatMult: "@",
-    ast.BitXor: "^",
-    ast.BitAnd: "&",
-    ast.BitOr: "|",
-    ast.LShift: "<<",
-    ast.RShift: ">>",
-}
-"""The signs of operators that no bound has."""
-
-_FUNCTIONS: dict[str, Callable[..., int]] = {"min": min, "max": max}
-_LARGEST_POWER = 64
-_LARGEST_BITS = 4096
 
 
 def _compile(node: ast.expr, text: str) -> _Evaluate:
+    apply: Callable[..., int]
+    operands: list[ast.expr]
     match node:
         case ast.Constant(value=int() as number) if not (
             isinstance(number, bool) or number.bit_length() > _LARGEST_BITS
         ):
             return lambda _names: number
         case ast.Name(id=name) if name in _NAMES:
-            return lambda names: names[name]
+            return operator.itemgetter(name)
         case ast.UnaryOp(op=ast.USub(), operand=operand):
-            inner = _compile(operand, text)
-            return lambda names: -inner(names)
-        case ast.BinOp(left=left, op=op, right=right):
-            return _binary(op, _compile(left, text), _compile(right, text), text)
+            apply, operands = operator.neg, [operand]
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATORS:
+            apply, operands = _OPERATORS[type(op)], [left, right]
         case ast.Call(func=ast.Name(id=name), args=args, keywords=[]) if (
             name in _FUNCTIONS and len(args) > 1
         ):
-            parts = [_compile(part, text) for part in args]
-            function = _FUNCTIONS[name]
-            return lambda names: function(part(names) for part in parts)
-    part = ast.get_source_segment(text, node) or text
-    raise InputError(
-        f"{show(part)} in bound {show(text)} is not one of integers, {', '.join(_NAMES)}, "
-        "+ - * // **, min(,), max(,) and parentheses"
-    )
-
-
-def _binary(op: ast.operator, left: _Evaluate, right: _Evaluate, text: str) -> _Evaluate:
-    if isinstance(op, ast.Pow):
-
-        def power(names: dict[str, int]) -> int:
-            base, exponent = left(names), right(names)
-            if not 0 <= exponent <= _LARGEST_POWER:
-                raise InputError(
-                    f"bound {show(text)} raises to the power {show(exponent)}; "
-                    f"legal are 0..{_LARGEST_POWER}"
-                )
-            if base.bit_length() * exponent > _LARGEST_BITS:
-                raise InputError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
-            result: int = base**exponent
-            return result
-
-        return power
-    if type(op) not in _OPERATORS:
-        raise InputError(f"{_OTHERS[type(op)]} in bound {show(text)} is not one of + - * // **")
-    apply: Any = _OPERATORS[type(op)]
-    result: _Evaluate = lambda names: apply(left(names), right(names))  # noqa: E731
-    return result
+            apply, operands = _FUNCTIONS[name], args
+        case _:
+            part = ast.get_source_segment(text, node) or text
+            raise InputError(
+                f"{show(part)} in bound {show(text)} is not one of integers, {', '.join(_NAMES)}, "
+                "+ - * // **, min(,), max(,) and parentheses"
+            )
+    parts = [_compile(part, text) for part in operands]
+    return lambda names: apply(*[part(names) for part in parts])

@@ -1,6 +1,6 @@
 """The laws that a finished run is held to.
 
-A new one is a function of a :class:`~allworlds.judging.laws.case.Case` and an entry of ``LAWS``;
+A new one is a function of a :class:`~allworlds.judging.laws.laws.Case` and an entry of ``LAWS``;
 a law that ends a run before it is finished, such as ``timeout``, stands in ``ALWAYS`` alone.
 """
 
@@ -12,28 +12,35 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 
 from allworlds.document.struct import one_of
-from allworlds.judging.laws.case import Case, Violation, ambiguity_law
-from allworlds.judging.laws.folding import fold
-from allworlds.judging.laws.invariants import invariant_1, invariant_2, variant
-from allworlds.protocol.answers import Estimate
+from allworlds.judging.laws.laws import (
+    Case,
+    Violation,
+    ambiguity_law,
+    bound_law,
+    folding_law,
+    invariant_1,
+    invariant_2,
+    map_law,
+    pose_law,
+    variant,
+)
 
 Check: TypeAlias = Callable[[Case], Violation | None]
 """The function of a law: the violation, or None if the law holds."""
 
 
-class Setting(Struct, frozen=True):
-    """The conditions on which it depends whether a law applies.
+MAPS, FOLDS, BOUNDED = "maps", "folds", "bounded"
+"""The conditions of laws: the task is to find the map; besides, every arrival at v0 tells where the
+robot is, and no promise, such as planarity, can make an explorer right without folding; there is a
+bound on the traversals."""
 
-    Attributes:
-        folds: whether every arrival at v0 tells where the robot is, and no promise, such as
-            planarity, can make an explorer right without folding.
-        bounded: whether there is a bound on the traversals.
-        maps: the task is to find the map.
-    """
-
-    folds: bool
-    bounded: bool
-    maps: bool = True
+IDLE = {
+    MAPS: "is about the task map alone",
+    FOLDS: "holds only under the directional lighthouse in the classes maps and simple: a promise "
+    "can make an explorer right without it",
+    BOUNDED: "has no effect where the bound is none; name a bound too",
+}
+"""The reason why a law means nothing where its condition is not met."""
 
 
 class Law(Struct, frozen=True):
@@ -42,98 +49,28 @@ class Law(Struct, frozen=True):
     Attributes:
         asks: what it asks of an explorer, in a sentence.
         check: the function that a run is held to.
-        applies: whether the law means anything in a setting.
-        idle: the reason why it does not, if it does not.
+        needs: the condition under which it applies.
     """
 
     asks: str
     check: Check
-    applies: Callable[[Setting], bool] = lambda _: True
-    idle: str = ""
+    needs: str = MAPS
 
-
-def map_law(case: Case) -> Violation | None:
-    """Require that the estimate is the same map as the world (Section V: extended isomorphism)."""
-    return _wrong_answer(case, "map") if case.answer == "map" else None
-
-
-def pose_law(case: Case) -> Violation | None:
-    """Require that ``here`` stands for the robot's dart: both rooted maps are the same."""
-    return _wrong_answer(case, "pose") if case.answer == "pose" else None
-
-
-def bound_law(case: Case) -> Violation | None:
-    """Require at most ``bound`` edge traversals, retracing included (Section VI)."""
-    cost = case.transcript.cost
-    if case.bound is None or cost <= case.bound:
-        return None
-    return Violation("bound", case.bound, cost)
-
-
-def folding_law(case: Case) -> Violation | None:
-    """Require that the log alone determines the map: its folding has no open dart.
-
-    With an open dart left two different worlds agree with the log, so an explorer that is
-    right about this one has guessed.
-    """
-    folded = fold(case.transcript)
-    if not folded.open_darts:
-        return None
-    darts = "dart" if folded.open_darts == 1 else "darts"
-    return Violation(
-        "folding",
-        "a log that determines the map: no open dart when it is folded",
-        f"{folded.open_darts} open {darts} in the folded log: another world agrees with it",
-    )
-
-
-def _maps(setting: Setting) -> bool:
-    return setting.maps
-
-
-_OTHER_TASK = "is about the task map alone"
 
 LAWS: dict[str, Law] = {
-    "map": Law(
-        "The answer must be the same map as the world.",
-        map_law,
-        _maps,
-        _OTHER_TASK,
-    ),
-    "pose": Law(
-        "The dart 'here' of the answer must stand for the robot's place.",
-        pose_law,
-        _maps,
-        _OTHER_TASK,
-    ),
-    "invariant-1": Law(
-        "At every checkpoint, S must be embedded in the world.", invariant_1, _maps, _OTHER_TASK
-    ),
-    "invariant-2": Law(
-        "At every checkpoint, U must hold no end of an explored edge.",
-        invariant_2,
-        _maps,
-        _OTHER_TASK,
-    ),
+    "map": Law("The answer must be the same map as the world.", map_law),
+    "pose": Law("The dart 'here' of the answer must stand for the robot's place.", pose_law),
+    "invariant-1": Law("At every checkpoint, S must be embedded in the world.", invariant_1),
+    "invariant-2": Law("At every checkpoint, U must hold no end of an explored edge.", invariant_2),
     "variant": Law(
-        "From checkpoint to checkpoint, the number of unexplored edges must fall.",
-        variant,
-        _maps,
-        _OTHER_TASK,
+        "From checkpoint to checkpoint, the number of unexplored edges must fall.", variant
     ),
     "folding": Law(
         "The percepts must leave no other world possible: no answer may be guessed.",
         folding_law,
-        lambda setting: setting.folds and setting.maps,
-        "holds only under the directional lighthouse in the classes maps and simple: a promise can "
-        "make an explorer right without it",
+        FOLDS,
     ),
-    "bound": Law(
-        "The walk must not cost more than the bound.",
-        bound_law,
-        lambda setting: setting.bounded,
-        "has no effect where the bound is none; name a bound too",
-    ),
+    "bound": Law("The walk must not cost more than the bound.", bound_law, BOUNDED),
 }
 """The laws of finished runs, in the order in which they are reported."""
 
@@ -198,9 +135,3 @@ def judge(case: Case, laws: Iterable[Check]) -> Violation | None:
         if violation:
             return violation
     return None
-
-
-def _wrong_answer(case: Case, law: str) -> Violation:
-    assert isinstance(case.estimate, Estimate)
-    truth = Estimate(case.map, case.trail[-1])
-    return Violation(law, truth, case.estimate)

@@ -17,12 +17,6 @@ Series: TypeAlias = list[Polynomial]
 """The coefficients of a power series in z, as far as they are needed."""
 
 
-def check_genus(genus: int) -> None:
-    """Raise ValueError if the genus is negative."""
-    if genus < 0:
-        raise ValueError(f"a genus is at least 0, not {genus}")
-
-
 def vertex_counts(edges: int) -> range:
     """The numbers of vertices that connected maps with ``edges`` edges have.
 
@@ -161,11 +155,9 @@ def _permutations(length: int, legal: Degrees | None) -> Polynomial:
 def rooted_of_genus(edges: int, genus: int) -> dict[int, int]:
     """``{vertices: rooted maps}`` of one genus, by the recurrence of Carrell and Chapuy.
 
-    Raises: ValueError for genus < 0.
     Source: S. R. Carrell and G. Chapuy, Simple recurrence formulas to count maps on
     orientable surfaces, J. Combin. Theory A 133 (2015).
     """
-    check_genus(genus)
     return cells(edges, carrell_chapuy(edges, genus))
 
 
@@ -198,12 +190,10 @@ def rooted_of_genus_by_contraction(
 
     Counted first are maps whose vertices are labelled and have a distinguished dart each;
     of these a rooted map has ``(n-1)!`` times the product of the degrees away from the root.
-    Raises: ValueError for genus < 0.
     Cost: the partitions of 2m, each with the ways to split it in two; meant for m <= 9.
     Source: T. R. S. Walsh and A. B. Lehman, Counting rooted maps by genus I,
     J. Combin. Theory B 13 (1972).
     """
-    check_genus(genus)
     return {n: _rooted_by_contraction(edges, n, genus, legal) for n in vertex_counts(edges)}
 
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from functools import cache
 from itertools import product
 from math import comb, factorial, prod
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from allworlds.maps.counting.any_genus import (
     Degrees,
@@ -27,10 +26,6 @@ from allworlds.maps.counting.any_genus import (
     series_product,
     times,
     vertex_counts,
-)
-from allworlds.maps.counting.atlas import (
-    rooted_planar_simple,
-    rooted_simple,
 )
 
 Cells: TypeAlias = dict[int, int]
@@ -137,36 +132,11 @@ def _graphs(degrees: tuple[int, ...]) -> int:
     return total
 
 
-@dataclass(frozen=True, slots=True)
-class CountSource:
+class CountSource(NamedTuple):
     """A source of counts: ``cells(m)`` is ``{vertices: rooted maps}`` with m edges."""
 
     name: str
-    cells: Callable[[int], dict[int, int]]
-
-
-def sources(map_class: str) -> tuple[CountSource, ...]:
-    """The independent sources for a class of maps; they agree wherever two know a cell.
-
-    The first knows every cell and is fast.  Raises: ValueError for an unknown class.
-    """
-    if map_class not in _SOURCES:
-        legal = ", ".join(_SOURCES)
-        raise ValueError(f"unknown class of maps {map_class!r}; the classes are {legal}")
-    return _SOURCES[map_class]
-
-
-def source_for(map_class: str) -> CountSource:
-    """The source that knows every cell of a class.  Raises: ValueError for an unknown class."""
-    return sources(map_class)[0]
-
-
-def _of_any_genus(
-    edges: int, of_genus: Callable[[int, int], Cells], genera: Iterable[int] | None = None
-) -> Cells:
-    """``{vertices: rooted maps}``, summed over these genera; over all if none are given."""
-    each = [of_genus(edges, g) for g in (range(edges // 2 + 1) if genera is None else genera)]
-    return {n: sum(cells[n] for cells in each) for n in vertex_counts(edges)}
+    cells: Callable[[int], Cells]
 
 
 def rooted_trees(edges: int) -> Cells:
@@ -199,103 +169,75 @@ def rooted_simple_triangulations(edges: int) -> Cells:
     return cells
 
 
-def _genera(map_class: str, edges: int) -> range:
-    return range(1) if map_class == "planar" else range(edges // 2 + 1)
-
-
-def _of_degrees(map_class: str, legal: Callable[[int], bool]) -> tuple[CountSource, ...]:
-    """Sources for the maps whose degrees are all legal."""
+def _of_degrees(map_class: str, legal: Callable[[int], bool]) -> CountSource | None:
+    """The source for the maps whose degrees are all legal."""
 
     def degrees(edges: int) -> Degrees:
         return frozenset(filter(legal, range(1, 2 * edges + 1)))
 
-    by_cycles = CountSource(
-        "log-series of permutations with these cycles", lambda m: rooted_maps(m, degrees(m))
-    )
-    by_contraction = CountSource(
-        "Walsh-Lehman recurrence at these degrees",
-        lambda m: _of_any_genus(
-            m,
-            lambda m, genus: rooted_of_genus_by_contraction(m, genus, degrees(m)),
-            _genera(map_class, m),
-        ),
-    )
-    by_graphs = CountSource(
-        "these degree sequences of labelled graphs",
-        lambda m: rooted_simple_by_degrees(m, degrees(m)),
-    )
     known = {
-        "maps": (by_cycles, by_contraction),
-        "planar": (by_contraction,),
-        "simple": (by_graphs,),
-    }
-    return known.get(map_class, ())
-
-
-def _of_faces(map_class: str, length: int) -> tuple[CountSource, ...]:
-    if map_class in ("maps", "planar"):
-        dual = CountSource(
-            "Walsh-Lehman recurrence of the dual maps",
-            lambda m: rooted_with_faces(m, length, _genera(map_class, m)),
-        )
-        return (dual,)
-    if (map_class, length) == ("planar-simple", 3):
-        return (CountSource("Tutte's census of triangulations", rooted_simple_triangulations),)
-    return ()
-
-
-def _of_genus(map_class: str, genus: int) -> tuple[CountSource, ...]:
-    if map_class == "maps":
-        recurrence = CountSource("Carrell-Chapuy recurrence", lambda m: rooted_of_genus(m, genus))
-        return (recurrence,)
-    if genus == 0:
-        return sources({"simple": "planar-simple"}.get(map_class, map_class))
-    return ()
-
-
-def _of_girth(map_class: str, least: int) -> tuple[CountSource, ...]:
-    if least == 1:
-        return sources(map_class)
-    if "simple" in map_class:
-        return sources(map_class) if least <= 3 else ()
-    return sources({"maps": "simple", "planar": "planar-simple"}[map_class]) if least == 3 else ()
-
-
-_SOURCES = {
-    "maps": (
-        CountSource("log-series of permutations", rooted_maps),
-        CountSource("Carrell-Chapuy recurrence", lambda m: _of_any_genus(m, rooted_of_genus)),
-        CountSource(
-            "Walsh-Lehman recurrence",
-            lambda m: _of_any_genus(m, rooted_of_genus_by_contraction),
+        "maps": CountSource(
+            "log-series of permutations with these cycles", lambda m: rooted_maps(m, degrees(m))
         ),
-    ),
-    "planar": (
-        CountSource("Carrell-Chapuy recurrence", lambda m: rooted_of_genus(m, 0)),
-        CountSource("Walsh-Lehman recurrence", lambda m: rooted_of_genus_by_contraction(m, 0)),
-    ),
-    "simple": (
-        CountSource("degree sequences of labelled graphs", rooted_simple_by_degrees),
-        CountSource("graph atlas and Catalan numbers", rooted_simple),
-    ),
-    "planar-simple": (
-        CountSource("substitution into planar maps", rooted_planar_simple_by_substitution),
-        CountSource("graph atlas with genus-0 rotations and Catalan numbers", rooted_planar_simple),
+        "planar": CountSource(
+            "Walsh-Lehman recurrence at these degrees",
+            lambda m: rooted_of_genus_by_contraction(m, 0, degrees(m)),
+        ),
+        "simple": CountSource(
+            "these degree sequences of labelled graphs",
+            lambda m: rooted_simple_by_degrees(m, degrees(m)),
+        ),
+    }
+    return known.get(map_class)
+
+
+def _of_faces(map_class: str, length: int) -> CountSource | None:
+    if map_class in ("maps", "planar"):
+        return CountSource(
+            "Walsh-Lehman recurrence of the dual maps",
+            lambda m: rooted_with_faces(
+                m, length, range(1 if map_class == "planar" else m // 2 + 1)
+            ),
+        )
+    if (map_class, length) == ("planar-simple", 3):
+        return CountSource("Tutte's census of triangulations", rooted_simple_triangulations)
+    return None
+
+
+def _of_genus(map_class: str, genus: int) -> CountSource | None:
+    if map_class == "maps":
+        return CountSource("Carrell-Chapuy recurrence", lambda m: rooted_of_genus(m, genus))
+    if genus == 0:
+        return SOURCES[{"simple": "planar-simple"}.get(map_class, map_class)]
+    return None
+
+
+def _of_girth(map_class: str, least: int) -> CountSource | None:
+    if least == 1:
+        return SOURCES[map_class]
+    if least > 3 or (least == 2 and "simple" not in map_class):
+        return None
+    return SOURCES[{"maps": "simple", "planar": "planar-simple"}.get(map_class, map_class)]
+
+
+SOURCES: dict[str, CountSource] = {
+    "maps": CountSource("log-series of permutations", rooted_maps),
+    "planar": CountSource("Carrell-Chapuy recurrence", lambda m: rooted_of_genus(m, 0)),
+    "simple": CountSource("degree sequences of labelled graphs", rooted_simple_by_degrees),
+    "planar-simple": CountSource(
+        "substitution into planar maps", rooted_planar_simple_by_substitution
     ),
 }
+"""By a class of maps: it knows every cell."""
 
-_NARROWED: dict[str, Callable[[str, int], tuple[CountSource, ...]]] = {
+NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
     "cubic": lambda map_class, _: _of_degrees(map_class, lambda d: d == 3),
     "regular": lambda map_class, degree: _of_degrees(map_class, lambda d: d == degree),
     "eulerian": lambda map_class, _: _of_degrees(map_class, lambda d: d % 2 == 0),
-    "trees": lambda _class, _: (CountSource("Catalan numbers", rooted_trees),),
+    "trees": lambda _class, _: CountSource("Catalan numbers", rooted_trees),
     "girth": _of_girth,
     "genus": _of_genus,
     "triangulation": lambda map_class, _: _of_faces(map_class, 3),
     "quadrangulation": lambda map_class, _: _of_faces(map_class, 4),
 }
-
-
-def sources_under(map_class: str, kind: str, number: int) -> tuple[CountSource, ...]:
-    """The independent sources for a class under a condition; the first is fast."""
-    return _NARROWED[kind](map_class, number)
+"""By a condition: of the class of maps and the number in its name; None: there is no source."""

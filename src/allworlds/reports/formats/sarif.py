@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 from allworlds.explorers.sources import SourceLine, place_of_explorer
-from allworlds.judging.findings.asked_finding import file_name as name_of_finding
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import true_trail
 from allworlds.judging.laws.law_table import ASKED
@@ -118,7 +117,7 @@ def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str
         },
         "locations": [_location(place)],
         # The name of the finding's file holds a digest of all of it.
-        "partialFingerprints": {"finding/v1": name_of_finding(finding)},
+        "partialFingerprints": {"finding/v1": finding.file_name},
         "graphs": [graph],
         "graphTraversals": [traversal],
         "properties": {"finding": finding.to_json()},

@@ -37,9 +37,9 @@ from allworlds.reports.tellings.scope import (
     places_told,
     trust_told,
 )
-from allworlds.studies.check.known_findings import UserCorpus
+from allworlds.studies.check.exhaustive import Guess, TimeEstimate
 from allworlds.studies.check.report import CheckReport, most_expensive_runs
-from allworlds.studies.check.time_estimate import Guess, TimeEstimate
+from allworlds.studies.check.tally_sweep import UserCorpus
 from allworlds.version import __version__
 from allworlds.words import about, counted, duration, listed, number, plural, size
 

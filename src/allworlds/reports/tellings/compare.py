@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from allworlds.explorers.names import short_names
+from allworlds.explorers.sources import short_names
 from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,
@@ -240,7 +240,7 @@ def _rows(report: Comparison) -> CsvRows:
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
-    scope = f"one world: {report.member.told}" if report.member else maps_words(report)
+    scope = f"one world: {report.member.described}" if report.member else maps_words(report)
     words = [*explorers_told(report), ("scope", scope), *options_told(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from allworlds.explorers.names import is_program
+from allworlds.explorers.loading import is_program
 from allworlds.judging.explanations.story import Belief, Story
-from allworlds.judging.findings.belief import find_parting
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
-from allworlds.judging.findings.walks import true_trail
+from allworlds.judging.findings.walks import find_parting, true_trail
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
@@ -136,10 +135,16 @@ def _walk(story: Story, told: Explanation, title: str) -> ToldWalk:
     view = View("world", "The world", walk_in_world(world, transcript), story.walked)
     if told.answer:
         belief = Belief(story)
-        answer = answer_view(world, belief.answer, transcript, belief.believed)
-        elsewhere = Elsewhere("expected by the answer", belief.expected)
+        answer = answer_view(world, belief.answer, transcript, belief.walk.trail)
+        elsewhere = Elsewhere("expected by the answer", belief.walk.expected)
         return ToldWalk(
-            title, story, [view, answer], told.sentences, elsewhere, belief.agreement, told.step
+            title,
+            story,
+            [view, answer],
+            told.sentences,
+            elsewhere,
+            belief.walk.agreement,
+            told.step,
         )
     if told.other:
         trail = true_trail(told.other, transcript)

@@ -14,7 +14,7 @@ from allworlds.studies.check.report import CheckReport
 from allworlds.words import counted, plural
 
 if TYPE_CHECKING:
-    from allworlds.studies.compare.contest_report import ContestReport
+    from allworlds.studies.compare.entrants import ContestReport
 
 OfWorlds: TypeAlias = SweptReport | CheckReport
 """A report about the worlds of an extent."""
@@ -58,7 +58,7 @@ def places_told(places: str) -> list[tuple[str, str]]:
 def explorers_told(report: ContestReport) -> list[tuple[str, str]]:
     """A fact about each explorer of a comparison, with its rules and its places."""
     words = []
-    for one in report.contestants:
+    for one in report.entrants:
         rules = one.rules
         how = f"lighthouse {rules.lighthouse}, policy {rules.policy}, bound {rules.the_bound}"
         words.append(("explorer", f"{one.name}: {how}"))

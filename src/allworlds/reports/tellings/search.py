@@ -5,7 +5,7 @@ from __future__ import annotations
 from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import Headline, Section, Shown, ToldFacts, ToldResult, ToldTable
 from allworlds.reports.tellings.lookalikes import alike, letters
-from allworlds.studies.ambiguity.smt.result import SearchResult
+from allworlds.studies.ambiguity.twin_search import SearchResult
 
 
 def search_telling(result: SearchResult) -> ToldResult:

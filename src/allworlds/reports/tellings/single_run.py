@@ -6,10 +6,10 @@ import json
 
 from allworlds.document.struct import replace
 from allworlds.engines.single import SingleRun
-from allworlds.judging.endings import Answered, Over, Said, Undecided
+from allworlds.judging.episode import Answered, Over, Said, Undecided
 from allworlds.judging.explanations.story import Walked
-from allworlds.judging.findings.belief import believed_walk
-from allworlds.judging.findings.walks import true_trail
+from allworlds.judging.findings.walks import believed_walk, true_trail
+from allworlds.judging.laws.laws import BrokenInvariant, embed
 from allworlds.protocol.answers import Ambiguous
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
@@ -33,8 +33,7 @@ from allworlds.reports.tellings.finding import (
     printed,
 )
 from allworlds.studies.replay import Replay
-from allworlds.studies.run.hypotheses import embedded, hypotheses_in
-from allworlds.studies.run.run_request import WorldNames
+from allworlds.studies.run import WorldNames
 from allworlds.words import number, plural
 
 
@@ -46,8 +45,8 @@ def known(run: SingleRun) -> ShownMap | None:
     trail = true_trail(world, episode.transcript)
     seen = ShownMap({}, {})
     for step, checkpoint in episode.checkpoints:
-        place = embedded(checkpoint, world, trail[step])
-        if place is None:
+        place = embed(world.map, trail[step], checkpoint)
+        if isinstance(place, BrokenInvariant):
             return None
         for dart, other in enumerate(checkpoint.alpha):
             seen.darts.setdefault(place[dart], step)
@@ -155,8 +154,7 @@ def run_section(run: SingleRun, name: str, title: str = "") -> Section:
         blocks.append(fact("answer", json.dumps(ending.value)))
     if isinstance(ending, Over):
         blocks.append(fact("over", f"all is done: {run.rules.task.asks}"))
-    tests = hypotheses_in(run) if seen is not None else ()
-    walk = ToldWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement, tests=tests)
+    walk = ToldWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
     return Section(name, title, [walk, *blocks])
 
 

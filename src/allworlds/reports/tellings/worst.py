@@ -19,7 +19,7 @@ from allworlds.reports.tellings.scope import (
     gate_told,
     maps_words,
 )
-from allworlds.studies.worst.worst_report import WorstReport
+from allworlds.studies.worst.all_worlds import WorstReport
 from allworlds.words import number, plural, size
 from allworlds.world.named import code_of
 

@@ -4,7 +4,7 @@ const KEYS = {
   ArrowLeft: "back", ArrowRight: "next", Home: "first", End: "last", " ": "play",
   "+": "in", "=": "in", "-": "out",
 };
-const MARKED = ["walked", "trail", "last", "here", "tested", "supposed"]; // Of one step each.
+const MARKED = ["walked", "trail", "last", "here"]; // Of one step each.
 const TRAIL = 3; // So many steps before the last are shown, too.
 
 function element(svg, name, attributes, text = "") {
@@ -65,12 +65,6 @@ function makePicture(frame) {
       }
     }
     svg.querySelector(`[data-dart="${dart}"]`).classList.add("here");
-    if (follows === "known") {
-      for (const name of ["tested", "supposed"]) {
-        const at = svg.querySelector(`[data-dart="${items[current].dataset[name]}"]`);
-        if (at) at.classList.add(name);
-      }
-    }
     for (const part of grown) {
       part.classList.toggle("later", Number(part.dataset.since) > current);
       if ("until" in part.dataset) {

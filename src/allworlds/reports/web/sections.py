@@ -7,7 +7,6 @@ from itertools import groupby
 from xml.etree import ElementTree as ET
 
 from allworlds.document.struct import replace
-from allworlds.judging.explanations.story import Walked
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Move
 from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
@@ -31,7 +30,6 @@ from allworlds.reports.telling import (
     Words,
 )
 from allworlds.reports.web.viewer import figure, viewer
-from allworlds.studies.run.hypotheses import Hypothesis
 from allworlds.words import number, plural, size
 
 
@@ -64,7 +62,7 @@ NEVER = 10**9
 """Stands for the step at which something is known that never is."""
 
 
-def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap, *, tested: bool) -> None:
+def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
     """Add to a figure the step at which each part appears, and a legend of the styles."""
     for part in drawn.iter():
         if (darts := part.get("data-darts")) is not None:
@@ -79,11 +77,6 @@ def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap, *, teste
             part.set("data-until", str(NEVER if explored is None else explored))
     legend = drawn[-1]
     legend.append(tag("span", "open: not explored yet", class_="key known-key"))
-    if tested:
-        legend.append(
-            tag("span", "under test: did the robot arrive by this dart?", class_="key tested-key")
-        )
-        legend.append(tag("span", "the robot's place if it did", class_="key supposed-key"))
 
 
 COLUMN, BAR, HEIGHT, LEFT, TOP, FOOT = 30, 18, 180, 56, 24, 52
@@ -172,7 +165,6 @@ def steps_of(
     for followed, view in zip(follows, views, strict=True):
         for item, dart in zip(items, view.trail, strict=False):
             item.set(f"data-{followed}", str(dart))
-    _tell_tests(items, walk.tests, walk.walked)
     return tag(
         "ol",
         *items,
@@ -203,26 +195,6 @@ def _step(walk: ToldWalk, i: int, name: str) -> ET.Element:
     if parts:
         item.append(tag("b", "belief and truth diverge here", class_="note"))
     return item
-
-
-def _tell_tests(steps: Sequence[ET.Element], tests: Sequence[Hypothesis], story: Walked) -> None:
-    """Add to each step the hypothesis under test, and the result of the test at its end."""
-    told: dict[int, list[str]] = {}
-    for test in tests:
-        for step, dart in enumerate(test.supposed, test.first):
-            if step >= len(steps):
-                break
-            steps[step].set("data-tested", str(test.dart))
-            steps[step].set("data-supposed", str(dart))
-            words = told.setdefault(step, [])
-            if step == test.first:
-                words.append(f"whether it has come by dart {test.dart}")
-            else:
-                words.append(f"if by dart {test.dart}, it is now at {story.place(dart)}")
-            if step == test.last:
-                words[-1] += ": yes" if test.right else ": no"
-    for step, words in told.items():
-        steps[step].append(tag("span", f"test: {'; '.join(words)}", class_="test"))
 
 
 ROOM = 700_000
@@ -374,7 +346,7 @@ def _figures(walk: ToldWalk, name: str, follows: Sequence[str]) -> Iterator[ET.E
         shown = drawn.get(view.name, first if view.known else None)
         made = figure(view.title, view.scene, f"{name}-{view.name}", followed, shown, moves=moves)
         if view.known:
-            let_grow(made, view.scene.map, view.known, tested=bool(walk.tests))
+            let_grow(made, view.scene.map, view.known)
         yield made
 
 

@@ -18,16 +18,17 @@ separation
 
 Modules
 -------
-``ambiguity_requests``
-    what is asked for;
 ``telling_apart``
     two worlds: a bisimulation or a separation;
-``members``, ``lifting``, ``marked_code``
-    the class of a world: its members, how they are made from the quotient, and their codes;
-``marked_worlds``, ``sensed_worlds``
+``members``
+    the class of a world: its members, and how they are made from the quotient;
+``marked_worlds``
     the census of a lighthouse, and its parts: worlds by what can be sensed in them;
-``smt``
-    the search by solvers for worlds that no motion tells apart.
+``question``, ``twin_search``
+    the search by solvers for worlds that no motion tells apart;
+``formulas``, ``solvers``, ``proofs``
+    the formulas of a search, who solves them, and checkers of proofs that there are no twins; twins
+    that were found are checked by :mod:`allworlds.world.bisimulation`.
 """
 
 from typing import TYPE_CHECKING
@@ -35,7 +36,6 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest as SearchRequest
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
         CensusCell as CensusCell,
@@ -47,16 +47,19 @@ if TYPE_CHECKING:
         class_of as class_of,
         projection_of as projection_of,
     )
-    from allworlds.studies.ambiguity.smt.result import SearchResult as SearchResult
-    from allworlds.studies.ambiguity.smt.solvers import (
+    from allworlds.studies.ambiguity.question import SearchRequest as SearchRequest
+    from allworlds.studies.ambiguity.solvers import (
         REQUIREMENTS as REQUIREMENTS,
         has_model_without as has_model_without,
     )
-    from allworlds.studies.ambiguity.smt.twin_search import search as search
     from allworlds.studies.ambiguity.telling_apart import (
         ComparedWorlds as ComparedWorlds,
-        sensed as sensed,
         twins as twins,
     )
+    from allworlds.studies.ambiguity.twin_search import (
+        SearchResult as SearchResult,
+        search as search,
+    )
+    from allworlds.world.bisimulation import sensed as sensed
 else:
     open_door(__name__)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Annotated, Any, TypeAlias, TypeVar
 
 from msgspec import Struct, field
@@ -17,14 +17,15 @@ from allworlds.document.struct import (
     Edges,
     IfAny,
     Natural,
+    Text,
     Vertices,
     WhichShard,
     about,
     computed,
 )
+from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import here_or
-from allworlds.engines.kept_form import from_kept
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import (
     GATE,
@@ -34,25 +35,42 @@ from allworlds.engines.swept_report import (
     told_scope,
     tried_places,
 )
-from allworlds.engines.units import WHOLE, LevelUnit, SweptLevel
-from allworlds.inputs.checks import InputError
-from allworlds.inputs.requests import answers
+from allworlds.engines.units import WHOLE, AskedShard, LevelUnit, SweptLevel
+from allworlds.inputs.checks import InputError, one_of
+from allworlds.inputs.requests import SCOPE, Option, Taken, answers
 from allworlds.maps.canonical import numbering, rooted_code
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.classes import Extent, ExtentOptions, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.quotient import Quotient, class_size, is_ambiguous, project
+from allworlds.maps.quotient import Quotient, class_size, is_ambiguous
 from allworlds.outcome import Disagreement, Ending
-from allworlds.protocol.actions import Percept
-from allworlds.studies.ambiguity.ambiguity_requests import CensusRequest
 from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
 from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
-from allworlds.world.lighthouses.kinds import LighthouseKind
+from allworlds.world.asked_lighthouse import tried_kind
+from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.lighthouses.options import InvalidWorld
+from allworlds.world.own_condition import WhereOptions
 from allworlds.world.world import World
 
 BATCH = 200
 """Maps after which a part of a unit is handed over."""
+
+
+class CensusRequest(
+    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, WhereOptions, ExtentOptions
+):
+    """Request of ``ambiguity census``: a class, its bounds and the effort."""
+
+    lighthouse: Annotated[
+        Taken[GivenLighthouse, LighthouseKind],
+        Option(
+            SCOPE,
+            "KIND",
+            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}.",
+            told=Annotated[Text, about("`KIND[:key=value,...]`")],
+        ),
+    ] = Taken(tried_kind, Position.kind)
+
 
 Size: TypeAlias = tuple[int, int]
 """The numbers of edges and of vertices."""
@@ -109,10 +127,8 @@ class SensedParts(Struct):
 
     def meet(self, world: World) -> None:
         """Take in one world: a start of the map, with the lighthouse at a place."""
-        quotient = project((world.map, world.percepts, world.start)).quotient
-        roots = (quotient.rerooted(q) for q in range(len(quotient.sigma)))
-        key = json.dumps([min(map(_quotient_code, roots)), _told(world)])
-        self.parts.setdefault(key, {}).setdefault(_world_code(world), world.to_json())
+        key = _code(world, projection_of(world).quotient)
+        self.parts.setdefault(key, {}).setdefault(_code(world, world.map), world.to_json())
 
     def meet_marked(self, map_: CombinatorialMap) -> None:
         """Take in a map with its root's vertex marked; of all roots there one is taken in.
@@ -142,15 +158,14 @@ class SensedParts(Struct):
     def smallest_pair(self) -> ComparedWorlds | None:
         """Two worlds of one part, with the proof that no motion tells them apart."""
         pairs = [
-            sorted((_size(world), code) for code, world in worlds.items())[:2]
+            sorted((_size(world), code, world) for code, world in worlds.items())[:2]
             for worlds in self.parts.values()
             if len(worlds) > 1
         ]
         if not pairs:
             return None
         one, other = min(pairs, key=lambda pair: pair[::-1])
-        (worlds,) = (w for w in self.parts.values() if one[1] in w and other[1] in w)
-        return _apart(*(World.from_json(worlds[code]) for _, code in (one, other)))
+        return _apart(World.from_json(one[2]), World.from_json(other[2]))
 
     def ensure_counted(self) -> None:
         """Raise Disagreement unless each class has as many members as Burnside's count says.
@@ -189,48 +204,29 @@ class PartBySensing(Struct, frozen=True):
         yield met
 
 
-def ensure_stands(kind: LighthouseKind) -> None:
-    """Raise InputError for a lighthouse of which the robot makes the marks itself."""
-    if kind.as_class.leaves_marks:
-        raise InputError(
-            f"under the lighthouse {kind} the robot leaves marks itself, and a census is of what "
-            f"motions alone can tell apart; legal are {standing()}"
-        )
-
-
 def _size(world: Mapping[str, Any]) -> Size:
     """The size of a world, by its document."""
     map_ = CombinatorialMap.trusted(tuple(world["sigma"]), tuple(world["alpha"]))
     return map_.edge_count, map_.vertex_count
 
 
-def _label(percept: Percept) -> list[int]:
-    return [percept.marks, -1 if percept.bearing is None else percept.bearing]
-
-
-def _quotient_code(quotient: Quotient) -> list[Any]:
-    labels = [_label(label) for label in quotient.labels if isinstance(label, Percept)]
-    return [list(quotient.sigma), list(quotient.alpha), list(quotient.degree), labels]
-
-
-def _told(world: World) -> Any:
-    """The value told in the world before the start; numbers with names stand in order."""
-    return sorted(world.told.items()) if isinstance(world.told, Mapping) else world.told
-
-
-def _world_code(world: World) -> str:
-    """The map, what is sensed in it and what is told, whatever the start: a canonical text."""
-    map_ = world.map
-    return min(
-        json.dumps(
-            [
-                rooted_code(map_.sigma, map_.alpha, dart),
-                [_label(world.percepts[d]) for d in numbering(map_.sigma, map_.alpha, dart)],
-                _told(world),
-            ]
-        )
-        for dart in map_.darts
+def _code(world: World, of: CombinatorialMap | Quotient) -> str:
+    """The map or the quotient of a world, what is sensed and told, whatever the start: a text."""
+    labels: Sequence[Any] = of.labels if isinstance(of, Quotient) else world.percepts
+    sensed = [[p.marks, -1 if p.bearing is None else p.bearing] for p in labels]
+    if isinstance(of, Quotient):
+        sensed = [[degree, *label] for degree, label in zip(of.degree, sensed, strict=True)]
+    # Numbers with names stand in order.
+    told = sorted(world.told.items()) if isinstance(world.told, Mapping) else world.told
+    codes = (
+        [
+            rooted_code(of.sigma, of.alpha, dart),
+            [sensed[d] for d in numbering(of.sigma, of.alpha, dart)],
+            told,
+        ]
+        for dart in range(len(of.sigma))
     )
+    return min(map(json.dumps, codes))
 
 
 def _apart(one: World, other: World) -> ComparedWorlds:
@@ -239,14 +235,14 @@ def _apart(one: World, other: World) -> ComparedWorlds:
     Where the lighthouse cannot stand in the same place from that start, it stands in another one
     in which the same is sensed and told.
     """
-    code, kind = _world_code(other), other.lighthouse.as_kind
+    code, kind = _code(other, other.map), other.lighthouse.as_kind
     for start in other.map.darts:
         for place in (other.lighthouse, *kind.places(other.map, start)):
             try:
                 world = World(other.map, place, start)
             except InvalidWorld:  # the lighthouse cannot stand there when one starts here
                 continue
-            if _world_code(world) == code and (found := twins(one, world)).bisimulation:
+            if _code(world, world.map) == code and (found := twins(one, world)).bisimulation:
                 return found
     raise AssertionError(f"{one} and {other} have one quotient, and are told apart")
 
@@ -358,7 +354,7 @@ def census(request: CensusRequest) -> AmbiguityCensus:
 class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
     """A census on its way."""
 
-    verb, asked = "ambiguity census", CensusRequest
+    verb, asked, result = "ambiguity census", CensusRequest, SensedParts
     extent: Extent
 
     def __init__(self, request: CensusRequest) -> None:
@@ -366,20 +362,16 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
         self._levels: list[tuple[SweptLevel, int]] = []
         self._met = SensedParts()
         self.kind: LighthouseKind = request.lighthouse
-        ensure_stands(self.kind)
+        if self.kind.as_class.leaves_marks:
+            raise InputError(
+                f"under the lighthouse {self.kind} the robot leaves marks itself, and a census is "
+                f"of what motions alone can tell apart; legal are {standing()}"
+            )
 
     @override
     def ready(self) -> ReadyEngine:
         engine = PartBySensing(self.extent, self.kind)
         return ReadyEngine(here_or(self.request.cluster, self.deadline), engine)
-
-    @override
-    def empty(self) -> SensedParts:
-        return SensedParts()
-
-    @override
-    def read(self, kept: Any) -> SensedParts:
-        return from_kept(kept, SensedParts)
 
     @override
     def finish(self, level: SweptLevel, total: SensedParts) -> None:
@@ -396,6 +388,11 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
         by_edges = self._met.counts(lambda size: size[0])
         by_size = self._met.counts(lambda size: size)
         pair = self._met.smallest_pair() if whole else None
+
+        def told(counts: SizeCounts) -> dict[str, int]:
+            """Of a shard the counts that do not depend on other shards."""
+            return asdict(counts) if whole else {"marked_worlds": counts.marked_worlds}
+
         return AmbiguityCensus(
             **self.ended(ending),
             rows=tuple(
@@ -403,19 +400,14 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
                     edges=level.edges,
                     rooted=rooted,
                     counted=level.worlds,
-                    **_counts_told(by_edges.get(level.edges, SizeCounts()), whole=whole),
+                    **told(by_edges.get(level.edges, SizeCounts())),
                 )
                 for level, rooted in self._levels
             ),
             by_vertices=tuple(
-                CensusCell(edges=edges, vertices=vertices, **_counts_told(counts, whole=whole))
+                CensusCell(edges=edges, vertices=vertices, **told(counts))
                 for (edges, vertices), counts in sorted(by_size.items())
             ),
             pair=pair.worlds if pair else (),
             bisimulation=(pair and pair.bisimulation) or (),
         )
-
-
-def _counts_told(counts: SizeCounts, *, whole: bool) -> dict[str, int]:
-    """The keys of the counts; of a shard those that do not depend on other shards."""
-    return asdict(counts) if whole else {"marked_worlds": counts.marked_worlds}

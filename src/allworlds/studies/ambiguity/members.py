@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import partial
+from dataclasses import KW_ONLY
 from itertools import permutations
 from typing import Annotated, NamedTuple, Self, TypeAlias
 
 from allworlds.document.report import Report
 from allworlds.document.struct import Document, Natural, Positive, Some, Text, about, computed, key
-from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.inputs.requests import answers
+from allworlds.engines.effort import AskedListener
+from allworlds.inputs.checks import InputError, an_integer, integer_of, show
+from allworlds.inputs.requests import EFFORT, Option, answers
 from allworlds.maps.canonical import Code, rooted_code
-from allworlds.maps.classes import MapClass
+from allworlds.maps.classes import ClassOptions, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.quotient import (
     Projection,
@@ -24,10 +25,35 @@ from allworlds.maps.quotient import (
 )
 from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Percept
-from allworlds.studies.ambiguity.ambiguity_requests import ClassRequest
+from allworlds.world.lighthouses.kinds import GivenLighthouse
 from allworlds.world.lighthouses.marked import Directional, Position
-from allworlds.world.named import a_world
+from allworlds.world.named import LIGHTHOUSE, WORLD, world_named
 from allworlds.world.world import World
+
+DEFAULT_LIMIT = 1000
+"""The largest class whose members are all made, unless another limit is named."""
+
+
+class MembersOptions(ClassOptions):
+    """Options that select members of an ambiguity class."""
+
+    limit: Annotated[
+        int,
+        Option(
+            EFFORT,
+            "L",
+            "List at most L worlds; size and poses are exact all the same.",
+            parse=integer_of,
+        ),
+    ] = DEFAULT_LIMIT
+
+
+class ClassRequest(AskedListener, MembersOptions, kw_only=False):
+    """Request of ``ambiguity class``: a world, and how many members are listed."""
+
+    world: Annotated[World | str, WORLD]
+    _: KW_ONLY
+    lighthouse: Annotated[GivenLighthouse, LIGHTHOUSE] = Position.kind
 
 
 class LeastRooting(NamedTuple):
@@ -69,7 +95,8 @@ def is_least_rooting(map_: CombinatorialMap) -> bool:
 Permutation: TypeAlias = tuple[int, ...]
 """Of the sheets ``0..k-1``."""
 
-_Kind: TypeAlias = Callable[[Sequence[tuple[int, ...]]], Iterator[tuple[int, ...]]]
+_Kind: TypeAlias = Callable[[Sequence[Permutation]], Iterator[Permutation]]
+"""The options that there are after these have been chosen."""
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
@@ -82,30 +109,25 @@ def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
 
     Cost: O(m) a map, and O(m) memory.
     """
-    k = quotient.sheets
-    others = quotient.cone_indices[1:]
-    kinds: list[_Kind] = [
-        partial(_uniform, k, b) for b in (*others, *[2] * len(quotient.semi_edges))
-    ]
-    kinds += [partial(_any, k)] * len(quotient.cotree)
-    turn = (*range(1, k), 0)
+    k, cycles = quotient.sheets, [*quotient.cone_indices[1:], *[2] * len(quotient.semi_edges)]
+    kinds: list[_Kind] = [lambda _, b=b: uniform_permutations(k, b) for b in cycles]
+    kinds += [lambda _: permutations(range(k))] * len(quotient.cotree)
     for choice in _choices(kinds):
-        round_vertex = (turn, *choice[: len(others)])
-        yield _lift(quotient, round_vertex, choice[len(others) :])
+        yield _lift(quotient, iter(choice))
 
 
-def _lift(
-    quotient: Quotient, round_vertex: Sequence[Permutation], across: Sequence[Permutation]
-) -> CombinatorialMap:
+def _lift(quotient: Quotient, choice: Iterator[Permutation]) -> CombinatorialMap:
     k = quotient.sheets
     sigma = [q * k + i for q in quotient.sigma for i in range(k)]
     alpha = [q * k + i for q in quotient.alpha for i in range(k)]
-    for vertex, moved in zip(quotient.vertices, round_vertex, strict=True):
-        _permute(sigma, k, vertex[-1], vertex[0], moved)
-    semi, ordinary = across[: len(quotient.semi_edges)], across[len(quotient.semi_edges) :]
-    for q, moved in zip(quotient.semi_edges, semi, strict=True):
-        _permute(alpha, k, q, q, moved)
-    for (q, other), moved in zip(quotient.cotree, ordinary, strict=True):
+    first, *others = quotient.vertices
+    _permute(sigma, k, first[-1], first[0], (*range(1, k), 0))
+    for vertex in others:
+        _permute(sigma, k, vertex[-1], vertex[0], next(choice))
+    for q in quotient.semi_edges:
+        _permute(alpha, k, q, q, next(choice))
+    for q, other in quotient.cotree:
+        moved = next(choice)
         _permute(alpha, k, q, other, moved)
         _permute(alpha, k, other, q, sorted(range(k), key=moved.__getitem__))
     return CombinatorialMap.trusted(sigma, alpha)
@@ -123,6 +145,9 @@ def uniform_permutations(k: int, b: int) -> Iterator[Permutation]:
     """
     if k % b:
         return
+    if b == 1:
+        yield tuple(range(k))
+        return
 
     def next_cycle(cycles: Sequence[tuple[int, ...]]) -> Iterator[tuple[int, ...]]:
         used = {x for cycle in cycles for x in cycle}
@@ -137,14 +162,6 @@ def uniform_permutations(k: int, b: int) -> Iterator[Permutation]:
         yield tuple(moved)
 
 
-def _uniform(k: int, b: int, _before: object) -> Iterator[Permutation]:
-    return uniform_permutations(k, b) if b > 1 else iter([tuple(range(k))])
-
-
-def _any(k: int, _before: object) -> Iterator[Permutation]:
-    return permutations(range(k))
-
-
 def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
     """Every combination with one option of each kind, in lexicographic order.
 
@@ -152,20 +169,19 @@ def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
 
     Unlike a product nothing is stored, and unlike a recursion the kinds may be thousands.
     """
-    chosen: list[tuple[int, ...]] = []
-    open_kinds: list[Iterator[tuple[int, ...]]] = []
+    chosen: list[Permutation] = []
+    options: list[Iterator[Permutation]] = []
     while True:
         if len(chosen) == len(kinds):
             yield tuple(chosen)
         else:
-            open_kinds.append(kinds[len(chosen)](chosen))
-        while open_kinds:
-            del chosen[len(open_kinds) - 1 :]
-            following = next(open_kinds[-1], None)
-            if following is not None:
+            options.append(kinds[len(chosen)](chosen))
+        while options:
+            del chosen[len(options) - 1 :]
+            if following := next(options[-1], None):
                 chosen.append(following)
                 break
-            open_kinds.pop()
+            options.pop()
         else:
             return
 
@@ -187,15 +203,6 @@ class SensedQuotient(Document):
         return cls(sigma=quotient.sigma, alpha=quotient.alpha, degree=quotient.degree, marks=marks)
 
 
-def _notice(found: AmbiguityClass) -> str | None:
-    if found.listed == found.size:
-        return None
-    return (
-        f"{found.listed} of {found.size} worlds are listed, as --limit says; "
-        "size and poses are exact (Burnside's count)"
-    )
-
-
 class AmbiguityClass(Report):
     """Report of 'ambiguity class'.
 
@@ -215,11 +222,23 @@ class AmbiguityClass(Report):
     listed: Annotated[Positive, about("the number of worlds listed")] = computed(
         lambda found: len(found.worlds)
     )
-    notice: Annotated[Text | None, about("a remark on worlds left out, if any")] = computed(_notice)
+    notice: Annotated[Text | None, about("a remark on worlds left out, if any")] = computed(
+        lambda found: found.left_out
+    )
     worlds: Annotated[
         Some[World], about("the given one first; each with start 0, where the robot could be")
     ]
     quotient: Annotated[SensedQuotient, about("what a robot can know")]
+
+    @property
+    def left_out(self) -> str | None:
+        """A remark on the worlds that are not listed; None if all are."""
+        if self.listed == self.size:
+            return None
+        return (
+            f"{self.listed} of {self.size} worlds are listed, as --limit says; "
+            "size and poses are exact (Burnside's count)"
+        )
 
 
 def projection_of(world: World) -> Projection:
@@ -242,7 +261,7 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
     Cost: O(k m) for each of the at most k ``limit`` lifts.
     """
     limit, universe = request.limit, request.map_class
-    world = a_world(request.world, request.lighthouse)
+    world = world_named(request.world, request.lighthouse)
     _checked(world, limit, universe)
     quotient, classes = projection_of(world)
     size = class_size(quotient)

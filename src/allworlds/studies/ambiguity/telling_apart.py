@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import KW_ONLY
 from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
 
 from msgspec import UNSET, UnsetType
@@ -9,17 +10,25 @@ from msgspec import UNSET, UnsetType
 from allworlds.document.report import Report
 from allworlds.document.struct import Natural, Pair, Some, about, computed, narrowed
 from allworlds.inputs.checks import InputError
-from allworlds.inputs.requests import answers
-from allworlds.maps.canonical import carries, numbering
-from allworlds.maps.combinatorial import Dart
+from allworlds.inputs.requests import Argument, Request, answers
 from allworlds.maps.quotient import classes_of_union
 from allworlds.outcome import Disagreement
-from allworlds.protocol.actions import Move, Percept
-from allworlds.studies.ambiguity.ambiguity_requests import TwinsRequest
-from allworlds.world.bisimulation import flaw
-from allworlds.world.lighthouses.kinds import LIGHTHOUSES, kind_of
-from allworlds.world.named import a_world
+from allworlds.protocol.actions import Percept
+from allworlds.world.bisimulation import flaw, same_world_from, sensed
+from allworlds.world.lighthouses.kinds import LIGHTHOUSES, GivenLighthouse, kind_of
+from allworlds.world.lighthouses.marked import Position
+from allworlds.world.named import LIGHTHOUSE, WORLD, world_named
 from allworlds.world.world import World
+
+
+class TwinsRequest(Request, kw_only=False):
+    """Request of ``ambiguity twins``: the two worlds."""
+
+    a: Annotated[World | str, Argument("", "A", WORLD.help)]
+    b: Annotated[World | str, Argument("", "B", "Another one.")]
+    _: KW_ONLY
+    lighthouse: Annotated[GivenLighthouse, LIGHTHOUSE] = Position.kind
+
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
 """``different``: two maps, or two places of the lighthouse."""
@@ -83,7 +92,7 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
 
     Cost: O(m log m) where no motion can; else as many steps as pairs of darts are met.
     """
-    a, b = (a_world(world, request.lighthouse) for world in (request.a, request.b))
+    a, b = (world_named(world, request.lighthouse) for world in (request.a, request.b))
     kinds = [world.lighthouse.kind for world in (a, b)]
     if kinds[0] != kinds[1]:
         raise InputError(
@@ -104,12 +113,14 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
         proof = {"bisimulation": (first, second)}
         wrong = flaw((a, b), (first, second))
     else:
-        told = separation(a, b)
-        proof = told._asdict()
-        wrong = replayed(a, b, told)
+        walk = separation(a, b)
+        proof = walk._asdict()
+        wrong = replayed(a, b, walk)
     if wrong:
         raise Disagreement(f"the proof about {a} and {b} is wrong: {wrong}")
-    return ComparedWorlds(worlds=(a, b), relation=_relation(a, b), **proof)
+    start = None if a.told != b.told else same_world_from(a, b)
+    relation: Relation = "different" if start is None else "same-map"
+    return ComparedWorlds(worlds=(a, b), relation="same" if start == b.start else relation, **proof)
 
 
 def separation(a: World, b: World) -> Separation:
@@ -117,78 +128,34 @@ def separation(a: World, b: World) -> Separation:
 
     There must be some.  Breadth-first over pairs of darts, motions ``0..degree-1``.
     """
-    came: dict[tuple[Dart, Dart], tuple[tuple[Dart, Dart], int] | None] = {(a.start, b.start): None}
-    queue = [(a.start, b.start)]
-    for pair in queue:
-        x, y = pair
+    seen = {(a.start, b.start)}
+    # Two darts, and the motion that led there from the darts of an earlier entry.
+    queue = [(a.start, b.start, 0, 0)]
+    for number, (x, y, _, _) in enumerate(queue):
         if a.percepts[x] != b.percepts[y]:
-            return _told(a, b, _way(came, pair))
+            motions, at = list[int](), number
+            while at:
+                _, _, at, k = queue[at]
+                motions.insert(0, k)
+            return Separation(tuple(motions), (sensed(a, motions), sensed(b, motions)))
         for k in range(a.percepts[x].degree):
-            reached = (_along(a, x, k), _along(b, y, k))
-            if reached not in came:
-                came[reached] = (pair, k)
-                queue.append(reached)
+            reached = (a.map.alpha[a.map.turn(x, k)], b.map.alpha[b.map.turn(y, k)])
+            if reached not in seen:
+                seen.add(reached)
+                queue.append((*reached, number, k))
     raise Disagreement(f"no motion tells {a} from {b}, but their quotients differ")
 
 
-def _along(world: World, dart: Dart, k: int) -> Dart:
-    return world.map.alpha[world.map.turn(dart, k)]
-
-
-def _way(
-    came: dict[tuple[Dart, Dart], tuple[tuple[Dart, Dart], int] | None], pair: tuple[Dart, Dart]
-) -> list[int]:
-    """The motions that lead to a pair."""
-    motions = []
-    while (step := came[pair]) is not None:
-        pair, k = step
-        motions.append(k)
-    return motions[::-1]
-
-
-def _told(a: World, b: World, motions: list[int]) -> Separation:
-    return Separation(tuple(motions), (sensed(a, motions), sensed(b, motions)))
-
-
-def sensed(world: World, motions: list[int] | tuple[int, ...]) -> tuple[Percept, ...]:
-    """The percepts at the start and after each of the motions."""
-    state, percepts = world.initial, [world.first]
-    for k in motions:
-        state, percept = world.step(state, Move(k))
-        percepts.append(percept)
-    return tuple(percepts)
-
-
-def replayed(a: World, b: World, told: Separation) -> str | None:
+def replayed(a: World, b: World, walk: Separation) -> str | None:
     """Why walking the motions again does not tell the worlds apart; None if it does."""
-    seen = (sensed(a, told.motions), sensed(b, told.motions))
-    if seen != told.percepts:
+    seen = (sensed(a, walk.motions), sensed(b, walk.motions))
+    if seen != walk.percepts:
         return "the walk shows other percepts"
     if seen[0][-1] == seen[1][-1]:
         return "the last percepts are equal"
     if seen[0][:-1] != seen[1][:-1]:
         return "a part of the motions is enough"
     return None
-
-
-def _relation(a: World, b: World) -> Relation:
-    if len(a.map.sigma) != len(b.map.sigma) or a.told != b.told:
-        return "different"
-    order = numbering(a.map.sigma, a.map.alpha, a.start)
-    if _carries_all(a, b, order, b.start):
-        return "same"
-    alike = any(_carries_all(a, b, order, image) for image in b.map.darts)
-    return "same-map" if alike else "different"
-
-
-def _carries_all(a: World, b: World, order: list[Dart], image: Dart) -> bool:
-    """Whether ``a.start -> image`` extends to an isomorphism of the maps and their percepts."""
-    if a.first != b.percepts[image]:
-        return False
-    if not carries(a.map.sigma, a.map.alpha, order, b.map.sigma, b.map.alpha, image):
-        return False
-    images = numbering(b.map.sigma, b.map.alpha, image)
-    return all(a.percepts[d] == b.percepts[e] for d, e in zip(order, images, strict=True))
 
 
 def standing() -> str:

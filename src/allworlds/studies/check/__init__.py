@@ -3,27 +3,10 @@
 ``requests``
     what ``check`` and its like are asked for, as values;
 ``exhaustive``
-    level by level to a report;
-``time_estimate``
-    how long it will take;
-``shielding``
-    any explorer, made right;
-``given_worlds``
-    worlds of the user's own, in place of all;
-``gate``
-    what a complete check must have met: every world, and certain events;
+    level by level to a report, and how long it will take;
 ``tally_sweep``
-    what it shares with other studies of one explorer in many worlds;
-``run_identity``
-    explorers and rules as a run directory knows them;
-``known_findings``
-    findings of earlier checks, which are tried first;
-``confirmation``
-    findings, played again in fresh processes;
+    what it shares with other studies of one explorer in many worlds: run directories, findings
+    that are confirmed, and those of earlier checks, which are tried first;
 ``report``
-    the verdict with its scope;
-``shared_files``
-    files that hold an explorer, and code that judges it;
-``most_expensive``
-    the most expensive run of every size, played again.
+    the verdict with its scope, and what a complete check must have met.
 """

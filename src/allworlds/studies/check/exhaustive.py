@@ -1,47 +1,69 @@
-"""A check, level by level to a report; in worlds of the user's own, too."""
+"""A check, level by level to a report, in worlds of the user's own, too; and how long it takes."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import time
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from typing import Any
+from itertools import islice
+from random import Random
+from typing import Annotated, Any, TypeAlias
 
 from typing_extensions import override
 
-from allworlds.document.struct import replace
-from allworlds.engines.database import Identity
+from allworlds.document.report import Report
+from allworlds.document.struct import (
+    Aside,
+    Document,
+    Figure,
+    Natural,
+    Positive,
+    Seconds,
+    Text,
+    about,
+    computed,
+    replace,
+)
+from allworlds.engines.effort import ClusterLost, TimeIsUp
 from allworlds.engines.engine_table import (
     ENGINES,
     EngineKind,
+    EngineName,
     Job,
     ReadyEngine,
     engine_for,
     why_not_compiled,
 )
+from allworlds.engines.job_records import Identity
+from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import Listener, Once, Silent
-from allworlds.engines.scope import Given, Scope
+from allworlds.engines.scope import Given, LevelRuns, Scope
 from allworlds.engines.single import subject_of
-from allworlds.engines.tally import Tally
-from allworlds.engines.units import WHOLE, Portion, SweptLevel, is_counted
+from allworlds.engines.tally import EnginesDisagree, Tally
+from allworlds.engines.units import (
+    WHOLE,
+    Portion,
+    SweptLevel,
+    drawn_units,
+    is_counted,
+    level_size,
+    shards_of,
+)
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import answers
-from allworlds.maps.canonical import numbering
+from allworlds.judging.findings.finding import canonical_world, place_of
 from allworlds.maps.classes import Extent
+from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, Verdict
-from allworlds.studies.check.confirmation import UNREPEATED
-from allworlds.studies.check.known_findings import UserCorpus
 from allworlds.studies.check.report import CheckReport, GateCell, count_gate, missing_witnesses
 from allworlds.studies.check.requests import CheckRequest, EstimateRequest
-from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
-from allworlds.studies.check.time_estimate import (
-    LONG,
-    Guess,
-    TimeEstimate,
-    estimated,
-    extrapolated,
-    is_worth_a_guess,
-    one_larger,
+from allworlds.studies.check.tally_sweep import (
+    UNREPEATED,
+    TallySweep,
+    UserCorpus,
+    rules_known,
+    subject_of_record,
 )
 from allworlds.words import duration
 from allworlds.world.lighthouses.kinds import LighthouseKind, kind_of
@@ -65,12 +87,12 @@ def given_worlds(worlds: Iterable[object], request: CheckRequest) -> tuple[Given
     if request.shard != WHOLE:
         raise InputError(f"shard = {request.shard} cannot be given together with worlds")
     try:
-        met = [*worlds]
+        every = [*worlds]
     except TypeError:
         raise InputError(f"worlds = {show(worlds)} is no series of worlds") from None
-    if not met:
+    if not every:
         raise InputError("worlds = [] is empty; legal is one world or more")
-    rooted = [_rooted(world, number, request) for number, world in enumerate(met)]
+    rooted = [_rooted(world, number, request) for number, world in enumerate(every)]
     kinds = [kind_of(world.lighthouse) for world in rooted]
     for number, kind in enumerate(kinds):
         if kind != kinds[0]:
@@ -78,32 +100,19 @@ def given_worlds(worlds: Iterable[object], request: CheckRequest) -> tuple[Given
                 f"worlds[{number}] has the lighthouse {show(str(kind))}, and worlds[0] has "
                 f"{show(str(kinds[0]))}; legal is one lighthouse for all"
             )
-    placed = [(world, _place(world)) for world in rooted]
+    placed = [(world, place_of(world)) for world in rooted]
     return Given(tuple(sorted(placed, key=lambda each: each[0].map.edge_count))), kinds[0]
-
-
-def extent_of(given: Given, request: CheckRequest) -> Extent:
-    """The class of the request, as far as the largest of the given worlds."""
-    return Extent(request.map_class, given.sizes[-1])
 
 
 def _rooted(world: object, number: int, request: CheckRequest) -> World:
     """The world with its darts numbered from the start, which is dart 0."""
     if not isinstance(world, World):
         raise InputError(f"worlds[{number}] = {show(world)} is no World")
-    map_ = world.map
-    if not request.map_class.includes(map_):
-        raise InputError(f"worlds[{number}] is not of the class {request.map_class}: {show(map_)}")
-    names = [0] * len(map_.darts)
-    for name, dart in enumerate(numbering(map_.sigma, map_.alpha, world.start)):
-        names[dart] = name
-    return world.relabelled(names)
-
-
-def _place(world: World) -> int:
-    """The number of the lighthouse's place among all that the map has; 0 of another one."""
-    places = world.lighthouse.as_kind.places(world.map, 0)
-    return next((i for i, place in enumerate(places) if place == world.lighthouse), 0)
+    if not request.map_class.includes(world.map):
+        raise InputError(
+            f"worlds[{number}] is not of the class {request.map_class}: {show(world.map)}"
+        )
+    return canonical_world(world)
 
 
 @answers(CheckRequest)
@@ -132,8 +141,7 @@ def check(request: CheckRequest) -> CheckReport:
 def estimate(request: EstimateRequest) -> TimeEstimate:
     """Estimate the duration of :func:`check` with these options, from a sample of some seconds.
 
-    And with more edges: one more is tried as well, by the engine that would do it, and for the
-    next the time goes on growing as it did.
+    And with one edge more, by the engine that would do it.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -144,9 +152,7 @@ def estimate(request: EstimateRequest) -> TimeEstimate:
     if guess.rate and (extent := one_larger(job)):
         # What an engine cannot do ends the table.
         with suppress(InputError):
-            job, chosen = _job(replace(heard, edges=extent.edges))
-            more = estimated(job, chosen)
-            larger = (more, *extrapolated(job, (guess, more)))
+            larger = (estimated(*_job(replace(heard, edges=extent.edges))),)
     counted = is_counted(job.scope.extent)
     first = {name: getattr(guess, name) for name in guess.__struct_fields__}
     return TimeEstimate(explorer=job.subject.name, larger=larger, counted=counted, **first)
@@ -171,7 +177,8 @@ def _scope(request: EstimateRequest, subject: Subject) -> Scope:
         return Scope(request.extent, request.rules(subject), request.schedules, request.shard)
     given, lighthouse = given_worlds(request.worlds, request)
     rules = replace(request, worlds=None, lighthouse=lighthouse).rules(subject)
-    return Scope(extent_of(given, request), rules, request.schedules, given)
+    extent = Extent(request.map_class, given.sizes[-1])
+    return Scope(extent, rules, request.schedules, given)
 
 
 class CheckSweep(TallySweep[CheckReport]):
@@ -284,3 +291,155 @@ class CheckSweep(TallySweep[CheckReport]):
         if report.runs and not self._tally.traversals and report.verdict is Verdict.HOLDS:
             self.listener.notice("every run holds, and none of them has walked an edge")
         return report
+
+
+# ---------------------------------------------------------------- the time
+
+SECONDS = 2.0
+"""Seconds that a sample takes from its first piece on."""
+
+MOST_SECONDS = 4.0
+"""Seconds that it takes at most, besides compiling, once on a machine; samples are at most two.
+Where no piece is done by then there is no guess."""
+
+PIECE = {"python": 200, "compiled": 200_000}
+"""The most worlds in a piece of the sample, by the player."""
+
+MANY = {"python": 20_000, "compiled": 100_000_000}
+"""Checks of more worlds begin with an estimate."""
+
+LONG = 60.0
+"""Seconds; of longer checks it is said how long they will take."""
+
+LONGEST = 1e300
+"""Seconds; what takes longer is said to take as long."""
+
+PIECES = 2000
+
+COUNTABLE = 16
+"""Levels of more edges are not counted for this; that they are many is said without it."""
+
+
+Largest: TypeAlias = Annotated[Positive, about("of the largest worlds")]
+Doer: TypeAlias = Annotated[EngineName, about("the engine that would run it")]
+ToBeTried: TypeAlias = Annotated[
+    Natural,
+    about("rooted maps that are to be tried; under a condition without a source at most so many"),
+]
+Sampled: TypeAlias = Annotated[
+    Natural,
+    about("rooted maps of the last level that were tried for this; 0: the rate is a guess"),
+]
+Rate: TypeAlias = Annotated[
+    Figure | None, about("of these a second; null: none was finished in time")
+]
+Takes: TypeAlias = Annotated[Seconds | None, about("for all: a guess; null where there is no rate")]
+
+
+def _seconds(guess: Guess | TimeEstimate) -> float | None:
+    """Duration for all worlds at this rate. Smaller worlds take less."""
+    if not guess.rate:
+        return None
+    if guess.worlds > LONGEST * guess.rate:
+        return LONGEST
+    return round(guess.worlds / guess.rate, 1)
+
+
+class Guess(Document):
+    """Estimated duration of a check with this number of edges."""
+
+    edges: Largest
+    engine: Doer
+    worlds: ToBeTried
+    sampled: Sampled
+    rate: Rate
+    seconds: Takes = computed(_seconds)
+
+
+class TimeEstimate(Report):
+    """Estimate.
+
+    How long a check will take: what `check --estimate` writes.
+
+    ``counted`` tells that the worlds were counted, and are not at most so many.
+    """
+
+    explorer: Annotated[Text, about("its name")]
+    edges: Largest
+    engine: Doer
+    worlds: ToBeTried
+    sampled: Sampled
+    rate: Rate
+    seconds: Takes = computed(_seconds)
+    larger: Annotated[tuple[Guess, ...], about("the same check with more edges")]
+    counted: Aside[bool] = True
+
+
+def _plays(job: Job, engine: EngineKind) -> str:
+    """``compiled`` if compiled code plays the runs; else ``python``, for programs too."""
+    slow = job.subject.from_user and not job.subject.compiled
+    return "python" if slow or engine.name == "python" else "compiled"
+
+
+def worlds_of(job: Job) -> int:
+    """The number of worlds to be tried; for a shard an estimate."""
+    extent = job.scope.extent
+    worlds = sum(level_size(extent, edges) for edges in extent.levels)
+    return worlds // shards_of(job.scope.coverage)
+
+
+def is_worth_a_guess(job: Job, engine: EngineKind) -> bool:
+    """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
+    extent = job.scope.extent
+    if source_of(extent) is None or isinstance(job.scope.coverage, Given):
+        return False  # how many worlds there are is not known
+    soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
+    return soon and worlds_of(job) > MANY[_plays(job, engine)]
+
+
+def estimated(job: Job, engine: EngineKind) -> Guess:
+    """A guess from pieces of the last level, which are drawn like its maps.
+
+    What starts workers and compiles is not counted; the sample takes some seconds.
+    """
+    engine.ready(job)  # compiles, where that is still to be done
+    ready = engine.ready(replace(job, deadline=time.monotonic() + MOST_SECONDS))
+    sampled, began, ended = 0, 0.0, 0.0
+    try:
+        with ready.transport as transport:
+            for part in transport.map(ready.engine, _pieces(job, PIECE[_plays(job, engine)])):
+                now = time.monotonic()
+                if not began:
+                    began = now
+                    continue
+                sampled, ended = sampled + part.result.worlds, now
+                if sampled and now > began + SECONDS:
+                    break
+    except (TimeIsUp, EnginesDisagree, ClusterLost, Unsettled):
+        pass  # the check itself will say so
+    rate = sampled / (ended - began) if ended > began and sampled else None
+    return Guess(
+        edges=job.scope.extent.levels[-1],
+        engine=engine.name,
+        worlds=worlds_of(job),
+        sampled=sampled,
+        rate=None if rate is None else round(rate, 3),
+    )
+
+
+def one_larger(job: Job) -> Extent | None:
+    """The extent with one edge more; None where that holds no more worlds, or too many to count."""
+    extent = job.scope.extent
+    if extent.edges is None or extent.edges >= COUNTABLE:
+        return None
+    edges = extent.edges + 1
+    larger = replace(extent, edges=edges)
+    return larger if level_size(larger, edges) else None
+
+
+def _pieces(job: Job, worlds: int) -> Iterator[Any]:
+    extent = job.scope.extent
+    draw = Random(0)  # noqa: S311  # the same pieces each time
+    units = drawn_units(extent, extent.levels[-1], worlds, draw)
+    for unit in islice(units, PIECES):
+        yield LevelRuns(unit.edges, unit.prefix)

@@ -47,8 +47,8 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Verdict
-from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
 from allworlds.studies.check.requests import CheckRequest, SharedFile
+from allworlds.studies.check.tally_sweep import CorpusReport, UserCorpus
 from allworlds.world.world import World
 
 
@@ -76,22 +76,17 @@ def count_gate(extent: Extent, edges: int, tally: Tally) -> list[GateCell]:
     if source is None:
         return []
     counted = source.cells(edges)
-    cells: list[GateCell] = []
-    for vertices in range(1, extent.vertex_limit(edges) + 1):
-        row = tally.rows.get((edges, vertices))
-        enumerated = row.worlds if row else 0
-        known = counted.get(vertices, 0)
-        if enumerated or known:
-            cells.append(
-                GateCell(
-                    edges=edges,
-                    vertices=vertices,
-                    enumerated=enumerated,
-                    counted=known,
-                    source=source.name,
-                )
-            )
-    return cells
+    cells = [
+        GateCell(
+            edges=edges,
+            vertices=vertices,
+            enumerated=row.worlds if (row := tally.rows.get((edges, vertices))) else 0,
+            counted=counted.get(vertices, 0),
+            source=source.name,
+        )
+        for vertices in range(1, extent.vertex_limit(edges) + 1)
+    ]
+    return [cell for cell in cells if cell.enumerated or cell.counted]
 
 
 SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
@@ -308,19 +303,10 @@ class CheckReport(EndedReport):
 
 
 def _rows(tally: Tally) -> Iterator[CheckRow]:
+    counts = CheckRow.__struct_fields__[2:]
     for (edges, vertices), row in sorted(tally.rows.items()):
-        yield CheckRow(
-            edges=edges,
-            vertices=vertices,
-            worlds=row.worlds,
-            runs=row.runs,
-            episodes=row.episodes,
-            traversals=row.traversals,
-            traversals_rooted=row.traversals_rooted,
-            max_cost=row.max_cost,
-            best_cost=row.best_cost,
-            bound=row.bound,
-        )
+        told = {name: getattr(row, name) for name in counts}
+        yield CheckRow(edges=edges, vertices=vertices, **told)
 
 
 def _remarks(tally: Tally) -> Iterator[str]:

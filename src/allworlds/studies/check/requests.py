@@ -15,10 +15,10 @@ from allworlds.explorers.sources import files_of_explorer
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Option, Taken
 from allworlds.judging.findings.rules import Among, AskedRules, Rules
-from allworlds.maps.classes import DEFAULT_EDGES, AskedClass, AskedExtent, Condition, Extent
+from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
 from allworlds.protocol.choices import Schedule, a_schedule
-from allworlds.world.asked_lighthouse import AskedLighthouse
-from allworlds.world.own_condition import AskedWhere, files_of_condition
+from allworlds.world.asked_lighthouse import LighthouseOptions
+from allworlds.world.own_condition import WhereOptions, files_of_condition
 from allworlds.world.world import World
 
 SharedFile: TypeAlias = Annotated[
@@ -39,7 +39,7 @@ def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
     return next((file.name for file in files if file in theirs), "")
 
 
-class ManyWorlds(AskedListener, Limits, AskedRules, AskedLighthouse, AskedClass):
+class ManyWorlds(AskedListener, Limits, AskedRules, LighthouseOptions, ClassOptions):
     """Many worlds of a class, under rules, with an effort."""
 
     def rules(self, subject: Subject) -> Rules:
@@ -51,7 +51,7 @@ class ManyWorlds(AskedListener, Limits, AskedRules, AskedLighthouse, AskedClass)
         lighthouse = self.lighthouse or subject.lighthouse
         where = getattr(self, "where", None)
         rules = self.rules_of(
-            subject, lighthouse, promised=self.map_class.promises, among=Among.of(where)
+            subject, lighthouse, promised=self.map_class.planar, among=Among.of(where)
         )
         return replace(rules, shared_file=shared_file(subject.name, rules, where))
 
@@ -67,7 +67,7 @@ def _max_findings(given: object) -> int:
     return number
 
 
-class EstimateRequest(AskedCluster, ManyRuns, AskedShard, AskedWhere, AskedExtent):
+class EstimateRequest(AskedCluster, ManyRuns, AskedShard, WhereOptions, ExtentOptions):
     """Which check is meant, and with what effort: that is done, or its time guessed."""
 
     edges: Annotated[

@@ -1,30 +1,302 @@
-"""The common part of studies of one explorer in many worlds, and how run directories know it."""
+"""The common part of studies of one explorer in many worlds.
+
+How run directories know it, its findings confirmed, and findings of earlier checks.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import hashlib
+import re
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields
-from typing import Any, TypeVar
+from pathlib import Path
+from typing import Annotated, Any, TypeVar
 
+from msgspec import Struct, field
 from typing_extensions import override
 
+from allworlds.document.struct import Document, IfAny, Text, about, replace
+from allworlds.engines.comparison import nondeterministic
+from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import Job
-from allworlds.engines.kept_form import from_kept
-from allworlds.engines.scope import Scope
+from allworlds.engines.examiner import LOST
+from allworlds.engines.job_records import Records, canonical, from_kept
+from allworlds.engines.lanes import workers_for
+from allworlds.engines.scope import GivenWorlds, Scope
+from allworlds.engines.single import played_again
 from allworlds.engines.sweep import Sweep
-from allworlds.engines.tally import Tally
+from allworlds.engines.tally import (
+    RunCounter,
+    Tally,
+    finding_from_record,
+    finding_to_record,
+)
 from allworlds.engines.units import SweptLevel
-from allworlds.explorers.loading import Subject, subject_known
+from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest
+from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import as_json, meant
+from allworlds.judging.findings.finding import DIGITS, Finding, digest_of
 from allworlds.judging.findings.rules import Among, AskedRules, Rules
-from allworlds.maps.classes import Extent
-from allworlds.studies.check.confirmation import Confirmation
+from allworlds.judging.laws.law_table import LAWS
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.protocol.user_code import OtherText
+
+# ---------------------------------------------------------------- confirmed findings
+
+UNREPEATED = "what happened to the explorer was not repeated by a fresh process"
 
 
-def parameters_of(request: object, rules: Rules) -> dict[str, Any]:
-    """The request for the record, with the rules that follow from it and the explorer."""
-    return {**meant(request), **rules_record(rules)}
+class Confirmation(Struct, frozen=True):
+    """How the findings of a job are confirmed: each is played again in a fresh process.
+
+    Attributes:
+        subject, limits, scope: of the job.
+        deadline: past it findings are left as they are.
+        records: what is on record is believed, so that a finding is the same whoever reports it.
+    """
+
+    subject: Subject
+    limits: Limits
+    scope: Scope
+    deadline: float | None
+    records: Records
+
+    def confirmed(self, findings: Iterable[Finding]) -> list[Finding]:
+        """The findings, each played again in a fresh process."""
+        return [self.replaced("confirmed", found, self._again) for found in findings]
+
+    def settle(self, tally: Tally, known: Callable[[Finding], bool] | None = None) -> bool:
+        """Confirm the findings of a tally. Return whether there is more to report than they say.
+
+        A crash or a time-out that a fresh process does not repeat refutes nothing: it becomes a
+        remark.  Those that are known already stay as they are.
+        """
+        kept, remarks = list[Finding](), list[str]()
+        for found in tally.findings:
+            settled: Finding | str = found
+            if not (known and known(found)):
+                settled = self._recorded("confirmed", found, self._settled)
+            if isinstance(settled, str):
+                remarks.append(settled)
+            else:
+                kept.append(settled)
+        tally.findings = kept
+        for remark in remarks:
+            tally.remark(remark)
+        return bool(remarks)
+
+    def replaced(self, name: str, found: Finding, by: Callable[[Finding], Finding]) -> Finding:
+        """The finding that replaces this one, recorded under the name."""
+        settled = self._recorded(name, found, by)
+        return found if isinstance(settled, str) else settled
+
+    @property
+    def is_late(self) -> bool:
+        """Whether the deadline is past."""
+        return self.deadline is not None and time.monotonic() > self.deadline
+
+    def _again(self, found: Finding) -> Finding:
+        return played_again(found, self.subject, self.limits)
+
+    def _settled(self, found: Finding) -> Finding | str:
+        """Confirm in a fresh process. A crash that is not repeated becomes a remark."""
+        again = self._again(found)
+        if again.law not in LOST or not self.subject.importable or again.confirmed:
+            return again
+        if not again.machine:
+            broken = nondeterministic(f"{again.law}, and not in a fresh process: {again.seen}")
+            return replace(
+                again, law=broken.law, expected=broken.expected, seen=broken.seen, confirmed=True
+            )
+        size = f"{found.key[0]} edges and {found.key[1]} vertices"
+        return (
+            f"a {found.law} in a world with {size} ({found.seen}) that a fresh process did "
+            "not repeat"
+        )
+
+    def _recorded(
+        self, name: str, found: Finding, settle: Callable[[Finding], Finding | str]
+    ) -> Finding | str:
+        """The finding or remark on record, or a new one, which is then recorded.
+
+        After the deadline nothing new is made.
+        """
+        plain = replace(found, minimal=False)
+        digest = hashlib.sha256(canonical(finding_to_record(plain)).encode()).hexdigest()
+        record: Any = self.records.recall(f"{name} {digest}")
+        if record is None:
+            if self.is_late:
+                return found
+            settled = settle(plain)
+            if isinstance(settled, str):
+                record = {"remark": settled}
+            else:
+                record = {"finding": finding_to_record(settled)}
+            if not self.is_late:  # else it may have been given up
+                self.records.note(f"{name} {digest}", record)
+        if "remark" in record:
+            return str(record["remark"])
+        again = finding_from_record(record["finding"])
+        return replace(again, under=self.scope.rules, minimal=found.minimal)
+
+
+# ---------------------------------------------------------------- findings of earlier checks
+
+
+class UserCorpus(Struct):
+    """A directory of findings in the course of one check.
+
+    Attributes:
+        directory: need not exist yet.
+        reproduced: the files whose findings still stand, within the scope of the check.
+        beyond: those that stand beyond it; they say nothing about the scope.
+        fixed: the files whose worlds are no longer refuting; they are kept.
+        stale: the files that were not tried, since their lighthouse or judge has another text now.
+        written: the files that this check has added.
+    """
+
+    directory: Path
+    reproduced: list[str] = field(default_factory=list)
+    beyond: list[str] = field(default_factory=list)
+    fixed: list[str] = field(default_factory=list)
+    stale: list[str] = field(default_factory=list)
+    written: list[str] = field(default_factory=list)
+    _standing: list[Finding] = field(default_factory=list)
+
+    def retry(self, subject: Subject, limits: Limits, scope: Scope) -> list[Finding]:
+        """Run the explorer in every recorded world. Return the findings within the scope.
+
+        Each finding is tried by itself, so that one that is lost does no harm to others.
+        """
+        for name, finding in self._past():
+            found = _retry(finding, subject, limits)
+            if found is None:
+                self.fixed.append(name)
+            elif is_inside(found, scope):
+                self.reproduced.append(name)
+                self._standing.append(found)
+            else:
+                self.beyond.append(name)
+        return self._standing
+
+    def _past(self) -> list[tuple[str, Finding]]:
+        """The findings of the directory with the names of their files, smallest first.
+
+        Raises:
+            InputError: naming the file that cannot be read, is no finding, or has been changed
+                since it was written.
+        """
+        past = list[tuple[str, Finding]]()
+        for file in sorted(self.directory.glob("*.json")):
+            said = f"corpus file {show(file.name)}"
+            try:
+                text = file.read_text(encoding="utf-8")
+            except (OSError, UnicodeDecodeError) as error:
+                reason = error.strerror if isinstance(error, OSError) else "it is no text"
+                raise InputError(f"{said} cannot be read: {reason}") from None
+            written = re.search(rf"-([0-9a-f]{{{DIGITS}}})\.json$", file.name)
+            if written and written[1] != digest_of(text):
+                raise InputError(f"{said} has been changed since it was written")
+            try:
+                past.append((file.name, Finding.from_json(text)))
+            except OtherText:
+                self.stale.append(file.name)
+            except ValueError as error:
+                raise InputError(f"{said}: {error}") from None
+        return sorted(past, key=lambda each: (each[1].key, each[0]))
+
+    @property
+    def report(self) -> CorpusReport:
+        """The part of the check's report about past findings."""
+        return CorpusReport(
+            directory=str(self.directory),
+            reproduced=tuple(self.reproduced),
+            beyond_scope=tuple(self.beyond),
+            fixed=tuple(self.fixed),
+            stale=tuple(self.stale),
+            written=tuple(self.written),
+        )
+
+    def holds(self, finding: Finding) -> bool:
+        """Whether this is a past finding that was reproduced and confirmed."""
+        return finding in self._standing
+
+    def write(self, findings: Iterable[Finding]) -> Iterator[str]:
+        """Write the new findings, and yield a line for each that could not be written."""
+        for finding in findings:
+            if not self.holds(finding):
+                try:
+                    self._write(finding)
+                except OSError as error:
+                    yield f"the corpus could not take {finding.file_name}: {error.strerror}"
+                else:
+                    self.written.append(finding.file_name)
+
+    def _write(self, finding: Finding) -> None:
+        """Write a finding, unless it is there already: whole or not at all."""
+        self.directory.mkdir(parents=True, exist_ok=True)
+        path = self.directory / finding.file_name
+        if path.exists():
+            return
+        draft = path.with_suffix(".tmp")
+        try:
+            draft.write_text(finding.text, encoding="utf-8")
+            draft.replace(path)
+        except OSError:
+            draft.unlink(missing_ok=True)
+            raise
+
+
+class CorpusReport(Document):
+    """Findings of a corpus after a check: reproduced, fixed or written."""
+
+    directory: Annotated[Text, about("the path of the corpus")]
+    reproduced: Annotated[tuple[Text, ...], about("the files whose findings still stand")]
+    beyond_scope: Annotated[
+        tuple[Text, ...],
+        about("findings that still stand but lie outside this check's scope; they refute nothing"),
+    ]
+    fixed: Annotated[
+        tuple[Text, ...], about("the files whose worlds no longer refute; they are kept")
+    ]
+    stale: Annotated[
+        IfAny[tuple[Text, ...]],
+        about("the files that were not tried: their lighthouse or judge has another text now"),
+    ]
+    written: Annotated[tuple[Text, ...], about("the files that this check has added")]
+
+
+def is_inside(finding: Finding, scope: Scope) -> bool:
+    """Whether a check of that scope could have found this itself."""
+    rules, own, world = scope.rules, finding.rules, finding.world
+    return (
+        scope.extent.include(world.map)
+        and own.task == rules.task
+        and world.lighthouse in rules.kind.places(world.map, world.start)
+        and (finding.law not in LAWS or finding.law in rules.applying)
+        and (finding.law != "bound" or own.the_bound.name == rules.the_bound.name)
+        and (finding.law != "budget" or own.step_budget == rules.step_budget)
+        and (scope.schedules == "all" or own.policy == rules.policy)
+    )
+
+
+def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None:
+    # A recorded schedule other than the policy's own is met when all are tried.
+    every = subject.takes_choices and finding.rules.policy == "fifo" and any(finding.choices)
+    extent = Extent(MapClass.MAPS, finding.world.map.edge_count)
+    scope = Scope(extent, finding.rules, "all" if every else "one")
+
+    with workers_for(subject, limits, limits.deadline()) as workers:
+        world = GivenWorlds(((finding.world, finding.place),))
+        for part in workers.map(RunCounter(scope, keep=1), [world]):
+            for found in part.result.findings:
+                return played_again(found, subject, limits)
+    return None
+
+
+# ---------------------------------------------------------------- the sweep
 
 
 def rules_record(rules: Rules) -> dict[str, Any]:
@@ -35,7 +307,7 @@ def rules_record(rules: Rules) -> dict[str, Any]:
 
 def rules_known(request: object, told: Mapping[str, Any]) -> Rules:
     """The rules of a request with this record."""
-    names = [field.name for field in fields(AskedRules)]
+    names = [each.name for each in fields(AskedRules)]
     asked = {name: getattr(request, name) for name in names if hasattr(request, name)}
     asked["step_budget"] = told["step_budget"]
     kept = {name: told[name] for name in ("promised", "own_bound", "shared_file")}
@@ -58,7 +330,7 @@ def record_of(subject: Subject) -> dict[str, Any]:
 
 def subject_of_record(told: Mapping[str, Any]) -> Subject:
     """The explorer of such a record. Its code is not loaded, because its results are known."""
-    return subject_known(told["name"], told["keywords"])
+    return Subject(told["name"], frozenset(told["keywords"]))
 
 
 Answer = TypeVar("Answer")
@@ -93,7 +365,7 @@ class TallySweep(Sweep[Tally, Answer]):
 
     @override
     def parameters(self) -> dict[str, Any]:
-        return parameters_of(self.request, self.scope.rules)
+        return {**meant(self.request), **rules_record(self.scope.rules)}
 
     @override
     def explorer(self) -> dict[str, Any]:

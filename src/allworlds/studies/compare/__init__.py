@@ -6,16 +6,12 @@ the explorers has no place is left out for all.  Of a growing family a few membe
 drawn from seeds, and isomorphic ones count once; every member has a name that gives it back
 (``allworlds run algorithm1 --family torus:6x6 --seed 1``).
 
-``compare_request``
-    what is asked for;
-``contestants``
-    explorers that are run in the same worlds, how they share the units of a job, and their costs;
-``contest_report``
-    what the reports of all of them have in common;
-``contest``, ``comparison``
-    the runs in every world of a class, and what they have shown;
-``growing_families``, ``climb``, ``growth``
-    families and their members, the runs in them, and cost by size;
+``entrants``
+    the request, the explorers that are run in the same worlds, their costs, and the common report;
+``comparison``
+    the verb, and the runs in every world of a class;
+``growth``
+    families that grow and their members, the runs in them, and cost by size;
 ``intervals``
     intervals of means and ratios, by a bootstrap over the worlds.
 """

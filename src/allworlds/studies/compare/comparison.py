@@ -1,13 +1,14 @@
-"""Result of a comparison: rows, the world in which explorers differ most, findings."""
+"""Explorers side by side in the same worlds: all of a class, or one of a family."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import groupby
+from operator import eq, gt, lt
 from statistics import geometric_mean
-from typing import Annotated
+from typing import Annotated, Any
 
-from msgspec import Struct
 from typing_extensions import override
 
 from allworlds.document.struct import (
@@ -19,26 +20,32 @@ from allworlds.document.struct import (
     Positive,
     Vertices,
     about,
+    replace,
 )
+from allworlds.engines.job_records import Identity
+from allworlds.engines.progress import Listener
+from allworlds.engines.scope import GivenWorlds, UnitOfRuns
 from allworlds.engines.single import SingleRun, single_run
-from allworlds.inputs.checks import InputError
-from allworlds.studies.compare.contest_report import ContestReport
-from allworlds.studies.compare.contestants import InWorld
-from allworlds.studies.compare.growing_families import Member
+from allworlds.engines.units import WHOLE, Portion, Shard, SweptLevel, level_size
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import takes_fields
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.outcome import Ending, Stopped
+from allworlds.studies.check.report import GateCell, count_gate
+from allworlds.studies.compare.entrants import (
+    CompareRequest,
+    Contest,
+    ContestReport,
+    CostsOfAll,
+    Entrant,
+    InWorld,
+    UnitOfOne,
+    entrants_known,
+    entrants_of,
+)
+from allworlds.studies.compare.growth import GrowingWorlds, Growth, Member, form_of
 from allworlds.world.world import World
-
-
-class InMap(Struct, frozen=True):
-    """An explorer's cost in one rooted map, over the places of its lighthouse."""
-
-    runs: int
-    total: int
-    worst: int
-
-    @property
-    def mean(self) -> Fraction:
-        """Mean number of traversals per run."""
-        return Fraction(self.total, self.runs)
 
 
 class ComparedRow(Document):
@@ -116,42 +123,203 @@ class Comparison(ContestReport):
         """A run of each explorer in the world that differs most, at the first place."""
         if self.differ_most is None:
             return
-        for contestant in self.contestants:
-            world = contestant.first_world(self.differ_most.world.map)
-            yield single_run(contestant.subject, world, contestant.rules, (), self.request.limits)
+        for entrant in self.entrants:
+            world = entrant.first_world(self.differ_most.world.map)
+            yield single_run(entrant.subject, world, entrant.rules, (), self.request.limits)
 
 
-def rounded(value: Fraction) -> float:
-    """The number rounded to six decimal places, as documents have it."""
-    return round(float(value), 6)
+def compared(request: CompareRequest) -> Comparison | Growth:
+    """Answer a request of ``compare``."""
+    return _contest(entrants_of(request), request).answer(request.run)
 
 
-def row_of(edges: int, vertices: int, maps: Sequence[Mapping[str, InMap]]) -> ComparedRow:
-    """The row of one size, from what each explorer costs in each rooted map."""
-    first, *others = maps[0]
+@takes_fields(CompareRequest, several="explorers", answered=compared)
+def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison | Growth:
+    """Run explorers in the same worlds, judge every run, and compare what they walk.
+
+    With ``to`` the worlds grow: of each family a few members of each size are run; then one
+    explorer is enough.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    return compared(CompareRequest(explorers=explorers, **options))
+
+
+def _contest(entrants: tuple[Entrant, ...], request: CompareRequest) -> SameWorlds | GrowingWorlds:
+    """The sweep for a request."""
+    if request.to is not None:
+        return GrowingWorlds(entrants, request, request.to)
+    for name in ("worlds", "places"):
+        if (given := getattr(request, name)) is not None:
+            raise InputError(
+                f"{name} = {show(given)} is for worlds that grow: with --to M worlds of each size "
+                "up to M edges are drawn from a family without a size, as in --family corridor"
+            )
+    if len(entrants) < 2:
+        only = show(entrants[0].name) if entrants else "none"
+        raise InputError(f"compare takes two explorers at least, not {only}")
+    edges, vertices = request.edges, request.vertices
+    families, holes = request.family, request.holes
+    if families is not None:
+        family = ",".join(families)
+        if all(map(form_of, families)):
+            raise InputError(
+                f"family {show(family)} names no world: give a size, as in lattice:3x4, for one "
+                "world, or --to M for worlds that grow up to M edges"
+            )
+        if edges is not None or vertices is not None:
+            raise InputError(f"family {show(family)} is one world; it takes no edges or vertices")
+        if request.where is not None:
+            raise InputError(f"family {show(family)} is one world; where has no effect on it")
+        seed = request.seed or 0
+        return SameWorlds(entrants, replace(request, seed=seed), Member(family, holes, seed))
+    if holes is not None:
+        raise InputError(f"holes {holes} has no effect without a family")
+    if edges is None and vertices is None:
+        raise InputError("compare takes edges, vertices or a family")
+    return SameWorlds(entrants, request)
+
+
+class SameWorlds(Contest[Comparison]):
+    """The sweep of a comparison through every world of a class, or through one of a family.
+
+    Args:
+        entrants: who walks.
+        request: what is asked for.
+        member: the one world; None for every world of a class.
+    """
+
+    def __init__(
+        self, entrants: Sequence[Entrant], request: CompareRequest, member: Member | None = None
+    ) -> None:
+        self._map = member.map() if member else None
+        extent = Extent(request.map_class, self._map.edge_count) if self._map else request.extent
+        super().__init__(entrants, request, extent, every=member is None)
+        self._member = member
+        self._rows: list[ComparedRow] = []
+        self._gate: list[GateCell] = []
+        self._difference = Fraction(0)
+        self._differ_most: DifferMost | None = None
+        self._in_worlds: list[InWorld] = []
+
+    @override
+    @classmethod
+    def known(
+        cls, identity: Identity, portion: Portion, listener: Listener
+    ) -> SameWorlds | GrowingWorlds:
+        request = cls.asked_then(identity, portion, listener)
+        return _contest(entrants_known(request, identity.explorer["explorers"]), request)
+
+    @override
+    def levels(self) -> Iterator[SweptLevel]:
+        if self._map:
+            size = sum(len(self._placed(one)) for one in self.entrants)
+            yield SweptLevel(self._map.edge_count, size, self._units(self._map.edge_count))
+            return
+        for edges in self.bounds.levels:
+            size = level_size(self.bounds, edges) * len(self.entrants)
+            yield SweptLevel(edges, size, self._units(edges))
+
+    def _units(self, edges: int) -> Iterator[UnitOfOne]:
+        for number, one in enumerate(self.entrants):
+            for unit in self._units_of(one, edges):
+                yield UnitOfOne(number, unit)
+
+    def _units_of(self, one: Entrant, edges: int) -> Iterable[UnitOfRuns]:
+        if self._map is None:
+            return one.scope(self.bounds, self.portion).units(edges)
+        mine = not isinstance(self.portion, Shard) or self.portion.index == 0
+        given = self._placed(one)
+        return [GivenWorlds(given)] if given and mine else []
+
+    def _placed(self, one: Entrant) -> tuple[tuple[World, int], ...]:
+        """The one world, with every place of an entrant's lighthouse."""
+        assert self._map is not None
+        places = enumerate(one.rules.kind.places(self._map, 0))
+        return tuple((World(self._map, lighthouse, 0), place) for place, lighthouse in places)
+
+    @override
+    def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:
+        if self._map is None and self.portion == WHOLE:
+            self._gate += count_gate(self.bounds, level.edges, total.one(0))
+        tallies = [total.one(number) for number in range(len(self.entrants))]
+        first, *others = [tally.costs for tally in tallies]
+        shared = sorted(set(first).intersection(*others))
+        for (edges, vertices), keys in groupby(shared, key=lambda key: key[:2]):
+            found = [[tally.costs[key] for tally in tallies] for key in keys]
+            self._rows.append(row_of(edges, vertices, self.names, found))
+        for key in shared:
+            self._compare(CombinatorialMap(key[2], key[3]), [tally.costs[key] for tally in tallies])
+        self.leave(level, total)
+        broken = any(tally.findings for tally in tallies)
+        return Stopped("a law is broken", final=True) if broken else None
+
+    def _compare(self, map_: CombinatorialMap, found: Sequence[Mapping[int, int]]) -> None:
+        """Take in the costs of each explorer in one rooted map."""
+        first, *others = means = [_mean(costs) for costs in found]
+        difference = max(abs(other - first) for other in others)
+        if difference > self._difference:
+            self._difference = difference
+            self._differ_most = DifferMost(
+                world=self.entrants[0].first_world(map_),
+                costs=dict(zip(self.names, map(_rounded, means), strict=True)),
+            )
+        if self.request.by in ("world", "run"):
+            member = self._member.name if self._member else ""
+            for one, costs in zip(self.entrants, found, strict=True):
+                bound = one.rules.the_bound.of(map_, 0)
+                places = dict(sorted(costs.items()))
+                self._in_worlds.append(InWorld(map_, member, one.name, places, len(places), bound))
+
+    @override
+    def report(self, ending: Ending) -> Comparison:
+        return Comparison(
+            **self.contest(ending),
+            rows=tuple(self._rows),
+            differ_most=self._differ_most,
+            member=self._member,
+            all_counted=all(cell.agrees for cell in self._gate),
+            in_worlds=tuple(self._in_worlds),
+        )
+
+
+def row_of(
+    edges: int, vertices: int, names: Sequence[str], maps: Sequence[Sequence[Mapping[int, int]]]
+) -> ComparedRow:
+    """The row of one size, from the costs by place of each explorer in each rooted map."""
+    by_explorer = dict(zip(names, zip(*maps, strict=True), strict=True))
+    means = {name: [_mean(costs) for costs in found] for name, found in by_explorer.items()}
+    first, *others = names
 
     def times(holds: Callable[[Fraction, Fraction], bool]) -> dict[str, int]:
-        return {
-            name: sum(holds(costs[first].mean, costs[name].mean) for costs in maps)
-            for name in others
-        }
+        return {name: sum(map(holds, means[first], means[name])) for name in others}
 
     def ratio(name: str) -> float | None:
-        means = [(costs[name].mean, costs[first].mean) for costs in maps]
-        if not all(mine and beside for mine, beside in means):
+        if not all(means[name]) or not all(means[first]):
             return None
-        return round(geometric_mean(float(mine / beside) for mine, beside in means), 6)
+        ratios = [float(a / b) for a, b in zip(means[name], means[first], strict=True)]
+        return round(geometric_mean(ratios), 6)
 
-    mean = {n: sum((costs[n].mean for costs in maps), Fraction(0)) / len(maps) for n in maps[0]}
     return ComparedRow(
         edges=edges,
         vertices=vertices,
         worlds=len(maps),
-        runs=sum(cost.runs for costs in maps for cost in costs.values()),
-        mean={name: rounded(cost) for name, cost in mean.items()},
-        worst={n: max(costs[n].worst for costs in maps) for n in maps[0]},
-        ratio={name: ratio(name) for name in maps[0]},
-        less=times(lambda a, b: a < b),
-        equal=times(lambda a, b: a == b),
-        more=times(lambda a, b: a > b),
+        runs=sum(len(costs) for found in maps for costs in found),
+        mean={name: _rounded(sum(found) / len(maps)) for name, found in means.items()},
+        worst={n: max(max(costs.values()) for costs in found) for n, found in by_explorer.items()},
+        ratio={name: ratio(name) for name in names},
+        less=times(lt),
+        equal=times(eq),
+        more=times(gt),
     )
+
+
+def _mean(costs: Mapping[int, int]) -> Fraction:
+    """The mean cost over the places of a lighthouse."""
+    return Fraction(sum(costs.values()), len(costs))
+
+
+def _rounded(value: Fraction | float) -> float:
+    """The number rounded to six decimal places, as documents have it."""
+    return round(float(value), 6)

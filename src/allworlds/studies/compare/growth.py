@@ -1,11 +1,14 @@
-"""Costs in larger and larger worlds."""
+"""Explorers in larger and larger worlds: families that grow, the runs in them, and cost by size."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import fsum
+from random import Random
 from typing import Annotated, TypeAlias
 
+from msgspec import Struct
 from typing_extensions import override
 
 from allworlds.document.struct import (
@@ -19,12 +22,27 @@ from allworlds.document.struct import (
     Text,
     about,
     computed,
+    replace,
 )
+from allworlds.engines.scope import GivenWorlds
+from allworlds.engines.units import Shard, SweptLevel, dealt
+from allworlds.inputs.checks import InputError, an_integer, show
+from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.outcome import Verdict
-from allworlds.studies.compare.contest_report import ContestReport
-from allworlds.studies.compare.contestants import InWorld
-from allworlds.studies.compare.growing_families import member_named
+from allworlds.maps.families import edges_of, rootings
+from allworlds.outcome import Ending, Verdict
+from allworlds.studies.compare.entrants import (
+    CompareRequest,
+    Contest,
+    ContestReport,
+    CostsOfAll,
+    CostTally,
+    Entrant,
+    InWorld,
+    UnitOfOne,
+    key_of,
+)
 from allworlds.studies.compare.intervals import (
     LEAST_WORLDS,
     LEVEL,
@@ -32,6 +50,138 @@ from allworlds.studies.compare.intervals import (
     geometric_mean,
     mean_interval,
 )
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.named import map_of_family
+from allworlds.world.world import World
+
+WORLDS, PLACES, SEED = 10, 8, 1
+"""Defaults: seeds of a size, places in a world, and the first seed."""
+
+LEAST, SIZES = 12, 6
+"""No size has fewer edges, and there are no more sizes."""
+
+HOLES = "10%"
+"""Of a dense map, which else would have one member of each size."""
+
+
+class Growing(Struct, frozen=True):
+    """A family by its name on the command line, with its members numbered by size.
+
+    Attributes:
+        form: how it is written; ``:D`` stands for a degree.
+        member: the text of a member, from its number and the degree.
+        degree: the degree where none is named; None where a name has none.
+        holes: the share of edges to be removed.
+    """
+
+    form: str
+    member: Callable[[int, int], str]
+    degree: int | None = None
+    holes: str | None = None
+
+
+GROWING = {
+    growing.form.partition(":")[0]: growing
+    for growing in (
+        Growing("lattice", lambda p, _: f"lattice:{p + 1}x{p + 1}"),
+        Growing("torus", lambda p, _: f"torus:{p}x{p}"),
+        Growing("strip", lambda p, _: f"strip:{p}"),
+        Growing("dense", lambda p, _: f"dense:{p + 1}", holes=HOLES),
+        Growing("cubic", lambda p, _: f"cubic:{2 * p}"),
+        Growing("regular:D", lambda p, d: f"regular:{d}x{p if d % 2 == 0 else 2 * p}", 6),
+        Growing("random", lambda p, _: f"random:{p}x{2 * p}"),
+        Growing("bouquet", lambda p, _: f"bouquet:{p}"),
+        Growing("lollipop:D", lambda p, d: f"lollipop:{d}x{p}", 4),
+        Growing("prism", lambda p, _: f"prism:{p + 2}"),
+        Growing("thick:D", lambda p, d: f"thick:{d}x{p}", 6),
+        Growing("cover", lambda p, _: f"cover:{p}"),
+        Growing("corridor", lambda p, _: f"corridor:{p}"),
+    )
+}
+"""Every family that grows, by its name."""
+
+FORMS = ", ".join(growing.form for growing in GROWING.values())
+
+
+class Member(Struct, frozen=True):
+    """One world of a family, with the words that name it on the command line."""
+
+    text: str
+    holes: str | None
+    seed: int
+
+    @property
+    def name(self) -> str:
+        """Words that name the world: ``torus:6x6 --seed 1``."""
+        holes = f" --holes {self.holes}" if self.holes else ""
+        return f"{self.text}{holes} --seed {self.seed}"
+
+    @property
+    def described(self) -> str:
+        """Words for a reader: ``torus:6x6, seed 1``."""
+        return f"{self.text}{f' with holes {self.holes}' if self.holes else ''}, seed {self.seed}"
+
+    def map(self) -> CombinatorialMap:
+        """The map; a robot starts at dart 0."""
+        return map_of_family(self.text, self.holes, self.seed)
+
+
+def member_named(name: str) -> Member:
+    """The member of :attr:`Member.name`."""
+    words, _, seed = name.partition(" --seed ")
+    text, _, holes = words.partition(" --holes ")
+    return Member(text, holes or None, int(seed))
+
+
+def distinct(members: Iterable[Member]) -> dict[Member, CombinatorialMap]:
+    """The members with their maps; of those that are isomorphic as rooted maps the first."""
+    seen: dict[Code, Member] = {}
+    maps = {member: member.map() for member in members}
+    for member, map_ in maps.items():
+        seen.setdefault(rooted_code(map_.sigma, map_.alpha, 0), member)
+    return {member: maps[member] for member in seen.values()}
+
+
+def form_of(family: str) -> tuple[Growing, int] | None:
+    """The growing family that the text names, and the degree; None if there is none."""
+    name, colon, degree = family.partition(":")
+    growing = GROWING.get(name)
+    if growing is None or (colon and growing.degree is None):
+        return None
+    if not colon:
+        return growing, growing.degree or 0
+    return (growing, int(degree)) if re.fullmatch(r"\d{1,4}", degree, re.ASCII) else None
+
+
+def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member]]:
+    """The members of a family, ascending, grouped by size.
+
+    The sizes are the largest members with at most ``to``, ``to / 2``, ``to / 4``, ... edges.
+
+    Raises:
+        InputError: for a text that is none of the families.
+    """
+    known = form_of(family)
+    if known is None:
+        raise InputError(f"family {show(family)} is not one of {FORMS}")
+    growing, number = known
+    ladder = []
+    for text in dict.fromkeys(_largest(growing, number, to >> k) for k in reversed(range(SIZES))):
+        if text:
+            ladder.append([Member(text, growing.holes, seed + i) for i in range(worlds)])
+            # A degree that no member can have is told before anything is walked.
+            ladder[-1][0].map()
+    return ladder
+
+
+def _largest(growing: Growing, degree: int, edges: int) -> str:
+    """The largest member with at most ``edges`` edges before holes are made; empty if too small."""
+    number = 1
+    while edges_of(growing.member(number + 1, degree)) <= edges:
+        number += 1
+    text = growing.member(number, degree)
+    return text if LEAST <= edges_of(text) <= edges else ""
+
 
 Range: TypeAlias = Annotated[
     Pair[Figure] | None,
@@ -147,14 +297,21 @@ class Growth(ContestReport):
         Cost: each world is built once again.
         """
         every = *self.rows, *self.begun
-        named = {one.name: one for row in every for one in row.members}
-        built = {name: one.map() for name, one in named.items()}
+        built = {
+            one.name: one.map() for one in {m.name: m for r in every for m in r.members}.values()
+        }
         for number, row in enumerate(every):
             for one in row.members:
-                costs = dict(zip(one.ran, one.costs, strict=True))
-                map_, finished = built[one.name], number < len(self.rows)
-                told = costs, one.places, one.bound, row.drawn_from, finished
-                yield InWorld(map_, one.name, row.explorer, *told)
+                yield InWorld(
+                    built[one.name],
+                    one.name,
+                    row.explorer,
+                    dict(zip(one.ran, one.costs, strict=True)),
+                    one.places,
+                    one.bound,
+                    row.drawn_from,
+                    finished=number < len(self.rows),
+                )
 
 
 def _ratios(report: Growth) -> Iterator[CostRatio]:
@@ -184,3 +341,189 @@ def _mean(row: GrowRow) -> float:
 
 def _rounded(interval: Interval | None) -> Interval | None:
     return interval and (round(interval[0], 6), round(interval[1], 6))
+
+
+class _Size(Struct, frozen=True):
+    """The members of a family of one size.
+
+    Attributes:
+        number: of the family.
+        family: its name.
+        edges: of a member before holes are made.
+        seeds: the number of members that were drawn.
+        maps: those of the different members that are walked in.
+        drawn_from: the number of different members that seeds draw; None if it is not known.
+    """
+
+    number: int
+    family: str
+    edges: int
+    seeds: int
+    maps: Mapping[Member, CombinatorialMap]
+    drawn_from: int | None
+
+
+class GrowingWorlds(Contest[Growth]):
+    """The sweep of explorers through growing worlds, from the smallest size of any family on.
+
+    So what is finished when the time is up is a part of each family.
+
+    Args:
+        entrants: who walks.
+        request: for families of :data:`GROWING`, with a degree where they have one: ``regular:6``.
+        to: the largest number of edges.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+
+    Cost: that of the walks, which grow with the square of the edges and more.
+    """
+
+    def __init__(self, entrants: Sequence[Entrant], request: CompareRequest, to: int) -> None:
+        _ensure_grows(entrants, request)
+        defaults = {"worlds": WORLDS, "places": PLACES, "seed": SEED}
+        asked = {name: getattr(request, name) for name in defaults}
+        numbers = {"to": to} | {
+            name: defaults[name] if given is None else given for name, given in asked.items()
+        }
+        for option, least in (("to", LEAST), ("worlds", 1), ("places", 1), ("seed", 0)):
+            if an_integer(option, numbers[option]) < least:
+                raise InputError(f"{option} = {show(numbers[option])} is less than {least}")
+        self._places, self._families = numbers["places"], request.family or ()
+        sizes = [
+            _size(number, family, members)
+            for number, family in enumerate(self._families)
+            for members in members_of(family, to, numbers["worlds"], numbers["seed"])
+        ]
+        self._sizes = sorted(sizes, key=lambda size: size.edges)
+        edges = [edges_of(member.text) for size in self._sizes for member in size.maps]
+        extent = Extent(MapClass.MAPS, max(edges))
+        super().__init__(entrants, replace(request, **numbers), extent)
+        self._mine = set(range(len(edges)))
+        if isinstance(self.portion, Shard):
+            self._mine = set(dealt([m * m for m in edges], self.portion))
+        self._rows: list[GrowRow] = []
+        self._begun: list[GrowRow] = []
+        self._left_out = 0
+
+    @override
+    def levels(self) -> Iterator[SweptLevel]:
+        number = 0
+        for size in self._sizes:
+            numbered = enumerate(size.maps.items(), number)
+            mine = replace(size, maps=dict(one for n, one in numbered if n in self._mine))
+            number += len(size.maps)
+            edges = max((m.edge_count for m in mine.maps.values()), default=1)
+            chosen = (self._chosen(one, *m) for one in self.entrants for m in size.maps.items())
+            runs = sum(len(ran) for _, ran in chosen)
+            yield SweptLevel(edges, runs, self._units(mine), mine)
+
+    def _units(self, size: _Size) -> Iterator[UnitOfOne]:
+        """A unit for each entrant and world, with the places of the lighthouse that are run."""
+        for number, one in enumerate(self.entrants):
+            for member, map_ in size.maps.items():
+                _, ran = self._chosen(one, member, map_)
+                if ran:
+                    given = tuple((World(map_, lighthouse, 0), i) for i, lighthouse in ran.items())
+                    unit = GivenWorlds(given, f"{size.family}/{member.name}")
+                    yield UnitOfOne(number, unit)
+
+    def _chosen(
+        self, one: Entrant, member: Member, map_: CombinatorialMap
+    ) -> tuple[int, dict[int, Lighthouse]]:
+        """The number of places of a lighthouse in a world, and those that are run, by number.
+
+        Of more than are asked for they are drawn by the name of the world.
+        """
+        places = [*one.rules.kind.places(map_, 0)]
+        drawn: Sequence[int] = range(len(places))
+        if len(places) > self._places:
+            chance = Random(f"places/{member.name}")  # noqa: S311  # reproducible, not secret
+            drawn = sorted(chance.sample(drawn, self._places))
+        return len(places), {i: places[i] for i in drawn}
+
+    @override
+    def group(self, level: SweptLevel) -> int:
+        """The number of the family to which a level belongs."""
+        size: _Size = level.of
+        return size.number
+
+    @override
+    def finish(self, level: SweptLevel, total: CostsOfAll) -> None:
+        self._rows += self._rows_of(level.of, total)
+        for one in self.entrants:
+            chosen = (self._chosen(one, *member) for member in level.of.maps.items())
+            self._left_out += sum(not ran for _, ran in chosen)
+        super().leave(level, total)
+
+    @override
+    def leave(self, level: SweptLevel, total: CostsOfAll) -> None:
+        self._begun += self._rows_of(level.of, total)
+        super().leave(level, total)
+
+    @override
+    def report(self, ending: Ending) -> Growth:
+        return Growth(
+            **self.contest(ending),
+            families=self._families,
+            rows=tuple(sorted(self._rows, key=lambda row: self._families.index(row.family))),
+            begun=tuple(self._begun),
+            left_out=self._left_out,
+        )
+
+    def _rows_of(self, size: _Size, total: CostsOfAll) -> Iterator[GrowRow]:
+        """The row of each entrant that was run in every chosen place of one of the members."""
+        for number, one in enumerate(self.entrants):
+            members = [*self._members(one, size, total.one(number))]
+            if members:
+                all_run = len(size.maps) == size.drawn_from
+                first = next(map_ for m, map_ in size.maps.items() if m.name == members[0].name)
+                yield GrowRow(
+                    family=size.family,
+                    edges=first.edge_count,
+                    vertices=first.vertex_count,
+                    explorer=one.name,
+                    seeds=size.seeds,
+                    drawn_from=size.drawn_from,
+                    exact=all_run and all(len(m.ran) == m.places for m in members),
+                    members=tuple(members),
+                )
+
+    def _members(self, one: Entrant, size: _Size, tally: CostTally) -> Iterator[GrownWorld]:
+        """The members of a size in which the entrant was run in every chosen place."""
+        for member, map_ in size.maps.items():
+            places, ran = self._chosen(one, member, map_)
+            costs = tally.costs.get(key_of(map_), {})
+            if ran and ran.keys() <= costs.keys():
+                yield GrownWorld(
+                    name=member.name,
+                    edges=map_.edge_count,
+                    places=places,
+                    ran=tuple(ran),
+                    costs=tuple(costs[i] for i in ran),
+                    bound=one.rules.the_bound.of(map_, 0),
+                )
+
+
+def _ensure_grows(entrants: Sequence[Entrant], request: CompareRequest) -> None:
+    """Raise InputError for an option without effect on worlds that grow, and for none to run."""
+    given = {name: getattr(request, name) for name in ("edges", "vertices", "holes")}
+    for name, value in given.items():
+        if value is not None:
+            raise InputError(f"{name} = {show(value)} has no effect on worlds that grow")
+    if request.where is not None:
+        raise InputError(f"where {show(request.where.name)} has no effect on worlds that grow")
+    if request.map_class is not MapClass.MAPS:
+        raise InputError(f"class {show(request.map_class.value)} has no effect on worlds that grow")
+    if not entrants:
+        raise InputError("compare with to takes an explorer at least, not none")
+    if not request.family:
+        raise InputError(f"compare with to takes a family at least: {FORMS}")
+
+
+def _size(number: int, family: str, members: Sequence[Member]) -> _Size:
+    """The size with these members."""
+    maps = distinct(members)
+    member, map_ = next(iter(maps.items()))
+    drawn_from = rootings(member.text, map_, member.holes)
+    return _Size(number, family, edges_of(member.text), len(members), maps, drawn_from)

@@ -8,9 +8,9 @@ from typing import Annotated
 
 from typing_extensions import override
 
-from allworlds.engines.database import Identity
 from allworlds.engines.effort import AskedCluster, AskedDirectory, TimeIsUp
 from allworlds.engines.engine_table import ReadyEngine, players_for
+from allworlds.engines.job_records import Identity
 from allworlds.engines.lanes import workers_for
 from allworlds.engines.progress import Listener, Silent
 from allworlds.engines.scope import GivenWorlds, Sample, Scope
@@ -32,7 +32,7 @@ from allworlds.studies.check.report import CheckReport
 from allworlds.studies.check.requests import ManyRuns
 from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
 from allworlds.studies.fuzz.sample import batches
-from allworlds.world.own_condition import AskedWhere
+from allworlds.world.own_condition import WhereOptions
 from allworlds.world.world import World
 
 
@@ -53,7 +53,7 @@ class AskedSample(Request):
     seed: Annotated[int, Option(SCOPE, "S", "Which sample.", parse=integer_of)] = 0
 
 
-class MapsRequest(ManyRuns, AskedWhere):
+class MapsRequest(ManyRuns, WhereOptions):
     """Request for runs in given maps: an explorer, the class and a condition, rules and effort."""
 
 

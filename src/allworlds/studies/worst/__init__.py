@@ -2,12 +2,8 @@
 
 ``every_schedule``
     one world, readably; also a sequence of choices that attains the worst cost;
-``worst_request``
-    what is asked for;
-``worst_report``
-    what is reported;
 ``all_worlds``
-    every world of a class, with the compiled engine;
+    every world of a class: the request, the sweep and its report;
 ``compiled_engine``
-    that engine, and what it brings.
+    the compiled engine of that sweep.
 """

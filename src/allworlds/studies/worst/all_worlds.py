@@ -1,41 +1,222 @@
-"""The exact worst and best cost in every world of a class, with the compiled engine."""
+"""The exact worst and best cost of Algorithm 1 in every world of a class, by a compiled search."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, Annotated, Any, Literal, cast, get_args
 
 from typing_extensions import override
 
+from allworlds.document.struct import (
+    EXIT_CODE,
+    Aside,
+    Document,
+    Edges,
+    Natural,
+    Positive,
+    Text,
+    Vertices,
+    WhichShard,
+    about,
+    computed,
+)
 from allworlds.engines.dask import Dask
-from allworlds.engines.database import Identity
-from allworlds.engines.effort import Limits
-from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.effort import (
+    AskedCluster,
+    AskedDirectory,
+    AskedListener,
+    AskedTime,
+    AskedWorkers,
+    Limits,
+)
+from allworlds.engines.engine_table import COMPILER, ReadyEngine
 from allworlds.engines.here import Threads
-from allworlds.engines.obstacles import COMPILER
-from allworlds.engines.progress import Listener
-from allworlds.engines.single import single_run
+from allworlds.engines.single import SingleRun, single_run
 from allworlds.engines.sweep import Sweep
-from allworlds.engines.units import WHOLE, Portion, SweptLevel, cells_of_level
-from allworlds.explorers.loading import load
-from allworlds.inputs.checks import InputError, ensure_installed, show
-from allworlds.inputs.requests import answers
-from allworlds.judging.endings import Answered
-from allworlds.judging.episode import default_step_budget, play
-from allworlds.judging.findings.rules import AskedRules
+from allworlds.engines.swept_report import GATE, SweptExit, SweptReport, ToldGate, told_scope
+from allworlds.engines.units import WHOLE, AskedShard, SweptLevel, cells_of_level
+from allworlds.explorers.asked import DEFAULT_EXPLORER
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers.loading import Subject, load
+from allworlds.inputs.checks import InputError, an_integer, ensure_installed, integer_of, show
+from allworlds.inputs.requests import RULES, SCOPE, Argument, Option, Request, Taken, answers
+from allworlds.judging.episode import Answered, default_step_budget, play
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import AskedRules, Rules
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.classes import ClassOptions, Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending
-from allworlds.studies.worst.every_schedule import EverySchedule, Planned
-from allworlds.studies.worst.worst_report import WorstReport, WorstRequest, WorstRow
+from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.words import size
+from allworlds.world.asked_lighthouse import LighthouseOptions
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.world import World
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.schedules import ScheduleCosts
     from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
+
+DEFAULT_EDGES, MOST_EDGES = 5, 12
+
+
+def _algorithm1(given: object) -> str:
+    if given not in (DEFAULT_EXPLORER, algorithm1):
+        raise InputError(
+            f"worst is of {DEFAULT_EXPLORER}, not of {show(given)}; 'allworlds check EXPLORER "
+            "--schedules all' has the best and the largest cost of any other"
+        )
+    return DEFAULT_EXPLORER
+
+
+def _edges(given: object) -> int:
+    number = an_integer("edges", given)
+    if number > MOST_EDGES:
+        raise InputError(f"edges = {show(number)}, but there is room for {MOST_EDGES} at most")
+    return number
+
+
+def _transit(given: object) -> Transit:
+    if given not in get_args(Transit):
+        raise InputError(f"transit {show(given)} is not one of {', '.join(get_args(Transit))}")
+    return cast("Transit", given)
+
+
+class Algorithm1Option(Request, kw_only=False):
+    """The part of a request of ``worst`` that may be given by its place."""
+
+    explore: Annotated[
+        Taken[str | Callable[..., Any], str],
+        Argument(
+            "",
+            "[EXPLORER]",
+            "algorithm1; the costs of any other explorer are in the rows of check EXPLORER "
+            "--schedules all.",
+        ),
+    ] = Taken(_algorithm1, DEFAULT_EXPLORER)
+
+
+class WorstRequest(
+    AskedListener,
+    AskedCluster,
+    AskedDirectory,
+    AskedTime,
+    AskedWorkers,
+    AskedShard,
+    ClassOptions,
+    Algorithm1Option,
+):
+    """Request of ``worst``: the worlds and the effort."""
+
+    edges: Annotated[
+        Taken[int, int],
+        Option(
+            SCOPE,
+            "M",
+            "At most M edges.",
+            parse=integer_of,
+            told=Annotated[Positive, about("at most so many")],
+        ),
+    ] = Taken(_edges, DEFAULT_EDGES)
+    transit: Annotated[
+        Taken[str, Transit],
+        Option(
+            RULES,
+            "|".join(get_args(Transit)),
+            "How Algorithm 1 goes to the next edge: on a shortest or on any simple path.",
+            told=Annotated[Transit, about("the paths by which Algorithm 1 goes to the next edge")],
+        ),
+    ] = Taken(_transit, "simple")
+
+
+class WorstRow(Document):
+    """Costs over every schedule in the worlds of one size.
+
+    ``counted`` holds the rooted maps according to the independent source; None in a shard.
+    """
+
+    edges: Edges
+    vertices: Vertices
+    worlds: Annotated[Positive, about("rooted maps")]
+    worst: Annotated[Natural, about("the largest cost of a schedule")]
+    best: Annotated[
+        Natural, about("the largest, over the worlds, of the cost of the cheapest schedule")
+    ]
+    bound: Annotated[int | None, about("the largest of these worlds; null without a bound")]
+    tests: Annotated[Natural, about("different tests of false hypotheses")]
+    wrong_tests: Annotated[Natural, about("tests that confirmed a false hypothesis")]
+    world: Annotated[World, about("the least one that attains `worst`")]
+    choices: Annotated[tuple[Natural, ...], about("choices that attain it there")]
+    replayed: Annotated[
+        Natural | None,
+        about("their cost in the Python engine; null: a law was broken"),
+    ]
+    counted: Aside[int | None]
+
+    @property
+    def agrees(self) -> bool:
+        """Whether count and replay agree with the search."""
+        counted = self.counted in (None, self.worlds)
+        return counted and (bool(self.wrong_tests) or self.replayed == self.worst)
+
+    @property
+    def refutes(self) -> bool:
+        """Whether a test was wrong or the bound was exceeded."""
+        return bool(self.wrong_tests) or (self.bound is not None and self.worst > self.bound)
+
+
+class WorstScope(Document, of=(ClassOptions, LighthouseOptions, WorstRequest, AskedRules)):
+    """The scope of a search for the worst case."""
+
+    schedules: Annotated[Literal["all"], about("each was searched")]
+    symmetry: Annotated[Text, about("why one world stands for every direction")]
+    shard: WhichShard
+
+
+class WorstReport(SweptReport):
+    """Report of 'worst'.
+
+    The worst and best costs of Algorithm 1, by size.
+
+    ``disagreement`` says what disagrees beside the rows, if anything does; ``subject`` is who was
+    run by the ``rules``.
+    """
+
+    exit_code: SweptExit = EXIT_CODE
+    explorer: Annotated[Text, about("its name")] = computed(lambda r: r.subject.name)
+    scope: Annotated[WorstScope, about("what was searched")] = computed(
+        lambda r: told_scope(
+            WorstScope,
+            r.request,
+            r.rules,
+            schedules="all",
+            symmetry="one world for each start vertex: every choice of dart is tried, so the dart "
+            "faced at the start and the bearing make no difference",
+            shard=str(r.portion),
+        )
+    )
+    gate: ToldGate = GATE
+    rows: Annotated[tuple[WorstRow, ...], about("one for each (edges, vertices), ascending")]
+    findings: Annotated[tuple[Finding, ...], about("always empty: `wrong_tests` counts")] = ()
+    subject: Aside[Subject]
+    rules: Aside[Rules]
+    disagreement: Aside[str] = ""
+
+    @property
+    @override
+    def agrees(self) -> bool:
+        return not self.disagreement and all(row.agrees for row in self.rows)
+
+    @property
+    @override
+    def refuted(self) -> bool:
+        return any(row.refutes for row in self.rows)
+
+    def walks(self) -> Iterator[SingleRun]:
+        """The runs that attain each row's worst cost, where they are known, played again."""
+        for row in self.rows:
+            if row.replayed is not None:
+                yield single_run(self.subject, row.world, self.rules, row.choices, Limits())
 
 
 @answers(WorstRequest)
@@ -48,14 +229,8 @@ def worst(request: WorstRequest) -> WorstReport:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    extent = Extent(request.map_class, request.edges)
-    if not extent.map_class.plain:
-        raise InputError(
-            f"class {show(extent.map_class.value)} is none of those whose maps the compiled search "
-            f"makes: {', '.join(known for known in MapClass if known.plain)}"
-        )
     ensure_installed(*COMPILER, "worst of algorithm1")
-    return SchedulesSweep(request, extent).answer(request.run)
+    return SchedulesSweep(request).answer(request.run)
 
 
 class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
@@ -64,21 +239,15 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
     verb, asked = "worst", WorstRequest
     extent: Extent
 
-    def __init__(self, request: WorstRequest, extent: Extent) -> None:
+    def __init__(self, request: WorstRequest) -> None:
         from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
-        super().__init__(request, extent)
+        super().__init__(request, Extent(request.map_class, request.edges))
         self.result = ScheduleCostsBySize  # type: ignore[misc]  # loaded now, with the kernel
         self._subject = load("algorithm1")
         self._rules = AskedRules().rules_of(self._subject, Directional.kind)
         self._rows: list[WorstRow] = []
-        self._missing: list[tuple[int, int]] = []
-
-    @override
-    @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> SchedulesSweep:
-        request = cls.asked_then(identity, portion, listener)
-        return cls(request, Extent(request.map_class, request.edges))
+        self._missing = ""
 
     @override
     def explorer(self) -> dict[str, Any]:
@@ -87,15 +256,17 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
     @override
     def ready(self) -> ReadyEngine:
         from allworlds.engines.kernel.capabilities import COMPILING
+        from allworlds.engines.kernel.compiling import is_compiled
+        from allworlds.engines.kernel.schedules import search
         from allworlds.studies.worst.compiled_engine import ScheduleSearch
 
-        cluster, workers = self.request.cluster, self.request.workers
-        engine = ScheduleSearch(self.extent, self.request.transit)
-        if not engine.is_compiled():
+        if not is_compiled(search):
             self.listener.notice(COMPILING)
-        if cluster is not None:
-            return ReadyEngine(Dask(cluster, workers, self.deadline), engine)
-        return ReadyEngine(Threads(workers, self.deadline), engine)
+        cluster, workers = self.request.cluster, self.request.workers
+        there = (
+            Dask(cluster, workers, self.deadline) if cluster else Threads(workers, self.deadline)
+        )
+        return ReadyEngine(there, ScheduleSearch(self.extent, self.request.transit))
 
     @override
     def costs(self, total: ScheduleCostsBySize) -> Iterable[tuple[int, int, int]]:
@@ -103,22 +274,20 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
 
     @override
     def finish(self, level: SweptLevel, total: ScheduleCostsBySize) -> None:
-        whole, edges = self.portion == WHOLE, level.edges
+        whole, edges, rows = self.portion == WHOLE, level.edges, total.by_vertices
         cells = cells_of_level(self.extent, edges)
-        rows = [
-            self._row(edges, costs, cells.get(n, 0) if whole else None)
-            for n, costs in sorted(total.by_vertices.items())
-        ]
-        self._rows += rows
-        if whole:
-            self._missing += ((edges, n) for n, met in cells.items() if met and n not in total)
+        for n, costs in sorted(rows.items()):
+            self._rows.append(self._row(edges, costs, cells.get(n, 0) if whole else None))
+        for n, counted in cells.items():
+            if whole and counted and n not in rows and not self._missing:
+                self._missing = f"no map with {size(edges, n)} was met"
 
     @override
     def report(self, ending: Ending) -> WorstReport:
         return WorstReport(
             **self.ended(ending),
             rows=tuple(self._rows),
-            disagreement=f"no map with {size(*self._missing[0])} was met" if self._missing else "",
+            disagreement=self._missing,
             subject=self._subject,
             rules=self._rules,
         )

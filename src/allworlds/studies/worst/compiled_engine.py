@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 from msgspec import Struct, field
 
-from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.engine import flag
-from allworlds.engines.kernel.schedules import ScheduleCosts, schedule_costs_of_unit, search
+from allworlds.engines.kernel.schedules import ScheduleCosts, schedule_costs_of_unit
 from allworlds.engines.units import LevelUnit
 from allworlds.maps.classes import Extent
 from allworlds.studies.worst.every_schedule import Transit
@@ -19,14 +18,6 @@ class ScheduleCostsBySize(Struct):
     """Costs over every schedule, by the number of vertices. They add up in any order."""
 
     by_vertices: dict[int, ScheduleCosts] = field(default_factory=dict)
-
-    @classmethod
-    def of(cls, rows: Iterable[ScheduleCosts]) -> ScheduleCostsBySize:
-        """Return the costs of a part's rows."""
-        return cls({row.vertices: row for row in rows})
-
-    def __contains__(self, vertices: object) -> bool:
-        return vertices in self.by_vertices
 
     @property
     def worlds(self) -> int:
@@ -64,10 +55,6 @@ class ScheduleSearch(Struct, frozen=True):
         """Set the flag that ends the compiled search."""
         self.flag[0] = 1
 
-    def is_compiled(self) -> bool:
-        """Whether an earlier use has left the compiled code behind."""
-        return is_compiled(search)
-
     def parts(self, unit: LevelUnit) -> Iterator[ScheduleCostsBySize]:
         """The most expensive worlds of the unit."""
         map_class = self.extent.map_class
@@ -80,4 +67,4 @@ class ScheduleSearch(Struct, frozen=True):
             simple=map_class.simple,
             planar=map_class.planar,
         )
-        yield ScheduleCostsBySize.of(rows)
+        yield ScheduleCostsBySize({row.vertices: row for row in rows})

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cache
+from operator import attrgetter
 from typing import Literal, TypeAlias, TypeVar
 
 from msgspec import Struct
@@ -21,6 +22,7 @@ from allworlds.outcome import Disagreement
 from allworlds.protocol.choices import Choices, Kind
 
 T = TypeVar("T")
+_cost = attrgetter("cost")
 
 Transit: TypeAlias = Literal["shortest", "simple"]
 """How line 4 is read: the robot goes through S on a shortest path, or on any simple path."""
@@ -134,9 +136,7 @@ class EverySchedule:
         for explored, robot in queue:
             vertices = len({self._v0} | {self._owner[d] for d in explored})
             for chosen in self._passes(explored):
-                transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
-                tests = sum(test.cost for test in chosen.worst)
-                yield PassCost(vertices, len(explored) // 2, len(transit) + 1 + tests)
+                yield PassCost(vertices, len(explored) // 2, self._most(explored, robot, chosen))
                 following = (chosen.explored, chosen.robot)
                 if following not in met:
                     met.add(following)
@@ -152,9 +152,12 @@ class EverySchedule:
 
     def _onward(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
         """The largest cost of a pass and of all that comes behind it."""
+        return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
+
+    def _most(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
+        """The largest cost of a pass."""
         transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
-        tests = sum(test.cost for test in chosen.worst)
-        return len(transit) + 1 + tests + self._worst(chosen.explored, chosen.robot)
+        return len(transit) + 1 + sum(test.cost for test in chosen.worst)
 
     def _find_best(self, explored: Explored, robot: int) -> int:
         costs = (
@@ -187,22 +190,16 @@ class EverySchedule:
             # The direction tells the dart: a test without a step.
             test = (TestCost(entry, (), 0),)
             return PassCosts(e, test, test, after, vertex)
-        degree_at = self._map.degree_at
-        rivals = [
-            h
-            for h in unexplored
-            if h not in (e, entry)
-            and self._owner[h] != self._v0
-            and degree_at[h] == degree_at[entry]
-        ]
+        owner, degree_at = self._owner, self._map.degree_at
+        alike = [h for h in unexplored if degree_at[h] == degree_at[entry]]
+        rivals = [h for h in alike if h not in (e, entry) and owner[h] != self._v0]
         false = [self._tests(explored, h, entry) for h in rivals]
-        most_expensive = tuple(max(tests, key=lambda test: test.cost) for tests in false)
-        cheapest = tuple(min(tests, key=lambda test: test.cost) for tests in false)
+        most_expensive = tuple(max(tests, key=_cost) for tests in false)
         if vertex not in known:
+            cheapest = tuple(min(tests, key=_cost) for tests in false)
             return PassCosts(e, most_expensive, cheapest, after, vertex)
         true = self._tests(explored, entry, entry)
-        last = max(true, key=lambda test: test.cost)
-        first = min(true, key=lambda test: test.cost)
+        last, first = max(true, key=_cost), min(true, key=_cost)
         return PassCosts(e, (*most_expensive, last), (first,), after, self._v0)
 
     def _tests(self, explored: Explored, hypothesis: Dart, entry: Dart) -> list[TestCost]:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cache
 from itertools import islice
+from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 
-from allworlds.document.struct import about
+from allworlds.document.struct import about, plain
 from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Percept, Write
@@ -18,12 +19,14 @@ from allworlds.protocol.player import Told
 from allworlds.protocol.user_code import UserCode
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
+    OptionValue,
     ensure_legal,
     kind_with,
     name_of,
     named_with,
+    options_of,
+    place_keys,
     values_in,
-    written_as,
 )
 from allworlds.world.state import State
 
@@ -59,31 +62,6 @@ class Sensing:
     def marks(self) -> bool:
         """Whether there are marks at all."""
         return self.marks_v0 or self.where is Where.EVERYWHERE_NUMBERED
-
-    def percepts(
-        self,
-        map_: CombinatorialMap,
-        references: Sequence[Dart],
-        numbers: Sequence[int] | None = None,
-    ) -> tuple[Percept, ...]:
-        """For each dart the percept of a robot that has arrived by it.
-
-        ``references`` holds one dart of each vertex at which more than the degree is sensed.
-        Where there are marks, ``numbers`` says how many lie at each of these vertices; by
-        default one at the first, two at the second.
-        """
-        if numbers is None:
-            numbers = range(1, len(references) + 1)
-        sensed = [_percept(degree) for degree in map_.degree_at]
-        # The first comes last: where a wrong answer takes v1 for v0, what is sensed is v0.
-        for number, reference in reversed([*zip(numbers, references, strict=True)]):
-            marks = number if self.marks else 0
-            degree = map_.degree_at[reference]
-            for back in range(degree):
-                # sigma^back(d) is the reference dart for the dart d that lies back places before.
-                bearing = back if self.bearing else None
-                sensed[map_.turn(reference, -back)] = _percept(degree, marks, bearing)
-        return tuple(sensed)
 
 
 @cache
@@ -130,6 +108,7 @@ class Lighthouse(ABC):
             together only one may.
         leaves_marks: whether the robot can leave marks itself.
         code: where the class comes from, if it is the user's.
+        chosen: the options that were given to the kind.
         every_place_to: the largest number of edges of the maps in which :meth:`places` yields every
             place; None: in all maps.
         beyond: the places that it yields in larger ones, in words.
@@ -143,6 +122,7 @@ class Lighthouse(ABC):
     gives_bearings: ClassVar[bool] = True
     leaves_marks: ClassVar[bool] = False
     code: ClassVar[UserCode | None] = None
+    chosen: ClassVar[Mapping[str, OptionValue]] = MappingProxyType({})
     every_place_to: ClassVar[int | None] = None
     beyond: ClassVar[str] = ""
 
@@ -195,8 +175,21 @@ class Lighthouse(ABC):
         return replace(self, **renamed) if renamed else self  # type: ignore[type-var]
 
     def to_json(self) -> dict[str, Any]:
-        """``{"kind": ...}`` with the options and the place, as :mod:`options` says."""
-        return written_as(self)
+        """``{"kind": ...}`` with the options and the place.
+
+        Of a class of the user's the options stand apart, with the content by which it is known.
+        """
+        kind: Any = type(self)
+        code, where = kind.code, {key: plain(getattr(self, key)) for key in place_keys(kind)}
+        if code is not None:
+            options = code.arguments or values_in(self)
+            return {"kind": code.plain, "options": options, "digest": code.digest, **where}
+        usual = [
+            key
+            for key, option in options_of(kind).items()
+            if not option.always and where[key] == option.default
+        ]
+        return {"kind": self.kind, **{key: where[key] for key in where if key not in usual}}
 
     @classmethod
     def at(cls, **where: Any) -> Lighthouse:
@@ -278,13 +271,24 @@ class ReferenceLighthouse(Lighthouse):
         cls.gives_marks = cls.sensing.marks or cls.leaves_marks
         cls.gives_bearings = cls.sensing.bearing
 
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # none
-        """One dart of each vertex at which more than the degree is sensed; v0's is the first."""
-        return ()
+    def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:  # noqa: ARG002  # none
+        """One dart of each vertex at which more than the degree is sensed, with the marks there.
+
+        That of v0 is the first.
+        """
+        return {}
 
     def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
         """For each dart the percept of a robot that has arrived by it."""
-        return self.sensing.percepts(map_, self.references(map_))
+        sensed = [_percept(degree) for degree in map_.degree_at]
+        # The first comes last: where a wrong answer takes v1 for v0, what is sensed is v0.
+        for reference, marks in reversed([*self.references(map_).items()]):
+            degree = map_.degree_at[reference]
+            for back in range(degree):
+                # sigma^back(d) is the reference dart for the dart d that lies back places before.
+                bearing = back if self.sensing.bearing else None
+                sensed[map_.turn(reference, -back)] = _percept(degree, marks, bearing)
+        return tuple(sensed)
 
 
 class PlacelessLighthouse(ReferenceLighthouse):

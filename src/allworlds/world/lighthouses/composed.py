@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
-from itertools import product
+from itertools import compress, product
 from typing import Any, ClassVar
 
 from typing_extensions import override
 
-from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.player import Told
 from allworlds.world.lighthouses.base import Lighthouse, WalkInAnswer
-from allworlds.world.lighthouses.options import InvalidWorld, value_of
+from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.lighthouses.placeless import Knowledge
 from allworlds.world.state import State
 
@@ -49,9 +48,8 @@ class Composed(Lighthouse):
     @property
     def as_kind(self) -> type[Composed]:
         """The kind of the kinds of the parts."""
-        return composed(
-            tuple(part.written for part in self.parts), tuple(part.as_kind for part in self.parts)
-        )
+        names, kinds = zip(*((part.written, part.as_kind) for part in self.parts), strict=True)
+        return composed(names, kinds)
 
     @property
     def _marking(self) -> Lighthouse:
@@ -71,7 +69,7 @@ class Composed(Lighthouse):
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Every part can stand there, and they go together."""
-        check_together([(part.kind, type(part)) for part in self.parts])
+        check_together([part.kind for part in self.parts], [*map(type, self.parts)])
         for part in self.parts:
             part.check(map_, start)
 
@@ -137,63 +135,48 @@ def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> typ
     Raises:
         InvalidWorld: if they do not go together, with the reason.
     """
-    check_together([*zip(names, kinds, strict=True)])
-    told: dict[str, Any] = {
-        name: any(getattr(kind, name) for kind in kinds)
-        for name in ("leaves_marks", "gives_marks", "gives_bearings")
+    check_together(names, kinds)
+    marking = ("leaves_marks", "gives_marks", "gives_bearings")
+    attributes: dict[str, Any] = {
+        name: any(getattr(kind, name) for kind in kinds) for name in marking
     }
     # Two worlds that look alike under a marker at one vertex have as many vertices and edges.
-    open_kinds = [kind for kind in kinds if kind.leaves_open]
-    told["leaves_open"] = bool(open_kinds) and all(
-        kind in open_kinds or _adds(kind) <= {"n", "m"} for kind in kinds
+    attributes["leaves_open"] = any(kind.leaves_open for kind in kinds) and all(
+        kind.leaves_open or _adds(kind) <= {"n", "m"} for kind in kinds
     )
-    told["folds"] = any(
-        kind.folds and all(not _adds(other) for other in kinds if other is not kind)
+    attributes["folds"] = any(
+        kind.folds and not any(_adds(other) for other in kinds if other is not kind)
         for kind in kinds
     )
     for kind in kinds:
         if kind.every_place_to is not None:
-            told |= {"every_place_to": kind.every_place_to, "beyond": kind.beyond}
-    return type(Composed.__name__, (Composed,), {"kinds": kinds, **told})
+            attributes |= {"every_place_to": kind.every_place_to, "beyond": kind.beyond}
+    return type(Composed.__name__, (Composed,), {"kinds": kinds, **attributes})
 
 
 def _adds(kind: type[Lighthouse]) -> set[str]:
     """The kinds of knowledge that a robot has by a lighthouse, besides degrees."""
     found = {name for name in ("marks", "bearings") if getattr(kind, f"gives_{name}")}
     if issubclass(kind, Knowledge):
-        return found | {*value_of(kind, "names")}  # type: ignore[misc]  # words
+        return found | {*kind.names}
     return found | ({"something else"} if _tells(kind) else set())
 
 
-def composed_from_json(parts: object, read: Callable[[object], Lighthouse]) -> Composed:
-    """The lighthouse of the parts in a document.
-
-    Raises:
-        InvalidWorld: if there are fewer than two, or one is none.
-    """
-    if not isinstance(parts, list) or len(parts) < 2:
-        raise InvalidWorld(f"lighthouse.parts = {show(parts)} is no list of two lighthouses")
-    for part in parts:
-        if not isinstance(part, Mapping) or PLUS in str(part.get("kind")):
-            raise InvalidWorld(f"lighthouse.parts holds {show(part)}, which is no lighthouse")
-    return Composed(tuple(read(part) for part in parts))
-
-
-def check_together(parts: Sequence[tuple[str, type[Lighthouse]]]) -> None:
+def check_together(names: Sequence[str], kinds: Sequence[type[Lighthouse]]) -> None:
     """Raise InvalidWorld if two of these kinds, with their names, cannot be put together."""
-    for number, (name, kind) in enumerate(parts):
-        if kind in [other for _, other in parts[:number]]:
-            raise InvalidWorld(f"the lighthouse {name} stands there twice")
+    for number, kind in enumerate(kinds):
+        if kind in kinds[:number]:
+            raise InvalidWorld(f"the lighthouse {names[number]} stands there twice")
     for what, has in (
-        ("have marks", lambda kind: kind.gives_marks),
-        ("have bearings", lambda kind: kind.gives_bearings),
-        ("tell something before the start", _tells),
+        ("have marks", [kind.gives_marks for kind in kinds]),
+        ("have bearings", [kind.gives_bearings for kind in kinds]),
+        ("tell something before the start", [_tells(kind) for kind in kinds]),
     ):
-        names = [name for name, kind in parts if has(kind)]
-        if len(names) > 1:
+        if sum(has) > 1:
+            one, other, *_ = compress(names, has)
             raise InvalidWorld(
-                f"the lighthouses {names[0]} and {names[1]} both {what}, and a robot could not "
-                "tell which is which; leave one out"
+                f"the lighthouses {one} and {other} both {what}, and a robot could not tell which "
+                "is which; leave one out"
             )
 
 

@@ -14,9 +14,15 @@ from allworlds.inputs.checks import InputError, a_text, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.composed import PLUS, Composed, composed, composed_from_json
-from allworlds.world.lighthouses.everywhere import Compass, Labels
-from allworlds.world.lighthouses.marked import Cluster, Directional, Natural, Position
+from allworlds.world.lighthouses.composed import PLUS, Composed, composed
+from allworlds.world.lighthouses.marked import (
+    Cluster,
+    Compass,
+    Directional,
+    Labels,
+    Natural,
+    Position,
+)
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
     ensure_options,
@@ -26,7 +32,6 @@ from allworlds.world.lighthouses.options import (
     options_of,
     place_keys,
     refuse_other_keys,
-    value_of,
     with_arguments,
 )
 from allworlds.world.lighthouses.own_kind import own_kind
@@ -119,8 +124,7 @@ def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
     They are known before any world is made.
     """
     parts = kind.as_class.kinds if issubclass(kind.as_class, Composed) else (kind.as_class,)
-    told = [value_of(part, "names") for part in parts if issubclass(part, Knowledge)]
-    return tuple(name for names in told for name in names)  # type: ignore[union-attr]  # words
+    return tuple(name for part in parts if issubclass(part, Knowledge) for name in part.names)
 
 
 def _part(text: str) -> str | UserCode:
@@ -153,17 +157,17 @@ def _of_class(kind: type[Lighthouse]) -> str | UserCode:
 def _type_of(kind: LighthouseKind) -> type[Lighthouse]:
     codes = iter(kind.codes)
     names = tuple(kind.name.split(PLUS))
-    types = tuple(
-        own_kind(next(codes)) if name.partition(":")[0] not in LIGHTHOUSES else _built_in(name)
-        for name in names
-    )
-    return types[0] if len(types) == 1 else composed(names, types)
-
-
-def _built_in(name: str) -> type[Lighthouse]:
-    plain, colon, rest = name.partition(":")
-    kind = LIGHTHOUSES[plain]
-    return kind_with(kind, options_in(kind, plain, rest)) if colon else kind
+    types = []
+    for name in names:
+        plain, colon, rest = name.partition(":")
+        if plain not in LIGHTHOUSES:
+            types.append(own_kind(next(codes)))
+        elif colon:
+            own = LIGHTHOUSES[plain]
+            types.append(kind_with(own, options_in(own, plain, rest)))
+        else:
+            types.append(LIGHTHOUSES[plain])
+    return types[0] if len(types) == 1 else composed(names, tuple(types))
 
 
 def lighthouse_from_json(
@@ -180,12 +184,7 @@ def lighthouse_from_json(
     name = document["kind"]
     if "parts" in document:
         refuse_other_keys(f"{name} lighthouse", document, ("kind", "parts"))
-        parts = composed_from_json(
-            document["parts"], lambda part: lighthouse_from_json(part, map_, start)
-        )
-        if parts.kind != name:
-            raise InvalidWorld(f"lighthouse.kind = {show(name)}, but its parts are {parts.kind}")
-        return parts
+        return _of_parts(name, document["parts"], map_, start)
     if name in LIGHTHOUSES:
         kind, apart = LIGHTHOUSES[name], ["kind"]
         options = {key: document[key] for key in options_of(kind) if key in document}
@@ -198,6 +197,18 @@ def lighthouse_from_json(
     where = {key: document[key] for key in place_keys(kind) if key in document.keys() - options}
     place: Lighthouse = chosen.at(**where) if where else chosen.usual(map_, start)
     return place
+
+
+def _of_parts(name: str, parts: object, map_: CombinatorialMap, start: Dart) -> Composed:
+    if not isinstance(parts, list) or len(parts) < 2:
+        raise InvalidWorld(f"lighthouse.parts = {show(parts)} is no list of two lighthouses")
+    for part in parts:
+        if not isinstance(part, Mapping) or PLUS in str(part.get("kind")):
+            raise InvalidWorld(f"lighthouse.parts holds {show(part)}, which is no lighthouse")
+    found = Composed(tuple(lighthouse_from_json(part, map_, start) for part in parts))
+    if found.kind != name:
+        raise InvalidWorld(f"lighthouse.kind = {show(name)}, but its parts are {found.kind}")
+    return found
 
 
 def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:

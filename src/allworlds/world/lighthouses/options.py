@@ -1,7 +1,8 @@
-"""The options of a lighthouse, and checks of its places."""
+"""The options of a lighthouse."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, fields
 from functools import cache
@@ -9,9 +10,8 @@ from typing import Any, Literal, NamedTuple, TypeAlias, get_args, get_origin, ge
 
 from msgspec import Meta
 
-from allworlds.document.struct import ASIDE, IF_ANY, plain
+from allworlds.document.struct import ASIDE, IF_ANY
 from allworlds.inputs.checks import InputError, integer, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.importing import pairs_in
 
 
@@ -34,60 +34,10 @@ def the_integer(what: str, value: object) -> int:
         raise InvalidWorld(f"{what} = {show(value)} is not an integer") from None
 
 
-def check_at_start(what: str, dart: object, map_: CombinatorialMap, start: Dart) -> None:
-    """Raise InvalidWorld unless ``dart`` is a dart of the start's vertex."""
-    found = the_integer("lighthouse.dart", dart)
-    at_start = map_.vertices[map_.vertex_of[start]]
-    if found not in at_start:
-        raise InvalidWorld(
-            f"the lighthouse {what} dart {show(found)}, which is not at the start's vertex; "
-            f"legal are {', '.join(map(str, at_start))}"
-        )
-
-
-def check_leads_away(dart: object, map_: CombinatorialMap, start: Dart) -> None:
-    """Raise InvalidWorld unless ``dart`` leads from the start's vertex to another vertex."""
-    check_at_start("looks along", dart, map_, start)
-    v0 = map_.vertex_of[start]
-    if map_.vertex_of[map_.alpha[integer(dart)]] == v0:
-        legal = [d for d in map_.vertices[v0] if map_.vertex_of[map_.alpha[d]] != v0]
-        raise InvalidWorld(
-            f"lighthouse.dart = {show(dart)} leads back to the start's vertex, not to another one; "
-            f"legal are {', '.join(map(str, legal)) or 'none'}"
-        )
-
-
-def the_darts(values: object) -> tuple[Dart, ...]:
-    """The integers of a list; raise InvalidWorld if it is none."""
-    if not isinstance(values, list | tuple):
-        raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
-    return tuple(the_integer(f"lighthouse.darts[{i}]", value) for i, value in enumerate(values))
-
-
-def check_one_of_each_vertex(darts: Sequence[Dart], map_: CombinatorialMap) -> None:
-    """Raise InvalidWorld unless these are darts, one of each vertex."""
-    for dart in darts:
-        if dart not in map_.darts:
-            raise InvalidWorld(
-                f"lighthouse.darts names {show(dart)}, which is no dart; "
-                f"darts are 0..{len(map_.sigma) - 1}"
-            )
-    chosen = [map_.vertex_of[dart] for dart in darts]
-    for v, vertex in enumerate(map_.vertices):
-        if chosen.count(v) != 1:
-            raise InvalidWorld(
-                f"lighthouse.darts = {show(list(darts))} has {chosen.count(v)} darts of the "
-                f"vertex {show(list(vertex))}; it must have one of each vertex"
-            )
-
-
 OptionValue: TypeAlias = int | bool | str | tuple[str, ...]
 
 PLACE = ("dart", "darts", "parts")
 """The names of fields that say where a lighthouse stands, and are no options."""
-
-LONGEST = 18
-"""The digits of the largest integer that is read."""
 
 
 class FieldOption(NamedTuple):
@@ -97,14 +47,14 @@ class FieldOption(NamedTuple):
         default: the value where none is given; its type is that of every value.
         least, most: of an integer; None: there is no such limit.
         legal: of a tuple, the words that it may hold, each once.
-        told: whether a document holds it even if it is the default.
+        always: whether a document holds it even if it is the default.
     """
 
     default: OptionValue
     least: int | None = None
     most: int | None = None
     legal: tuple[str, ...] = ()
-    told: bool = True
+    always: bool = True
 
     def of_text(self, what: str, text: str) -> OptionValue:
         """The value of a text, as ``key=value`` has it; ``what`` names it.
@@ -113,52 +63,42 @@ class FieldOption(NamedTuple):
             InvalidWorld: naming the text and what would be legal.
         """
         value: object = text
-        match self.default:
-            case bool():
-                value = {"true": True, "false": False}.get(text, text)
-            case int():
-                digits = text.removeprefix("-")
-                known = digits.isascii() and digits.isdecimal() and len(digits) <= LONGEST
-                value = int(text) if known else text
-            case tuple():
-                value = text.split(",")
+        if isinstance(self.default, bool):
+            value = {"true": True, "false": False}.get(text, text)
+        elif isinstance(self.default, int) and re.fullmatch("-?[0-9]{1,18}", text):
+            value = int(text)
+        elif isinstance(self.default, tuple):
+            value = text.split(",")
         return self.checked(what, value)
 
-    def checked(self, what: str, value: object) -> OptionValue:
+    def checked(self, what: str, value: Any) -> OptionValue:
         """The value itself, of the type of the default; ``what`` names it.
 
         Raises:
             InvalidWorld: naming the value and what would be legal.
         """
-        match self.default:
-            case bool():
-                if type(value) is not bool:
-                    raise InvalidWorld(f"{what} = {show(value)} is neither true nor false")
-            case int():
-                return self._integer(what, value)
-            case str():
-                if not isinstance(value, str):
-                    raise InvalidWorld(f"{what} = {show(value)} is not a text")
-            case _:
-                return self._words(what, value)
-        return value
-
-    def _integer(self, what: str, value: object) -> int:
-        number = the_integer(what, value)
-        if self.least is not None and number < self.least:
-            raise InvalidWorld(f"{what} = {show(number)} is less than {self.least}, the least one")
-        if self.most is not None and number > self.most:
-            raise InvalidWorld(f"{what} = {show(number)} is more than {self.most}")
-        return number
-
-    def _words(self, what: str, value: object) -> tuple[str, ...]:
-        legal = f"legal are {', '.join(self.legal)}, each once"
-        if not isinstance(value, list | tuple) or not value:
-            raise InvalidWorld(f"{what} = {show(value)} is no list of words; {legal}")
-        for word in value:
-            if word not in self.legal or value.count(word) > 1:
-                raise InvalidWorld(f"{what} names {show(word)}; {legal}")
-        return tuple(value)
+        kind = type(self.default)
+        if kind is int:
+            value = the_integer(what, value)
+            if self.least is not None and value < self.least:
+                raise InvalidWorld(
+                    f"{what} = {show(value)} is less than {self.least}, the least one"
+                )
+            if self.most is not None and value > self.most:
+                raise InvalidWorld(f"{what} = {show(value)} is more than {self.most}")
+        elif kind is tuple:
+            legal = f"legal are {', '.join(self.legal)}, each once"
+            if not isinstance(value, list | tuple) or not value:
+                raise InvalidWorld(f"{what} = {show(value)} is no list of words; {legal}")
+            for word in value:
+                if word not in self.legal or value.count(word) > 1:
+                    raise InvalidWorld(f"{what} names {show(word)}; {legal}")
+            value = tuple(value)
+        elif not isinstance(value, kind):
+            wrong = "neither true nor false" if kind is bool else "not a text"
+            raise InvalidWorld(f"{what} = {show(value)} is {wrong}")
+        found: OptionValue = value
+        return found
 
 
 @cache
@@ -171,21 +111,20 @@ def options_of(kind: Any) -> dict[str, FieldOption]:
         return {}
     # The annotations of a class of the user's may be texts that mean nothing here.
     hints = get_type_hints(kind, include_extras=True) if kind.code is None else {}
-    found = {told.name: _option(told, hints.get(told.name)) for told in fields(kind)}
+    found = {each.name: _option(each, hints.get(each.name)) for each in fields(kind)}
     return {name: option for name, option in found.items() if option}
 
 
-def _option(told: Any, hint: Any) -> FieldOption | None:
+def _option(field: Any, hint: Any) -> FieldOption | None:
     notes = getattr(hint, "__metadata__", ())
-    kinds = int, str, bool, tuple
-    of_place = told.name in PLACE or ASIDE in notes
-    if of_place or not told.init or type(told.default) not in kinds:
+    of_place = field.name in PLACE or ASIDE in notes
+    if of_place or not field.init or type(field.default) not in (int, str, bool, tuple):
         return None
-    limits = [note for note in notes if isinstance(note, Meta)]
+    limits: Any = [note for note in notes if isinstance(note, Meta)]
     return FieldOption(
-        told.default,
-        next((note.ge for note in limits if note.ge is not None), None),  # type: ignore[arg-type]
-        next((note.le for note in limits if note.le is not None), None),  # type: ignore[arg-type]
+        field.default,
+        next((note.ge for note in limits if note.ge is not None), None),
+        next((note.le for note in limits if note.le is not None), None),
         _words_in(hint),
         IF_ANY not in notes,
     )
@@ -212,13 +151,13 @@ def kind_with(kind: Any, options: Mapping[str, OptionValue]) -> Any:
 
 @cache
 def _another_kind(kind: Any, options: tuple[tuple[str, OptionValue], ...]) -> Any:
-    given, names = dict(options), [told.name for told in fields(kind)]
+    given, names = dict(options), [each.name for each in fields(kind)]
 
     def place(_: object, *values: Any, **named: Any) -> Any:
         return kind(**{**given, **dict(zip(names, values, strict=False)), **named})
 
-    told = {"__new__": place, "__doc__": kind.__doc__, "__module__": kind.__module__}
-    return type(kind.__name__, (kind,), {**given, **told, "chosen": given})
+    own = {"__new__": place, "__doc__": kind.__doc__, "__module__": kind.__module__}
+    return type(kind.__name__, (kind,), {**given, **own, "chosen": given})
 
 
 def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
@@ -260,12 +199,6 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
     raise InvalidWorld(f"the lighthouse {show(name)} has no option {show(key)}; {legal}")
 
 
-def value_of(kind: Any, key: str) -> OptionValue:
-    """The value of an option that the places of a kind have."""
-    chosen: dict[str, OptionValue] = getattr(kind, "chosen", {})
-    return chosen.get(key, options_of(kind)[key].default)
-
-
 def values_in(place: Any) -> dict[str, OptionValue]:
     """The options of a place that have another value than the default."""
     kind: Any = type(place)
@@ -282,7 +215,7 @@ def ensure_legal(place: Any) -> None:
 
 def name_of(kind: Any) -> str:
     """The name of a kind, with its options."""
-    return named_with(kind, getattr(kind, "chosen", {}))
+    return named_with(kind, kind.chosen)
 
 
 def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:
@@ -294,35 +227,20 @@ def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:
 
 def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> str:
     """A name, a mark, and arguments; the words of a tuple stand without its key."""
-    told = [
+    texts = [
         ",".join(value)
         if isinstance(value, tuple)
         else f"{key}={str(value).lower() if isinstance(value, bool) else value}"
         for key, value in arguments.items()
     ]
-    return f"{name}{mark}{','.join(told)}" if told else name
-
-
-def written_as(place: Any) -> dict[str, Any]:
-    """The document of a place: its kind, its options, and where it is.
-
-    Of a class of the user's the options stand apart, with the content by which it is known.
-    """
-    kind: Any = type(place)
-    of, code, where = options_of(kind), kind.code, place_keys(kind)
-    told = {key: plain(getattr(place, key)) for key in where}
-    if code is not None:
-        options = code.arguments or values_in(place)
-        return {"kind": code.plain, "options": options, "digest": code.digest, **told}
-    usual = [key for key, option in of.items() if not option.told and told[key] == option.default]
-    return {"kind": place.kind, **{key: each for key, each in told.items() if key not in usual}}
+    return f"{name}{mark}{','.join(texts)}" if texts else name
 
 
 @cache
 def place_keys(kind: Any) -> tuple[str, ...]:
     """The fields that stand in a document beside the kind: of the user's, all but the options."""
     if kind.code is not None:
-        return tuple(told.name for told in fields(kind) if told.name not in options_of(kind))
+        return tuple(each.name for each in fields(kind) if each.name not in options_of(kind))
     hints = get_type_hints(kind, include_extras=True)
     notes = {key: getattr(hint, "__metadata__", ()) for key, hint in hints.items()}
-    return tuple(told.name for told in fields(kind) if ASIDE not in notes[told.name])
+    return tuple(each.name for each in fields(kind) if ASIDE not in notes[each.name])

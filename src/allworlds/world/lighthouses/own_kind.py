@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import copyreg
 import inspect
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, dataclass, fields
 from functools import cache, wraps
 from typing import Any
 
+from msgspec import ValidationError, convert, to_builtins
+
 from allworlds.inputs.checks import integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.actions import Action, Percept
+from allworlds.protocol.actions import Percept
 from allworlds.protocol.importing import attempted
 from allworlds.protocol.player import Told
 from allworlds.protocol.user_code import UserCode
@@ -68,157 +70,140 @@ def _is_method(value: object) -> bool:
     return isinstance(value, property | classmethod) or inspect.isfunction(value)
 
 
-def _named(kind: type[Lighthouse], code: UserCode) -> type[Lighthouse]:
-    """The class itself, which from now on names itself in errors, files and pickles."""
-    kind.kind, kind.code = code.plain, code
-    checks = _Checks(code.name, kind)
-    for name in METHODS:
-        owner = next((each for each in kind.__mro__ if name in vars(each)), Lighthouse)
-        theirs = not owner.__module__.startswith("allworlds.")
-        if theirs or name == "percepts":
-            _check(kind, name, checks, theirs=theirs)
-    copyreg.pickle(kind, _reduced)
-    return kind
-
-
 METHODS = [
     *(name for name, value in vars(Lighthouse).items() if name[0] != "_" and _is_method(value)),
     "__post_init__",
 ]
 """The methods that can be written anew: their errors are the user's."""
 
-LISTED = ("places", "percepts")
-"""Those that yield: they are called to their end."""
+
+def _named(kind: type[Lighthouse], code: UserCode) -> type[Lighthouse]:
+    """The class itself, which from now on names itself in errors, files and pickles."""
+    kind.kind, kind.code = code.plain, code
+    for name in METHODS:
+        owner = next((each for each in kind.__mro__ if name in vars(each)), Lighthouse)
+        theirs = not owner.__module__.startswith("allworlds.")
+        if theirs or name == "percepts":
+            _check(kind, code.name, name, theirs=theirs)
+    copyreg.pickle(kind, _reduced)
+    return kind
 
 
-def _check(kind: type[Lighthouse], method: str, checks: _Checks, *, theirs: bool) -> None:
+def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> None:
     """Let errors of a method of the user's name the lighthouse, and check what it returns."""
     found = inspect.getattr_static(kind, method)
     if not _is_method(found):  # a plain value in the place of a property
         value = found
         found = property(lambda _self: value)
     function: Any = found.fget if isinstance(found, property) else getattr(found, "__func__", found)
-    what = f"lighthouse {show(checks.name)}: {method} raises"
-    check = getattr(checks, method, None)
+    what = f"lighthouse {show(name)}: {method} raises"
+    check, legal = RETURNS.get(method, (None, ""))
 
     @wraps(function)
     def checked(self: Any, *args: Any, **keywords: Any) -> Any:
         def act() -> Any:
             returned = function(self, *args, **keywords)
-            return tuple(returned) if method in LISTED else returned
+            return tuple(returned) if method in ("places", "percepts") else returned
 
         returned = attempted(what, act, InvalidWorld) if theirs else act()
-        return check(returned, self, *args) if check else returned
+        try:
+            return check(returned, self, *args) if check else returned
+        except (TypeError, ValidationError):
+            raise InvalidWorld(
+                f"{method} of the lighthouse {show(name)} gives {shown(returned)}; legal is {legal}"
+            ) from None
 
     setattr(kind, method, checked if found is function else type(found)(checked))
 
 
-class _Checks:
-    """Checks of the values that the methods of these names return.
+# ---------------------------------------------------------------- the values of methods
 
-    Args:
-        name: of the lighthouse, for messages.
-        kind: its class.
-    """
 
-    def __init__(self, name: str, kind: type[Lighthouse]) -> None:
-        self.name, self.kind = name, kind
-
-    def places(
-        self, places: tuple[Any, ...], kind: type[Lighthouse], _map: CombinatorialMap, _start: Dart
-    ) -> Iterator[Lighthouse]:
-        """Places of the class, with the options that were asked for."""
-        chosen = getattr(kind, "chosen", {})
-        for place in places:
-            if type(place) is not self.kind or any(
-                getattr(place, key) != value for key, value in chosen.items()
-            ):
-                raise InvalidWorld(
-                    f"places of the lighthouse {show(self.name)} has {shown(place)}, which "
-                    "cls(...) has not made; write yield cls(...)"
-                )
-        return iter(places)
-
-    def percepts(
-        self, sensed: tuple[Any, ...], _self: Lighthouse, map_: CombinatorialMap
-    ) -> tuple[Percept, ...]:
-        """A percept for each dart, with its degree, in plain integers."""
-        if len(sensed) != len(map_.darts):
+def _places(
+    places: tuple[Any, ...], kind: type[Lighthouse], _map: CombinatorialMap, _start: Dart
+) -> Iterator[Lighthouse]:
+    """Places of the class, with the options that were asked for."""
+    chosen, code = kind.chosen, kind.code
+    for place in places:
+        fits = isinstance(place, Lighthouse) and place.code is code
+        if not fits or any(getattr(place, key) != value for key, value in chosen.items()):
+            assert code is not None
             raise InvalidWorld(
-                f"the lighthouse {show(self.name)} has {len(sensed)} percepts for "
-                f"{len(map_.darts)} darts"
+                f"places of the lighthouse {show(code.name)} has {shown(place)}, which "
+                "cls(...) has not made; write yield cls(...)"
             )
-        return tuple(self._percept(map_, dart, each) for dart, each in enumerate(sensed))
+    return iter(places)
 
-    def _percept(self, map_: CombinatorialMap, dart: Dart, percept: object) -> Percept:
-        degree = map_.degree_at[dart]
-        plain = _plain(percept) if type(percept) is Percept else None
-        if plain is None or plain.degree != degree or (plain.bearing or 0) >= degree:
-            raise InvalidWorld(
-                f"the lighthouse {show(self.name)} senses {show(percept)} at a dart of degree "
-                f"{degree}; legal is Percept(degree, marks, bearing) with that degree, marks from "
-                "0 on, and a bearing from 0 on and below the degree, or None"
-            )
-        return plain
 
-    def told(self, told: Any, _self: Lighthouse, _map: CombinatorialMap) -> Told:
-        """An integer, integers by their names, or None."""
-        try:
-            if isinstance(told, Mapping):
-                if all(isinstance(key, str) for key in told):
-                    return {str(key): integer(value) for key, value in told.items()}
-            else:
-                return None if told is None else integer(told)
-        except TypeError:
-            pass
-        raise self._wrong("told", told, "an integer, a dict of integers by their names, or None")
-
-    def in_hand(self, number: Any, _self: Lighthouse) -> int:
-        """A number of markers."""
-        return self._natural("in_hand", number)
-
-    def left_marks(self, marks: Any, _self: Lighthouse, *_asked: object) -> int:
-        """A number of marks."""
-        return self._natural("left_marks", marks)
-
-    def refusal(
-        self, text: Any, _self: Lighthouse, _action: object, _lying: int, _hand: int
-    ) -> str:
-        """A text."""
-        if not isinstance(text, str):
-            raise self._wrong("refusal", text, "a text, empty if the action is legal")
-        return text
-
-    def acted(
-        self, after: Any, _self: Lighthouse, _map: object, state: State, _action: Action
-    ) -> State:
-        """A state in which the robot has not moved."""
-        if type(after) is not State or after.dart != state.dart or not after.is_plain:
-            raise self._wrong("acted", after, "a State with the dart of the one before")
-        return after
-
-    def _natural(self, method: str, number: object) -> int:
-        try:
-            found = integer(number)
-        except TypeError:
-            found = -1
-        if found < 0:
-            raise self._wrong(method, number, "an integer from 0 on")
-        return found
-
-    def _wrong(self, method: str, value: object, legal: str) -> InvalidWorld:
-        return InvalidWorld(
-            f"{method} of the lighthouse {show(self.name)} gives {shown(value)}; legal is {legal}"
+def _percepts(
+    sensed: tuple[Any, ...], place: Lighthouse, map_: CombinatorialMap
+) -> tuple[Percept, ...]:
+    """A percept for each dart, with its degree, in plain integers."""
+    assert place.code is not None
+    name = show(place.code.name)
+    if len(sensed) != len(map_.darts):
+        raise InvalidWorld(
+            f"the lighthouse {name} has {len(sensed)} percepts for {len(map_.darts)} darts"
         )
+    found = []
+    for degree, percept in zip(map_.degree_at, sensed, strict=True):
+        try:
+            found.append(_percept(degree, percept))
+        except TypeError:
+            raise InvalidWorld(
+                f"the lighthouse {name} senses {show(percept)} at a dart of degree {degree}; legal "
+                "is Percept(degree, marks, bearing) with that degree, marks from 0 on, and a "
+                "bearing from 0 on and below the degree, or None"
+            ) from None
+    return tuple(found)
 
 
-def _plain(percept: Percept) -> Percept | None:
-    try:
-        degree, marks = integer(percept.degree), integer(percept.marks)
-        bearing = None if percept.bearing is None else integer(percept.bearing)
-    except TypeError:
-        return None
-    return Percept(degree, marks, bearing) if min(marks, bearing or 0) >= 0 else None
+def _percept(degree: int, given: Any) -> Percept:
+    if type(given) is not Percept or integer(given.degree) != degree:
+        raise TypeError
+    bearing = None if given.bearing is None else _natural(given.bearing)
+    if (bearing or 0) >= degree:
+        raise TypeError
+    return Percept(degree, _natural(given.marks), bearing)
+
+
+def _told(told: Any, *_asked: object) -> Told:
+    if isinstance(told, Mapping):
+        return {str.__str__(key): integer(value) for key, value in told.items()}
+    return None if told is None else integer(told)
+
+
+def _natural(number: Any, *_asked: object) -> int:
+    if (found := integer(number)) < 0:
+        raise TypeError
+    return found
+
+
+def _refusal(text: Any, *_asked: object) -> str:
+    return str.__str__(text)
+
+
+def _state(after: Any, _place: Lighthouse, _map: object, before: State, _action: object) -> State:
+    """A state of plain integers, in which the robot has not moved."""
+    plain = convert(to_builtins(after), State) if type(after) is State else None
+    if plain is None or plain.dart != before.dart:
+        raise TypeError
+    return plain
+
+
+RETURNS: dict[str, tuple[Callable[..., Any], str]] = {
+    "places": (_places, ""),
+    "percepts": (_percepts, ""),
+    "told": (_told, "an integer, a dict of integers by their names, or None"),
+    "in_hand": (_natural, "an integer from 0 on"),
+    "left_marks": (_natural, "an integer from 0 on"),
+    "refusal": (_refusal, "a text, empty if the action is legal"),
+    "acted": (_state, "a State with the dart of the one before"),
+}
+"""By method: its value in plain types, or a TypeError, and the legal values in words."""
+
+
+# ---------------------------------------------------------------- in other processes
 
 
 def _reduced(place: Lighthouse) -> tuple[Any, ...]:

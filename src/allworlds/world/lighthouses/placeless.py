@@ -38,7 +38,7 @@ TOLD: dict[ToldName, Callable[[CombinatorialMap], int]] = {
 """The numbers that can be told, by their names: of vertices, of edges, the diameter, the genus."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Knowledge(PlacelessLighthouse):
     """A lighthouse without marks: the robot is told some numbers of the world.
 

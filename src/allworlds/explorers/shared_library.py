@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import ctypes
-import hashlib
 import mmap
 import os
 import time
 from collections.abc import Generator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, Literal, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from allworlds.inputs.checks import InputError, existing_file, is_loop_of_links, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick as PickUp
 from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
 from allworlds.protocol.choices import KINDS, Choices
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.faults import ExplorerFault, FaultLaw
 from allworlds.protocol.player import Told
 
 
@@ -42,17 +41,13 @@ NOTHING = -1
 class CPercept(ctypes.Structure):
     """The C type ``struct allworlds_percept``."""
 
-    _fields_ = (
-        ("degree", ctypes.c_int32),
-        ("marks", ctypes.c_int32),
-        ("bearing", ctypes.c_int32),
-    )
+    _fields_ = tuple((name, ctypes.c_int32) for name in ("degree", "marks", "bearing"))
 
 
 class CAction(ctypes.Structure):
     """The C type ``struct allworlds_action``."""
 
-    _fields_ = (("kind", ctypes.c_int32), ("motion", ctypes.c_int32))
+    _fields_ = tuple((name, ctypes.c_int32) for name in ("kind", "motion"))
 
 
 _INTEGER, _ADDRESS = ctypes.c_int32, ctypes.c_void_p
@@ -93,27 +88,19 @@ class Library:
 
     Loading runs the user's code.
 
-    Attributes:
-        digest: SHA-256 of the file, in hexadecimal.
-        chooses: whether it takes choices.
-
     Raises:
         InputError: if it cannot be loaded, or is no library of an explorer.
     """
 
     def __init__(self, path: str) -> None:
-        file = library_path(path)
         try:
-            self.digest = hashlib.sha256(file.read_bytes()).hexdigest()
-            self._loaded = ctypes.CDLL(str(file))
+            self._loaded = ctypes.CDLL(str(library_path(path)))
         except OSError as error:
             said = str(error).split("\n", 1)[0]
             raise InputError(f"--native {show(path)} is no library that loads: {said}") from None
-        has_version, self.new, self.delete, self.start, self.step, self.answer, *more = (
-            self._function(name, path) for name in _FUNCTIONS
-        )
-        self.choose, self.quotient = more
-        self.chooses = self.choose is not None
+        functions = [self._function(name, path) for name in _FUNCTIONS]
+        has_version, self.new, self.delete, self.start, self.step, self.answer = functions[:6]
+        self.choose, self.quotient = functions[6:]
         version = has_version()
         if version != INTERFACE_VERSION:
             raise InputError(
@@ -150,33 +137,28 @@ T = TypeVar("T")
 _NO_ACCESS = 0
 
 
-class Guarded:
-    """Zeroed memory of ``size`` bytes, right in front of a page without access rights.
-
-    Args:
-        size: bytes, a multiple of 4.
+def guarded(kind: type[T]) -> T:
+    """A zeroed value of a type of :mod:`ctypes`, right in front of a page without access rights.
 
     Source: mprotect(2).
     """
+    size = ctypes.sizeof(kind)  # type: ignore[arg-type]
+    whole = -(-size // mmap.PAGESIZE) * mmap.PAGESIZE
+    # Private: a copy of the process, forked by the explorer, has memory of its own.
+    mine = mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS
+    pages = mmap.mmap(-1, whole + mmap.PAGESIZE, flags=mine)
+    start = ctypes.addressof(ctypes.c_char.from_buffer(pages))
+    protect = ctypes.CDLL(None, use_errno=True).mprotect
+    protect.argtypes = (ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int)
+    if protect(start + whole, mmap.PAGESIZE, _NO_ACCESS):
+        raise OSError(ctypes.get_errno(), "a page cannot be protected")
+    value: Any = kind.from_address(start + whole - size)  # type: ignore[attr-defined]
+    value.memory = pages  # keeps it
+    return cast("T", value)
 
-    def __init__(self, size: int) -> None:
-        page = mmap.PAGESIZE
-        whole = -(-size // page) * page
-        # Private: a copy of the process, forked by the explorer, has memory of its own.
-        mine = mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS
-        self._pages = mmap.mmap(-1, whole + page, flags=mine)
-        start = ctypes.addressof(ctypes.c_char.from_buffer(self._pages))
-        protect = ctypes.CDLL(None, use_errno=True).mprotect
-        protect.argtypes = (ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int)
-        if protect(start + whole, page, _NO_ACCESS):
-            raise OSError(ctypes.get_errno(), "a page cannot be protected")
-        self.address = start + whole - size
 
-    def as_a(self, kind: type[T]) -> T:
-        """The memory as a value of a type of :mod:`ctypes`."""
-        value: Any = kind.from_address(self.address)  # type: ignore[attr-defined]
-        value.memory = self  # keeps it
-        return cast("T", value)
+def _integers(length: int) -> ctypes.Array[ctypes.c_int32]:
+    return guarded(ctypes.c_int32 * length)
 
 
 THREADS_END = 0.5
@@ -192,18 +174,16 @@ class NativeExplorer:
 
     def __init__(self, library: Library) -> None:
         self.library = library
-        self._percept = Guarded(ctypes.sizeof(CPercept)).as_a(CPercept)
-        self._action = Guarded(ctypes.sizeof(CAction)).as_a(CAction)
-        self._here = Guarded(4).as_a(ctypes.c_int32 * 1)
-        self._capacity = 0
-        self._lists: list[Guarded] = []
+        self._percept, self._action = guarded(CPercept), guarded(CAction)
+        self._here, self._rooms = _integers(1), [_integers(ROOM) for _ in range(4)]
+        self._sensed = 0
         self._state: int | None = None
         self._picks: Any = None
 
     @property
     def keywords(self) -> frozenset[str]:
         """The keywords that the library takes besides percepts."""
-        return frozenset({"told", "choices"} if self.library.chooses else {"told"})
+        return frozenset({"told", "choices"} if self.library.choose else {"told"})
 
     def state(self) -> int:
         """The library's state, which is made at the first use.
@@ -218,9 +198,8 @@ class NativeExplorer:
         return self._state
 
     def handed(self) -> tuple[Any, ...]:
-        """Memory for percept, action and ``here``, and twice for sigma and alpha."""
-        sizes = (3, 2, 1, *(ROOM,) * 4)
-        return tuple(Guarded(4 * size).as_a(ctypes.c_int32 * size) for size in sizes)
+        """Memory for percept, action, ``here``, sigma and alpha."""
+        return tuple(map(_integers, (3, 2, 1, ROOM, ROOM)))
 
     def close(self) -> None:
         """Delete the state."""
@@ -239,90 +218,74 @@ class NativeExplorer:
         threads = threads_now()
         library, action, state = self.library, self._action, self.state()
         here, there = ctypes.addressof(self._percept), ctypes.addressof(action)
-        asked, number = _Asked(choices), _one_number(told)
+        asked = _Asked(choices)
         if library.choose is not None:
             self._picks = Pick(asked.pick)  # who may still ask a picker must find it
             library.choose(state, self._picks, None)
-        sensed = self._sense(first)
+        self._sensed = 0
+        self._sense(first)
         action.kind = action.motion = 0
-        library.start(state, here, number, there)
+        library.start(state, here, _one_number(told), there)
         while True:
             asked.complain()
             kind = action.kind
             if kind == MOVE:
-                sensed += self._sense((yield Move(action.motion)))
+                self._sense((yield Move(action.motion)))
             elif kind == CHECKPOINT:
-                sigma, alpha = self._said(library.answer, 2, state, sensed, "illegal-action")
+                sigma, alpha = self._said(library.answer, 2, "illegal-action")
                 yield Checkpoint(sigma, alpha, self._here[0])
             elif kind in (ANSWER, AMBIGUOUS):
-                read = self._estimate if kind == ANSWER else self._ambiguous
-                answer: Answer = read(state, sensed)
+                answer = self._estimate() if kind == ANSWER else self._ambiguous()
                 if left := threads_left(threads):
                     what = "a thread" if left == 1 else f"{left} threads"
                     raise ExplorerFault("crash", f"{what} left behind")
                 return answer
             elif kind in (DROP, PICK):
-                sensed += self._sense((yield Drop() if kind == DROP else PickUp()))
+                self._sense((yield Drop() if kind == DROP else PickUp()))
             else:
                 raise ExplorerFault("illegal-action", f"an action of kind {kind}")
             action.kind = action.motion = 0
             library.step(state, here, there)
 
-    def _sense(self, percept: Percept) -> int:
-        """Write the percept for the library; return its degree."""
+    def _sense(self, percept: Percept) -> None:
+        """Write the percept for the library."""
         ours = self._percept
+        self._sensed += percept.degree
         ours.degree, ours.marks = percept.degree, percept.marks
         ours.bearing = NOTHING if percept.bearing is None else percept.bearing
-        return percept.degree
 
-    def _said(
-        self,
-        function: Any,
-        lists: int,
-        state: int,
-        sensed: int,
-        law: Literal["illegal-action", "no-estimate"],
-    ) -> list[tuple[int, ...]]:
+    def _said(self, function: Any, lists: int, law: FaultLaw) -> list[tuple[int, ...]]:
         """Lists of integers, each with one entry for each dart, as the library fills them now."""
-        capacity = max(ROOM, sensed)
-        if capacity > self._capacity:
-            self._lists, self._capacity = [], capacity
-        # The guard stands behind the whole room: no less may be promised.
-        capacity = self._capacity
-        while len(self._lists) < lists:
-            self._lists.append(Guarded(4 * capacity))
+        if self._sensed > len(self._rooms[0]):
+            self._rooms = [_integers(2 * self._sensed) for _ in range(4)]
         self._here[0] = NOTHING
-        rooms = [guarded.address for guarded in self._lists[:lists]]
-        darts = function(state, capacity, *rooms, ctypes.addressof(self._here))
+        rooms, capacity = self._rooms[:lists], len(self._rooms[0])
+        addresses = map(ctypes.addressof, (*rooms, self._here))
+        darts = function(self.state(), capacity, *addresses)
         if not 0 <= darts <= capacity:
             raise ExplorerFault(law, f"{darts} darts, where there is room for {capacity}")
-        array = ctypes.c_int32 * darts
-        return [tuple(array.from_address(room)[:]) for room in rooms]
+        return [tuple(room[:darts]) for room in rooms]
 
-    def _estimate(self, state: int, sensed: int) -> Estimate:
-        sigma, alpha = self._said(self.library.answer, 2, state, sensed, "no-estimate")
+    def _estimate(self) -> Estimate:
+        sigma, alpha = self._said(self.library.answer, 2, "no-estimate")
         try:
             return Estimate(CombinatorialMap(sigma, alpha), self._here[0])
         except InvalidMap as error:
             raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
-    def _ambiguous(self, state: int, sensed: int) -> Ambiguous:
+    def _ambiguous(self) -> Ambiguous:
         quotient = self.library.quotient
         if quotient is None:
             there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
             raise ExplorerFault("illegal-action", there_is_none)
-        sigma, alpha, degree, marks = self._said(quotient, 4, state, sensed, "no-estimate")
+        sigma, alpha, degree, marks = self._said(quotient, 4, "no-estimate")
         return Ambiguous(sigma, alpha, degree, marks, self._here[0])
 
 
 def _one_number(told: Told) -> int:
-    """The one number that a library is told."""
-    if told is None:
-        return NOTHING
-    if isinstance(told, int):
-        return told
-    if len(told) > 1:
-        raise ExplorerFault("illegal-action", f"a library that is told {len(told)} numbers")
+    """The one number that a library is told; rules refuse a lighthouse that tells several."""
+    if told is None or isinstance(told, int):
+        return NOTHING if told is None else told
     return next(iter(told.values()), NOTHING)
 
 

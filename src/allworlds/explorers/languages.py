@@ -1,14 +1,16 @@
-"""The languages of skeletons: the files of each, and the commands that try an explorer."""
+"""The languages of skeletons: the files of each, and the commands that try an explorer.
+
+A skeleton is files that build and run, and are still wrong.  Those of a language lie in the folder
+of its name in ``skeletons``, each with ``.template`` after its own name.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from importlib.resources import files
-from importlib.resources.abc import Traversable
-from pathlib import PurePosixPath
+from pathlib import Path
 
 from msgspec import Struct
 
+SKELETONS = Path(__file__).with_name("skeletons")
 SUFFIX = ".template"
 
 
@@ -51,20 +53,9 @@ LANGUAGES = {
 """Every language with a skeleton."""
 
 
-def templates(lang: str) -> Iterator[tuple[str, str]]:
-    """The files of a language with their texts, sorted by their names."""
-    return templates_in(files("allworlds.explorers") / "skeletons" / lang)
-
-
-def templates_in(folder: Traversable) -> Iterator[tuple[str, str]]:
-    """The files of a skeleton with their texts, sorted by their names."""
-    for name, file in sorted(_below(folder, PurePosixPath())):
-        yield name, file.read_text(encoding="utf-8")
-
-
-def _below(folder: Traversable, name: PurePosixPath) -> Iterator[tuple[str, Traversable]]:
-    for entry in folder.iterdir():
-        if entry.is_dir():
-            yield from _below(entry, name / entry.name)
-        elif entry.name.endswith(SUFFIX):
-            yield str(name / entry.name.removesuffix(SUFFIX)), entry
+def templates(folder: Path) -> dict[str, str]:
+    """The texts of the files of a skeleton by their names, sorted."""
+    return {
+        file.relative_to(folder).as_posix().removesuffix(SUFFIX): file.read_text(encoding="utf-8")
+        for file in sorted(folder.rglob(f"*{SUFFIX}"))
+    }

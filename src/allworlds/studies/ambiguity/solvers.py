@@ -1,4 +1,8 @@
-"""Solvers of formulas, each in a way that can be stopped."""
+"""Solvers of formulas, each in a way that can be stopped; the only importer of z3 and pysat.
+
+``python -m allworlds.studies.ambiguity.solvers FORMULA PROOF`` is a process of its own for
+python-sat's CaDiCaL, which cannot be interrupted.
+"""
 
 from __future__ import annotations
 
@@ -14,28 +18,10 @@ from typing import Literal, TypeAlias
 from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.outcome import Disagreement
-from allworlds.studies.ambiguity.smt.formula import read_dimacs, write_dimacs
-from allworlds.studies.ambiguity.smt.pair import ALIKE, DIFFERENT
+from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT, dimacs, read_dimacs
 
 REQUIREMENTS = (DIFFERENT, ALIKE)
 """The sections of a formula that only together can rule out a pair."""
-
-
-def has_model_without(formula: Path, requirement: str) -> bool:
-    """Whether z3 finds a model of a formula's file, one requirement left out.
-
-    Raises:
-        ValueError: if the formula has no such section.
-    """
-    variables, clauses = read_dimacs(formula, leave_out=requirement)
-    weaker = formula.with_suffix(".control.cnf")
-    write_dimacs(weaker, variables, clauses)
-    try:
-        return solve_with_z3(weaker, Clock(None)).status == "sat"
-    finally:
-        weaker.unlink()
-
 
 Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 
@@ -44,10 +30,6 @@ OLDEST = 2
 
 LONGEST_WAIT = 10**6
 """The most seconds that a solver can be waited for: both count milliseconds in 32 bits."""
-
-
-class SolversDisagree(Disagreement):
-    """Two solvers gave two answers to one formula: a fault of this program, or of theirs."""
 
 
 class SolverAnswer(Struct, frozen=True):
@@ -60,32 +42,30 @@ class SolverAnswer(Struct, frozen=True):
 UNKNOWN = SolverAnswer("unknown")
 
 
-class Clock:
-    """The time that is left; ``seconds`` None means any time."""
+def has_model_without(formula: Path, requirement: str) -> bool:
+    """Whether z3 finds a model of a formula's file, one requirement left out.
 
-    def __init__(self, seconds: float | None) -> None:
-        self._end = None if seconds is None else monotonic() + seconds
+    Raises:
+        ValueError: if the formula has no such section.
+    """
+    import z3
 
-    @property
-    def left(self) -> float | None:
-        """Seconds until the time is over, at least 0; None without a limit."""
-        return None if self._end is None else max(self._end - monotonic(), 0.0)
-
-    @property
-    def over(self) -> bool:
-        """Whether no time is left."""
-        return self.left == 0.0
+    solver = z3.Solver()
+    solver.from_string("\n".join(dimacs(*read_dimacs(formula, leave_out=requirement))))
+    found: bool = solver.check() == z3.sat
+    return found
 
 
-def solve_with_z3(formula: Path, clock: Clock) -> SolverAnswer:
+def solve_with_z3(formula: Path, deadline: float | None) -> SolverAnswer:
     """The answer of z3; unknown when the time is over."""
     import z3
 
-    if clock.over:
+    left = _seconds_left(deadline)
+    if left == 0:
         return UNKNOWN
     solver = z3.Solver()
-    if clock.left is not None:
-        solver.set("timeout", max(int(clock.left * 1000), 1))
+    if left is not None:
+        solver.set("timeout", max(int(left * 1000), 1))
     solver.from_file(str(formula))
     verdict = solver.check()
     if verdict == z3.unsat:
@@ -103,16 +83,26 @@ def python_sat_is_installed() -> bool:
     return find_spec("pysat") is not None
 
 
-def solve_with_python_sat(formula: Path, proof: Path, clock: Clock) -> SolverAnswer:
+def solve_with_python_sat(formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
     """The answer of python-sat's CaDiCaL, with a DRAT proof in ``proof`` when unsat."""
-    command = [
-        sys.executable,
-        "-m",
-        "allworlds.studies.ambiguity.smt.cadical_child",
-        str(formula),
-        str(proof),
-    ]
-    return _solve_with_process(command, clock)
+    return _solve_with_process([sys.executable, "-m", __name__], formula, proof, deadline)
+
+
+def solve_here(formula: str, proof: str) -> None:
+    """Solve the DIMACS file by python-sat, and print the verdict as solvers do.
+
+    When unsat, write a DRAT proof.
+    """
+    from pysat.formula import CNF
+    from pysat.solvers import Cadical153
+
+    with Cadical153(bootstrap_with=CNF(from_file=formula).clauses, with_proof=True) as solver:
+        if solver.solve():
+            sys.stdout.write(f"s SATISFIABLE\nv {' '.join(map(str, solver.get_model()))} 0\n")
+        else:
+            lines = "".join(line + "\n" for line in solver.get_proof())
+            Path(proof).write_text(lines, encoding="ascii")
+            sys.stdout.write("s UNSATISFIABLE\n")
 
 
 class ExternalSolver(Struct, frozen=True):
@@ -139,23 +129,30 @@ class ExternalSolver(Struct, frozen=True):
                 f"legal is CaDiCaL {OLDEST} or later"
             )
 
-    def solve(self, formula: Path, proof: Path, clock: Clock) -> SolverAnswer:
+    def solve(self, formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
         """The program's answer, with an LRAT proof in ``proof`` when unsat."""
-        options = ["-q", "--lrat", "--no-binary"]
-        return _solve_with_process([self.path, *options, str(formula), str(proof)], clock)
+        command = [self.path, "-q", "--lrat", "--no-binary"]
+        return _solve_with_process(command, formula, proof, deadline)
 
 
-def _solve_with_process(command: Sequence[str], clock: Clock) -> SolverAnswer:
+def _solve_with_process(
+    command: Sequence[str], formula: Path, proof: Path, deadline: float | None
+) -> SolverAnswer:
     """The verdict and the model that a solver prints.
 
     Raises:
         RuntimeError: if it prints no verdict.
     """
-    if clock.over:
+    left = _seconds_left(deadline)
+    if left == 0:
         return UNKNOWN
     try:
         ran = subprocess.run(  # noqa: S603  # as above
-            command, capture_output=True, text=True, timeout=clock.left, check=False
+            [*command, str(formula), str(proof)],
+            capture_output=True,
+            text=True,
+            timeout=left,
+            check=False,
         )
     except subprocess.TimeoutExpired:
         return UNKNOWN
@@ -168,3 +165,12 @@ def _solve_with_process(command: Sequence[str], clock: Clock) -> SolverAnswer:
     if "s UNKNOWN" in lines or "c UNKNOWN" in lines:
         return UNKNOWN
     raise RuntimeError(f"{command[0]} printed no verdict: {(ran.stderr or ran.stdout)[-500:]}")
+
+
+def _seconds_left(deadline: float | None) -> float | None:
+    """Seconds until the deadline, at least 0; None without one."""
+    return None if deadline is None else max(deadline - monotonic(), 0.0)
+
+
+if __name__ == "__main__":
+    solve_here(*sys.argv[1:])

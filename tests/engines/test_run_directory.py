@@ -10,10 +10,10 @@ from msgspec import Struct
 
 from allworlds import check
 from allworlds.document.struct import replace
-from allworlds.engines import database
-from allworlds.engines.database import FILE, SCHEMA, Identity, checksum, reading
+from allworlds.engines import run_directory
+from allworlds.engines.job_records import Identity
 from allworlds.engines.progress import Silent
-from allworlds.engines.run_directory import records_in
+from allworlds.engines.run_directory import FILE, SCHEMA, checksum, reading, records_in
 from allworlds.inputs.checks import InputError
 
 JOB = Identity(
@@ -129,9 +129,9 @@ def test_a_directory_in_use_is_refused(finished, monkeypatch):
 
 
 def test_a_creation_that_was_ended_is_begun_anew(tmp_path):
-    (tmp_path / database.DRAFT).write_bytes(b"SQLite format 3\0, and no more")
+    (tmp_path / run_directory.DRAFT).write_bytes(b"SQLite format 3\0, and no more")
     assert opened(tmp_path) == [None] * 10
-    assert not (tmp_path / database.DRAFT).exists()
+    assert not (tmp_path / run_directory.DRAFT).exists()
 
 
 @pytest.mark.parametrize(
@@ -225,11 +225,10 @@ def test_a_flipped_byte_is_detected_or_harms_nothing(tmp_path):
     assert len(inside) <= refused < len(inside) + len(anywhere)
 
 
-@pytest.mark.usefixtures("compiled")
 def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
     said = []
     whole = check(edges=4, engine="kernel").to_json()
-    real = database._write_ahead
+    real = run_directory._write_ahead
 
     def small(connection):
         real(connection)
@@ -238,14 +237,14 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
     class Hears(Silent):
         notice = staticmethod(said.append)
 
-    monkeypatch.setattr(database, "_write_ahead", small)
+    monkeypatch.setattr(run_directory, "_write_ahead", small)
     assert check(edges=4, engine="kernel", run=tmp_path, listener=Hears()).to_json() == whole
     (line,) = [text for text in said if "run directory" in text]
     assert "takes no more: database or disk is full; what it holds is kept" in line
     with reading(tmp_path) as read:
         kept = read.keys()
     assert 0 < len(kept) < 20
-    monkeypatch.setattr(database, "_write_ahead", real)
+    monkeypatch.setattr(run_directory, "_write_ahead", real)
     assert check(edges=4, engine="kernel", run=tmp_path).to_json() == whole
     with reading(tmp_path) as read:
         assert set(kept) < set(read.keys())

@@ -1,4 +1,4 @@
-"""Simple maps by the atlas of graphs: rotation systems of every graph with few vertices."""
+"""A second source for simple maps: rotation systems of every graph of the graph atlas."""
 
 from __future__ import annotations
 

@@ -7,14 +7,14 @@ import pytest
 
 from allworlds import check
 from allworlds.document.struct import replace
-from allworlds.engines.kept_form import from_kept, to_kept
+from allworlds.engines.job_records import from_kept, to_kept
 from allworlds.engines.kernel.schedules import ScheduleCosts
 from allworlds.engines.tally import AtRun, Row, Tally
 from allworlds.inputs.checks import InputError
 from allworlds.maps import Quotient
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.marked_worlds import SensedParts
-from allworlds.studies.compare.contestants import CostsOfAll, CostTally
+from allworlds.studies.compare.entrants import CostsOfAll, CostTally
 from allworlds.studies.count import Counted
 from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
@@ -37,14 +37,14 @@ def tally(kind=Tally):
 
 def costs():
     found = tally(CostTally)
-    found.costs[(1, 2, (0, 1), (1, 0)), 0] = 3
+    found.costs[1, 2, (0, 1), (1, 0)] = {0: 3}
     return found
 
 
 RESULTS = {
     "counted": lambda: Counted(Counter({(2, 0): 3}), Counter({(2, 0): 4})),
     "parts": lambda: SensedParts(5, Counter({(2, 1): 3}), {"q": {"code": {"sigma": [0]}}}),
-    "schedules": lambda: ScheduleCostsBySize.of([ScheduleCosts(2, 1, 3, 2, 1, 0, (0, 1), (1, 0))]),
+    "schedules": lambda: ScheduleCostsBySize({2: ScheduleCosts(2, 1, 3, 2, 1, 0, (0, 1), (1, 0))}),
     "tally": tally,
     "costs": costs,
     "side by side": lambda: CostsOfAll({0: costs(), 2: CostTally(1)}),

@@ -1,7 +1,8 @@
-"""Request of ``run``: an explorer, a world and the rules."""
+"""``run``: one world, told step by step."""
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any
@@ -9,10 +10,13 @@ from typing import Annotated, Any
 from allworlds.document.report import Report
 from allworlds.document.struct import Text, about
 from allworlds.engines.effort import AskedPatience
+from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
+from allworlds.explorers.loading import HASH_SEED
 from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.inputs.requests import RULES, Option, Taken
+from allworlds.inputs.requests import RULES, Option, Taken, answers
 from allworlds.judging.findings.rules import AskedRules
-from allworlds.world.named import AskedWorld
+from allworlds.world.lighthouses.kinds import kind_of
+from allworlds.world.named import WorldOptions
 from allworlds.world.world import World
 
 
@@ -29,7 +33,7 @@ def _indices(choices: object) -> tuple[int, ...]:
     return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
 
 
-class AskedRun(AskedPatience, AskedRules, AskedWorld):
+class AskedRun(AskedPatience, AskedRules, WorldOptions):
     """Options for one run: the world, how it is played and judged."""
 
     choices: Annotated[
@@ -63,3 +67,31 @@ class WorldNames(Report):
     maps: Annotated[tuple[Text, ...], about("small maps")]
     families: Annotated[tuple[Text, ...], about("families of maps, small or large")]
     corpus: Annotated[tuple[Text, ...], about("worlds of the corpus")]
+
+
+@answers(RunRequest)
+def run(request: RunRequest) -> SingleRun:
+    """Run an explorer once, and judge the run.
+
+    A user's explorer that another process can import is played in a process of its own, as in a
+    check; any other one in this process. Its hash seed is the one in the environment variable
+    ``PYTHONHASHSEED``, if it is set.
+
+    Raises:
+        InputError: naming the offending option and what would be legal, or the first choice
+            that was not taken.
+    """
+    limits = request.patience
+    subject = subject_of(request.explore, limits)
+    world = request.meant(request.world, subject.lighthouse)
+    rules = request.rules_of(subject, kind_of(world.lighthouse))
+    played = single_run(subject, world, rules, request.choices, limits, _asked_hash_seed())
+    if unused := unused_choice(request.choices, played):
+        raise InputError(unused)
+    return played
+
+
+def _asked_hash_seed() -> int | None:
+    """The hash seed that the environment names; None if it names none."""
+    seed = os.environ.get(HASH_SEED, "")
+    return int(seed) if re.fullmatch("[0-9]{1,9}", seed) else None

@@ -1,0 +1,407 @@
+"""Random mutants of the source, and how many of them the quick tests kill.
+
+    python benchmarks/mutants.py --number 200 --seed 1 [--wing judging ...] [--in DIR] [--out FILE]
+
+A mutant is one small change of one line: another comparison, operator or constant, a bound or a
+statement less, None for a result.  Texts, annotations, declarations of classes, assertions and what
+numba compiles stay as they are.  Lines are drawn uniformly, then one change of each; the same seed
+on the same source draws the same mutants.
+
+All happens in a copy of the project, which holds all mutants at once, each behind the question
+whether it is active.  The quick tests run once without any, and tell which tests meet the place of
+which mutant, in whichever process.  Then each mutant becomes active in a fork after the collection
+of the tests, and tests run that meet it: those of the module's own file first, then one of each
+kind, the quickest first, until one fails.  A mutant that makes them take several times as long is
+killed, too, by the deadline.  What is met before the first test, as a default, is tried in a new
+process, with the tests of the own file and of those that name what is changed.
+
+Exit code 1: a mutant survives that is not in the list of the equivalent ones.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import json
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+import venv
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).parents[1]
+SOURCE = "src/allworlds"
+EQUIVALENT = Path(__file__).with_name("equivalent_mutants.toml")
+
+OTHER: dict[type[Any], type[Any]] = {
+    ast.Eq: ast.NotEq, ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
+    ast.In: ast.NotIn, ast.NotIn: ast.In, ast.And: ast.Or, ast.Or: ast.And,
+    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt,
+    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.FloorDiv, ast.FloorDiv: ast.Mult,
+    ast.Div: ast.Mult, ast.Mod: ast.FloorDiv, ast.Pow: ast.Mult, ast.MatMult: ast.Mult,
+    ast.LShift: ast.RShift, ast.RShift: ast.LShift,
+    ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd, ast.BitXor: ast.BitAnd,
+}  # fmt: skip
+"""The operator that stands in a mutant in the place of another."""
+
+
+@dataclass
+class Mutant:
+    """One change of one line, and what became of it.
+
+    Attributes:
+        file: its path in the project.
+        line: the first line of what is changed.
+        start, end: what is changed, in bytes of the file; nothing, if a statement is left out.
+        before, after: the text, and what stands there instead.
+        name: of the function, or of what gets a value, where it is met before any test.
+        tests: those that meet it.
+        tried: how many tests were run with it.
+        killed_by: a test or the deadline; empty: it survives.
+    """
+
+    file: str
+    line: int
+    start: int
+    end: int
+    before: str
+    after: str
+    name: str
+    early: bool
+    tests: set[str] = field(default_factory=set)
+    tried: int = 0
+    killed_by: str = ""
+
+    @property
+    def change(self) -> tuple[str, str, str]:
+        """The name by which the list of equivalent mutants knows it."""
+        return self.file, self.before, self.after
+
+    @property
+    def wing(self) -> str:
+        """The folder of the package, or ``ground`` for the modules beside the folders."""
+        inner = Path(self.file).relative_to(SOURCE).parts
+        return inner[0] if len(inner) > 1 else "ground"
+
+
+def changed(node: ast.AST) -> Iterator[tuple[Any, str]]:
+    """Yield the parts of a node that a mutant changes, each with what stands there instead."""
+    match node:
+        case ast.Compare(left=left, ops=ops, comparators=comparators):
+            for place, op in enumerate(ops):
+                others = [*ops[:place], OTHER[type(op)](), *ops[place + 1 :]]
+                yield node, ast.unparse(ast.Compare(left, others, comparators))
+        case ast.BoolOp(op=op, values=values):
+            yield node, ast.unparse(ast.BoolOp(OTHER[type(op)](), values))
+        case ast.BinOp(left, op, right) if not any(map(_is_text, (left, right))):
+            yield node, ast.unparse(ast.BinOp(left, OTHER[type(op)](), right))
+        case ast.UnaryOp(op=ast.Not(), operand=operand):
+            yield node, ast.unparse(operand)
+        case ast.Constant(value=bool(value)):
+            yield node, str(not value)
+        case ast.Constant(value=int(value)):
+            yield from ((node, str(value + 1)), (node, str(value - 1)))
+        case ast.Slice(lower=lower, upper=upper):
+            yield from ((bound, "None") for bound in (lower, upper) if bound)
+        case ast.Return(value=ast.expr() as value) if ast.unparse(value) not in ("None", "False"):
+            yield value, "None"
+        case (
+            ast.Expr(value=ast.Call())
+            | ast.Assign(targets=[ast.Attribute() | ast.Subscript()])
+            | ast.AugAssign()
+            | ast.Raise()
+            | ast.Continue()
+            | ast.Break()
+        ):
+            yield node, "pass"
+
+
+def _is_text(node: ast.expr) -> bool:
+    """Whether it is a text that is written out: what is joined to it is no number."""
+    return isinstance(node, ast.JoinedStr) or isinstance(getattr(node, "value", 0), str | bytes)
+
+
+def inner(node: ast.AST) -> Iterator[ast.AST]:
+    """Yield the parts of a node in which a mutant may be."""
+    match node:
+        case ast.JoinedStr() | ast.Raise() | ast.Assert():
+            pass
+        case ast.If(test=ast.Name(id="TYPE_CHECKING"), orelse=orelse):
+            yield from orelse
+        case ast.Assign(targets=[ast.Name(id="__all__")]):
+            pass
+        case ast.AnnAssign(annotation=annotation, value=value):
+            yield from (value,) if value and ast.unparse(annotation) != "TypeAlias" else ()
+        case ast.FunctionDef(args=arguments, body=body):
+            yield from filter(None, (*arguments.defaults, *arguments.kw_defaults))
+            yield from body
+        case ast.ClassDef(body=body):
+            yield from body
+        case ast.match_case(guard=guard, body=body):
+            yield from filter(None, (guard, *body))
+        case _:
+            yield from ast.iter_child_nodes(node)
+
+
+def _compiled(node: ast.AST, file: str) -> bool:
+    """Whether numba compiles a function: in the kernel those have no types."""
+    return isinstance(node, ast.FunctionDef) and "/kernel/" in file and node.returns is None
+
+
+def mutants_of(file: str, text: bytes) -> Iterator[Mutant]:
+    """Yield all mutants of a file."""
+    starts = [0]
+    for line in text.splitlines(keepends=True):
+        starts.append(starts[-1] + len(line))
+
+    def below(node: Any, name: str, *, early: bool) -> Iterator[Mutant]:
+        if isinstance(node, ast.stmt) and early:
+            name = next(_names(node), name)
+        for part, after in changed(node):
+            if early and "|" in ast.unparse(part):  # of types
+                continue
+            start = starts[part.lineno - 1] + part.col_offset
+            end = starts[part.end_lineno - 1] + part.end_col_offset
+            before = ast.unparse(part)
+            yield Mutant(file, part.lineno, start, end, before, after, name, early)
+        for part in inner(node):
+            if not _compiled(part, file):
+                function = isinstance(node, ast.FunctionDef) and isinstance(part, ast.stmt)
+                outside = isinstance(node, ast.Module | ast.ClassDef)
+                yield from below(part, name, early=not function and (early or outside))
+
+    yield from below(ast.parse(text), "", early=True)
+
+
+def _names(statement: ast.stmt) -> Iterator[str]:
+    """Yield the names to which a statement gives a value."""
+    if isinstance(statement, ast.FunctionDef | ast.ClassDef):
+        yield statement.name
+    for node in ast.walk(statement):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.id
+
+
+def with_all(text: bytes, mutants: dict[int, Mutant]) -> bytes:
+    """The text of a file with mutants, by their numbers, each behind its question."""
+    edits = list[tuple[int, int, int, str]]()
+    for number, each in mutants.items():
+        if each.after == "pass":
+            edits.append((each.start, 1, -len(text), f"if not _mutated({number}): "))
+        else:
+            before = f"(({each.after}) if _mutated({number}) else ("
+            edits.append((each.start, 1, -each.end, before))
+            edits.append((each.end, 0, -each.start, "))"))
+    pieces, done = list[bytes](), 0
+    for place, _, _, new in sorted(edits):
+        pieces += (text[done:place], new.encode())
+        done = place
+    return b"".join((*pieces, text[done:]))
+
+
+def drawn(texts: dict[str, bytes], wings: Sequence[str], seed: int) -> list[Mutant]:
+    """One mutant of each line, in an order that is drawn."""
+    by_line: dict[tuple[str, int], list[Mutant]] = defaultdict(list)
+    for file, text in texts.items():
+        for mutant in mutants_of(file, text):
+            if not wings or mutant.wing in wings:
+                by_line[file, mutant.line].append(mutant)
+    chance = random.Random(seed)
+    order = list(by_line.values())
+    chance.shuffle(order)
+    return [chance.choice(each) for each in order]
+
+
+class Copy:
+    """A copy of the project, with an environment of its own and mutants by their numbers."""
+
+    def __init__(self, place: Path) -> None:
+        self.tree = place / "tree"
+        self.notes = place / "notes.jsonl"
+        self.to_try = place / "to_try.json"
+        self.python = self.tree / ".venv/bin/python"
+        self.seconds: dict[str, float] = defaultdict(float)
+
+    def make(self, texts: dict[str, bytes], mutants: dict[int, Mutant]) -> None:
+        """Copy all files that git knows or would take, put the mutants in, generate the schemas."""
+        shutil.rmtree(self.tree, ignore_errors=True)
+        command = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+        listed = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
+        for name in filter(None, listed.stdout.split("\0")):
+            if (ROOT / name).exists():
+                (self.tree / name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(ROOT / name, self.tree / name, follow_symlinks=False)
+        for file, text in texts.items():
+            of_file = {number: each for number, each in mutants.items() if each.file == file}
+            if of_file:
+                (self.tree / file).write_bytes(with_all(text, of_file))
+        venv.create(self.tree / ".venv", with_pip=False)
+        packages = next((self.tree / ".venv/lib").glob("python*/site-packages"))
+        paths = [self.tree / "src", *(each for each in sys.path if "site-packages" in each)]
+        lines = (*map(str, paths), "import mutants_pytest")
+        packages.joinpath("copy.pth").write_text("\n".join(lines) + "\n")
+        shutil.copy(self.tree / "benchmarks/mutants_pytest.py", packages)
+        script = self.python.with_name("allworlds")
+        script.write_text(
+            f"#!{self.python}\nimport sys\nfrom allworlds.cli import main\nsys.exit(main())\n"
+        )
+        script.chmod(0o755)
+        schemas = f"from pathlib import Path as P; main(P('{SOURCE}/schemas'))"
+        code = f"from allworlds.reports.schemas import main; {schemas}"
+        subprocess.run([self.python, "-c", code], cwd=self.tree, check=True)
+
+    def pytest(self, *arguments: str, **environment: str) -> list[list[Any]]:
+        """Run tests, and return what they note."""
+        self.notes.write_text("")
+        subprocess.run(
+            [self.python, "-m", "pytest", "-q", "-p", "mutants_pytest", *arguments],
+            cwd=self.tree,
+            check=False,
+            stdin=subprocess.DEVNULL,
+            stdout=self.notes.with_name("pytest.txt").open("a"),
+            stderr=subprocess.STDOUT,
+            env={**os.environ, "MUTANTS_NOTES": str(self.notes), **environment},
+        )
+        return [json.loads(line) for line in self.notes.read_text().splitlines()]
+
+    def meet(self, mutants: dict[int, Mutant], arguments: Sequence[str]) -> None:
+        """Run the quick tests without a mutant, and give to each mutant the tests that meet it."""
+        notes = self.pytest(*arguments)
+        users: dict[str, set[str]] = defaultdict(set)
+        failed = set[str]()
+        for kind, *words in notes:
+            if kind == "uses":
+                users[words[1]].add(words[0])
+            elif kind == "took":
+                self.seconds[words[0]] += words[1]
+                failed |= {words[0]} if words[2] else set()
+        if not self.seconds:
+            sys.exit(f"mutants: no test has run: see {self.notes.with_name('pytest.txt')}")
+        for test in failed:
+            del self.seconds[test]
+        for kind, *words in notes:
+            if kind == "met":
+                mutant = mutants[words[0]]
+                mutant.early |= not words[1]
+                mutant.tests |= (users.get(words[1]) or {words[1]}) & self.seconds.keys()
+        print(f"{len(self.seconds)} tests pass without a mutant, {len(failed)} fail", flush=True)
+
+    def chosen(self, mutant: Mutant, seconds: float) -> list[str]:
+        """The tests to run with a mutant, in their order."""
+        own = f"/test_{Path(mutant.file).stem}.py::"
+        naming = self._files_that_name(mutant.name) if mutant.early and mutant.name else set()
+        tests = {
+            test
+            for test in self.seconds
+            if test in mutant.tests or own in test or test.partition("::")[0] in naming
+        }
+        variants: Counter[str] = Counter()
+        order = list[tuple[bool, bool, int, float, str]]()
+        for test in sorted(tests, key=lambda each: (self.seconds[each], each)):
+            kind = test.partition("[")[0]
+            meets = test in mutant.tests
+            order.append((own not in test, not meets, variants[kind], self.seconds[test], test))
+            variants[kind] += 1
+        chosen = list[str]()
+        for *_, test in sorted(order):
+            seconds -= self.seconds[test]
+            if seconds > 0:
+                chosen.append(test)
+        files = list(dict.fromkeys(test.partition("::")[0] for test in chosen))
+        return sorted(chosen, key=lambda each: files.index(each.partition("::")[0]))
+
+    def _files_that_name(self, name: str) -> set[str]:
+        paths = self.tree.joinpath("tests").rglob("test_*.py")
+        return {str(each.relative_to(self.tree)) for each in paths if name in each.read_text()}
+
+    def try_all(self, mutants: dict[int, Mutant], seconds: float) -> None:
+        """Try mutants after the collection of tests; those that are met before it, from anew."""
+        to_try = []
+        for number, mutant in mutants.items():
+            tests = self.chosen(mutant, seconds)
+            mutant.tried = len(tests)
+            deadline = 30 + 8 * sum(self.seconds[test] for test in tests)
+            to_try.append((number, tests, deadline))
+        self._try(mutants, to_try)
+        for number, tests, deadline in to_try:
+            mutant = mutants[number]
+            if mutant.early and not mutant.killed_by:
+                files = sorted({test.partition("::")[0] for test in tests})
+                self._try(mutants, [(number, tests, deadline)], *files, MUTANT=str(number))
+
+    def _try(self, mutants: dict[int, Mutant], to_try: Any, *files: str, **active: str) -> None:
+        self.to_try.write_text(json.dumps(to_try))
+        notes = self.pytest("-x", *files, MUTANTS_TO_TRY=str(self.to_try), **active)
+        ended = {words[0]: words[1] for kind, *words in notes if kind == "ended"}
+        killers = {words[0]: words[1] for kind, *words in notes if kind == "killed"}
+        for number, _, _ in to_try:
+            killer = killers.get(number) or ended.get(number, "the collection of tests")
+            mutants[number].killed_by = killer
+            name = f"{mutants[number].file}:{mutants[number].line}"
+            print(f"{name}: {killer or 'SURVIVES'}", flush=True)
+
+
+def table(mutants: Sequence[Mutant], known: dict[tuple[str, str, str], str]) -> str:
+    """The numbers of each wing and of all."""
+    text = f"{'':12}{'mutants':>9}{'killed':>9}{'survive':>9}{'equivalent':>12}\n"
+    for wing in (*sorted({each.wing for each in mutants}), "all"):
+        of_wing = [each for each in mutants if wing in (each.wing, "all")]
+        killed = sum(bool(each.killed_by) for each in of_wing)
+        equivalent = sum(not each.killed_by and each.change in known for each in of_wing)
+        survive = len(of_wing) - killed - equivalent
+        share = killed / max(killed + survive, 1)
+        text += f"{wing:12}{len(of_wing):9}{killed:9}{survive:9}{equivalent:12}{share:9.1%}\n"
+    return text
+
+
+def main() -> int:
+    """Draw, try and count."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--number", type=int, default=60, help="how many mutants")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--wing", action="append", default=[], help="of these folders alone")
+    parser.add_argument("--in", dest="place", type=Path, help="keep the copy here")
+    parser.add_argument("--out", type=Path, help="write a JSON document here")
+    parser.add_argument("--seconds", type=float, default=60, help="tests of one mutant at most")
+    parser.add_argument("pytest", nargs="*", help="for the run without a mutant, as -- -n auto")
+    options = parser.parse_args()
+    known = {
+        (each["file"], each["before"], each["after"]): each["reason"]
+        for each in tomllib.loads(EQUIVALENT.read_text()).get("mutant", ())
+    }
+    paths = sorted((ROOT / SOURCE).rglob("*.py"))
+    texts = {str(each.relative_to(ROOT)): each.read_bytes() for each in paths}
+    order = drawn(texts, options.wing, options.seed)[: options.number * 3 // 2]
+    mutants = dict(enumerate(order, start=1))
+    with tempfile.TemporaryDirectory() as temporary:
+        copy = Copy((options.place or Path(temporary)).resolve())
+        copy.make(texts, mutants)
+        copy.meet(mutants, options.pytest)
+        met = [number for number, each in mutants.items() if each.tests or each.early]
+        chosen = {number: mutants[number] for number in met[: options.number]}
+        copy.try_all(chosen, options.seconds)
+    idle = [
+        each for number, each in mutants.items() if number < max(chosen) and number not in chosen
+    ]
+    alive = [each for each in chosen.values() if not each.killed_by and each.change not in known]
+    for each in alive:
+        print(f"\n{each.file}:{each.line} ({each.tried} tests)\n- {each.before}\n+ {each.after}")
+    for each in idle:
+        print(f"no test meets {each.file}:{each.line}")
+    print(f"\n{table(list(chosen.values()), known)}")
+    if options.out:
+        rows = [{**vars(each), "tests": len(each.tests)} for each in mutants.values()]
+        options.out.write_text(json.dumps({"seed": options.seed, "mutants": rows}, indent=1))
+    return bool(alive)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

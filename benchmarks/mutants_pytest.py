@@ -1,0 +1,126 @@
+"""The part of ``mutants.py`` in the copy: which mutant is active, and how its tests end.
+
+Each process of Python in the copy imports this module, and pytest has it as a plugin, too.  Every
+place of a mutant asks ``mutated`` for its number.  (PYTEST_DONT_REWRITE)
+"""
+
+from __future__ import annotations
+
+import builtins
+import json
+import os
+import signal
+import time
+from contextlib import suppress
+from typing import Any
+
+ACTIVE = int(os.environ.get("MUTANT", "0"))
+"""The number of the active mutant; 0: none."""
+
+TRYING = "MUTANTS_TO_TRY" in os.environ
+"""Whether mutants are tried; else the tests that meet them are noted."""
+
+_seen = set[int]()
+
+
+def mutated(number: int) -> bool:
+    """Whether a mutant is active; note the test that meets its place first."""
+    if number not in _seen and not TRYING:
+        _seen.add(number)
+        note("met", number, os.environ.get("PYTEST_CURRENT_TEST", "").rpartition(" (")[0])
+    return number == ACTIVE
+
+
+builtins._mutated = mutated  # type: ignore[attr-defined]  # noqa: SLF001
+
+
+def note(*words: object) -> None:
+    """Append a line to the notes, if there are any."""
+    if "MUTANTS_NOTES" in os.environ:
+        with open(os.environ["MUTANTS_NOTES"], "a") as notes:  # noqa: PTH123  # no import at start
+            notes.write(json.dumps(words) + "\n")
+
+
+def pytest_runtest_logstart(nodeid: str) -> None:
+    """Forget which places were met by the test before."""
+    del nodeid
+    _seen.clear()
+
+
+def pytest_runtest_setup(item: Any) -> None:
+    """Note the fixtures that the test shares with others."""
+    for definitions in item._fixtureinfo.name2fixturedefs.values():  # noqa: SLF001
+        if definitions[-1].scope != "function" and not TRYING:
+            note("uses", item.nodeid, _owner(definitions[-1]))
+
+
+def pytest_fixture_setup(fixturedef: Any) -> None:
+    """Whatever is met from here on is met for the fixture, and for each test that uses it."""
+    if fixturedef.scope != "function":
+        _seen.clear()
+        os.environ["PYTEST_CURRENT_TEST"] = f"{_owner(fixturedef)} (setup)"
+
+
+def _owner(fixture: Any) -> str:
+    return f"fixture {fixture.argname} of {fixture.baseid}"
+
+
+def pytest_runtest_logreport(report: Any) -> None:
+    """Note how long the test took, and whether it failed."""
+    if "PYTEST_XDIST_WORKER" not in os.environ and not TRYING:
+        note("took", report.nodeid, report.duration, report.failed)
+
+
+def pytest_runtestloop(session: Any) -> bool | None:
+    """Try mutants, where there are any to try: each in a fork, with its tests."""
+    if not TRYING:
+        return None
+    with open(os.environ["MUTANTS_TO_TRY"]) as file:  # noqa: PTH123
+        to_try = json.load(file)
+    items = {item.nodeid: item for item in session.items}
+    for number, tests, seconds in to_try:
+        tried = [items[each] for each in tests if each in items]
+        pid = os.fork()
+        if pid == 0:
+            _try(session, number, tried)
+        note("ended", number, _killed(pid, seconds))
+    return True
+
+
+def _try(session: Any, number: int, items: list[Any]) -> None:
+    """Run tests with a mutant until one fails; the exit code says whether one has."""
+    import resource
+    from itertools import zip_longest
+
+    global ACTIVE  # noqa: PLW0603  # the one thing that a mutant changes
+    code = 2
+    try:
+        os.setsid()
+        resource.setrlimit(resource.RLIMIT_DATA, (6 << 30, 6 << 30))
+        ACTIVE = number
+        os.environ["MUTANT"] = str(number)
+        session.items = items
+        for item, following in zip_longest(items, items[1:]):
+            item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
+            if session.shouldfail or session.shouldstop:
+                note("killed", number, item.nodeid)
+                break
+        code = int(bool(session.shouldfail))
+    finally:
+        os._exit(code)
+
+
+def _killed(pid: int, seconds: float) -> str:
+    """Wait for a fork; return what has killed its mutant otherwise than by a test."""
+    end = time.monotonic() + seconds
+    ended, status = 0, 0
+    while not ended and time.monotonic() < end:
+        time.sleep(0.02)
+        ended, status = os.waitpid(pid, os.WNOHANG)
+    with suppress(ProcessLookupError):
+        os.killpg(pid, signal.SIGKILL)
+    if not ended:
+        os.waitpid(pid, 0)
+        return "the deadline"
+    code = os.waitstatus_to_exitcode(status)
+    return {0: "", 1: "a test"}.get(code, f"exit code {code}")

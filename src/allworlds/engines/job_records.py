@@ -1,0 +1,237 @@
+"""What a finished unit leaves: the identity of its job, its records, and its result as JSON.
+
+The form of a result follows from the types of its fields.  A struct, or a dataclass, is kept by
+its fields; a counter, or a dictionary whose keys are no texts, as pairs; and whatever has a
+``from_json`` as that reads it.  Everything else is msgspec's business.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import is_dataclass
+from functools import cache
+from typing import Annotated, Any, NamedTuple, Self, TypeVar, get_args, get_origin, get_type_hints
+
+from msgspec import Struct
+
+from allworlds.document.reading import taken
+from allworlds.document.struct import (
+    Document,
+    Positive,
+    ShardText,
+    Text,
+    about,
+    names_of,
+    plain,
+    plain_at_once,
+)
+from allworlds.engines.units import Portion, Sum, a_shard, shard_numbers, shards_of
+from allworlds.inputs.checks import InputError, show
+from allworlds.version import __version__
+from allworlds.words import plural
+
+FORMAT = 3
+"""The format of identities and of what is kept under them: raised whenever either changes."""
+
+
+class Identity(Document):
+    """A verb, with everything that its result depends on."""
+
+    verb: Annotated[Text, about("its name")]
+    parameters: Annotated[dict[str, Any], about("by their names, as JSON values")]
+    explorer: Annotated[
+        dict[str, Any],
+        about("the name, and what else is to be known of it without loading it; its digest"),
+    ]
+    shard: Annotated[ShardText, about("which part of the units is done")]
+    version: Annotated[Text, about("of this program")] = __version__
+    format: Annotated[Positive, about("of what is kept: a number that `FORMAT` has had")] = FORMAT
+
+    @property
+    def text(self) -> str:
+        """Canonical JSON, the same for equal identities."""
+        return canonical(self.to_json())
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of the text, in hexadecimal."""
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
+    @classmethod
+    def of_text(cls, text: str) -> Self:
+        """The identity of :attr:`text`."""
+        return taken({"format": 1} | json.loads(text), cls, "identity")
+
+    @property
+    def portion(self) -> Portion:
+        """The part of the units that is done: the whole, or a shard."""
+        return a_shard(shard_numbers(self.shard))
+
+    @property
+    def code(self) -> dict[str, str]:
+        """The user's code that it needs, as it was recorded: see ``as_recorded``."""
+        code: dict[str, str] = self.parameters.get("code", {})
+        return code
+
+    @property
+    def shards(self) -> int:
+        """The number of shards into which the job is cut."""
+        return shards_of(self.portion)
+
+    def difference(self, other: Identity) -> str:
+        """The difference of the other one, as a clause about the other; empty if there is none.
+
+        The number of a shard makes no difference here; the number of all shards does.
+        """
+        if other.format != self.format:
+            return f"is of format {other.format}, not {self.format}"
+        if other.version != self.version:
+            return f"is of version {show(other.version)}, not {show(self.version)}"
+        if other.verb != self.verb:
+            return f"is of {show(other.verb)}, not {show(self.verb)}"
+        for name in sorted({*self.parameters, *other.parameters}):
+            mine, its = self.parameters.get(name), other.parameters.get(name)
+            if mine != its and isinstance(mine, dict) and isinstance(its, dict):
+                changed = sorted(code for code in mine if mine[code] != its.get(code))
+                return f"is of another text of {', '.join(map(show, changed or its))}"
+            if mine != its:
+                said = name.replace("_", "-")
+                return f"is of {said} = {_in_words(its)}, not {_in_words(mine)}"
+        mine, its = self.explorer["name"], other.explorer["name"]
+        if mine != its:
+            return f"is of the explorer {show(its)}, not {show(mine)}"
+        if other.explorer != self.explorer:
+            return f"is of another text of the explorer {show(mine)}, or of its program"
+        if other.shards != self.shards:
+            part = f"shard {other.shard}" if other.shards > 1 else "the whole job"
+            return f"is of {part}, and not of a job in {plural(self.shards, 'part')}"
+        return ""
+
+
+def _in_words(value: Any) -> str:
+    """A parameter as the command line has it: without a value the default, a list with commas."""
+    if value is None:
+        return "the default"
+    return ",".join(map(str, value)) if isinstance(value, list | tuple) else show(value)
+
+
+canonical = json.JSONEncoder(sort_keys=True, separators=(",", ":")).encode
+"""The canonical text of a JSON value, equal for equal values."""
+
+ENDED = "complete"
+"""The value that is noted under ``ended`` when the job is complete."""
+
+
+class Records:
+    """The records of a job; by default nothing is kept."""
+
+    def result(self, key: str) -> Any:
+        """Return the JSON value of a finished unit; None for any other."""
+
+    def keep(self, key: str, result: Sum) -> None:
+        """Take in a finished unit with its whole result."""
+
+    def recall(self, name: str) -> Any:
+        """Return the value that was noted under a name; None if there is none."""
+
+    def note(self, name: str, value: Any) -> None:
+        """Note a JSON value under a name."""
+
+
+NO_RECORDS = Records()
+
+
+T = TypeVar("T")
+
+WHAT = "what is kept of a unit"
+
+
+class Form(NamedTuple):
+    """How the values of a type are kept; beside a type it goes before what would follow from it.
+
+    Attributes:
+        write: the JSON value of a value.
+        read: the value of that; raises InputError for anything else.
+    """
+
+    write: Callable[[Any], Any]
+    read: Callable[[Any], Any]
+
+
+def to_kept(result: object) -> Any:
+    """The JSON value of a result."""
+    kind: Any = type(result)
+    return _form(kind).write(result)
+
+
+def from_kept(told: object, kind: type[T]) -> T:
+    """The result of that class of which this is :func:`to_kept`'s value.
+
+    Raises:
+        InputError: for any other value.
+    """
+    made: Any = kind
+    found: T = _form(made).read(told)
+    return found
+
+
+@cache
+def _form(kind: Any) -> Form:
+    return _own_form(kind) or Form(plain_at_once, lambda told: taken(told, kind, WHAT))
+
+
+def _own_form(kind: Any) -> Form | None:
+    """The form of a type that msgspec cannot read and write by itself; None where it can."""
+    origin, parts = get_origin(kind), get_args(kind)
+    if origin is Annotated:
+        return next((note for note in parts if isinstance(note, Form)), None) or _own_form(parts[0])
+    if origin is Counter or (origin is dict and parts[0] is not str):
+        items = _form(list[tuple[(*parts, int)[:2]]])  # type: ignore[misc]  # a type made of types
+        return Form(
+            lambda table: items.write([*table.items()]),
+            lambda told: origin(dict(items.read(told))),
+        )
+    if origin is list and (one := _own_form(parts[0])):
+        return Form(
+            lambda values: [one.write(value) for value in values],
+            lambda told: [one.read(value) for value in taken(told, list[Any], WHAT)],
+        )
+    if origin is tuple and any(map(_own_form, parts)):
+        return _tuple(tuple(map(_form, parts)))
+    if hasattr(kind, "from_json"):
+        return Form(plain, kind.from_json)
+    if is_dataclass(kind) or (isinstance(kind, type) and issubclass(kind, Struct)):
+        return _by_fields(kind)
+    return None
+
+
+def _tuple(forms: tuple[Form, ...]) -> Form:
+    def read(told: object) -> tuple[Any, ...]:
+        values = taken(told, list[Any], WHAT)
+        if len(values) != len(forms):
+            raise InputError(f"{WHAT}: {show(told)} does not have {len(forms)} entries")
+        return tuple(form.read(value) for form, value in zip(forms, values, strict=True))
+
+    return Form(
+        lambda values: [form.write(value) for form, value in zip(forms, values, strict=True)], read
+    )
+
+
+def _by_fields(kind: Any) -> Form | None:
+    hints = get_type_hints(kind, include_extras=True)
+    if not any(_own_form(hints[name]) for name in names_of(kind)):
+        return None
+    forms = {name: _form(hints[name]) for name in names_of(kind)}
+
+    def read(told: object) -> Any:
+        values = taken(told, dict[str, Any], WHAT)
+        if values.keys() != forms.keys():
+            raise InputError(f"{WHAT}: the keys are {', '.join(forms)}, not {show([*values])}")
+        return kind(**{name: form.read(values[name]) for name, form in forms.items()})
+
+    return Form(
+        lambda value: {name: form.write(getattr(value, name)) for name, form in forms.items()}, read
+    )

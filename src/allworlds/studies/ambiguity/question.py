@@ -1,0 +1,283 @@
+"""The question of a search, checked once: lighthouse, class, bounds and the walk."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, NamedTuple
+
+from msgspec import Struct
+
+from allworlds.engines.effort import AskedListener
+from allworlds.inputs.checks import (
+    LARGEST_SIZE,
+    InputError,
+    a_text,
+    an_integer,
+    at_most,
+    integer_of,
+    seconds_of,
+    show,
+)
+from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Option
+from allworlds.maps.classes import ClassOptions, MapClass
+from allworlds.maps.combinatorial import Dart
+from allworlds.words import plural
+from allworlds.world.lighthouses.base import Lighthouse, ReferenceLighthouse, Sensing
+from allworlds.world.lighthouses.kinds import LIGHTHOUSES
+from allworlds.world.lighthouses.marked import Compass, Directional, Position
+from allworlds.world.lighthouses.placeless import Nothing
+
+
+def motion_list(text: str) -> tuple[int, ...]:
+    """The motions of a text, integers with commas between; negative ones too."""
+    if not re.fullmatch(r"-?[0-9]{1,3}(,-?[0-9]{1,3})*", text):
+        raise InputError(f"motions {show(text)} are not integers of up to 3 digits with commas")
+    return tuple(int(part) for part in text.split(","))
+
+
+class SearchRequest(AskedListener, ClassOptions):
+    """Request of ``ambiguity search``: the properties of the twins, and the solver."""
+
+    lighthouse: Annotated[
+        str,
+        Option(
+            SCOPE,
+            "KIND",
+            "The lighthouse, sensed besides degrees: none, position, compass or directional.",
+        ),
+    ]
+    vertices: Annotated[int, Option(SCOPE, "N", "At most N vertices.", parse=integer_of)]
+    edges: Annotated[int, Option(SCOPE, "M", "At most M edges.", parse=integer_of)]
+    degree_marked: Annotated[
+        int | None, Option(SCOPE, "D", "Degree of the start's vertex.", parse=integer_of)
+    ] = None
+    degree_others: Annotated[
+        int | None, Option(SCOPE, "D", "Degree of every other vertex.", parse=integer_of)
+    ] = None
+    motions: Annotated[
+        Sequence[int], Option(SCOPE, "K,K,...", "A walk from the start.", parse=motion_list)
+    ] = ()
+    percepts: Annotated[
+        Sequence[str],
+        Option(
+            SCOPE,
+            "P,P,...",
+            "Percepts after each motion: 3A (degree 3, marker absent) or 4P (present).",
+            parse=lambda text: tuple(text.split(",")),
+        ),
+    ] = ()
+    solver: Annotated[
+        str | None,
+        Option(
+            EFFORT,
+            "PATH",
+            "The program CaDiCaL, version 2 or later, in place of z3; it also writes the proofs.",
+            apart=True,
+        ),
+    ] = None
+    time_limit: Annotated[
+        float | None,
+        Option(
+            EFFORT,
+            "S",
+            "The time limit in seconds for the whole search.",
+            parse=seconds_of,
+            apart=True,
+        ),
+    ] = None
+    out: Annotated[
+        str | Path | None,
+        Option(
+            OUTPUT,
+            "DIR",
+            "The directory for formulas and proofs (default: a new temporary directory).",
+            apart=True,
+        ),
+    ] = None
+
+
+SEARCHED: Mapping[str, Callable[[Sequence[Dart]], Lighthouse]] = {
+    Nothing.kind: lambda _: Nothing(),
+    Position.kind: lambda _: Position(0),
+    Directional.kind: lambda darts: Directional(darts[0]),
+    Compass.kind: lambda darts: Compass(tuple(darts)),
+}
+"""The lighthouses of which there are formulas, with start 0 and the darts that they point to."""
+
+
+class Step(NamedTuple):
+    """A motion of a walk, and the percept after it, as the caption of Fig. 1 writes it."""
+
+    motion: int
+    degree: int
+    present: bool
+
+    @property
+    def percept(self) -> str:
+        """``3A`` or ``4P``: the degree, and whether the marker is absent or present."""
+        return f"{self.degree}{'P' if self.present else 'A'}"
+
+
+class Size(Struct, frozen=True):
+    """The size of a world: exactly ``edges`` edges, and from ``fewest`` to ``most`` vertices."""
+
+    edges: int
+    fewest: int
+    most: int
+
+    @property
+    def darts(self) -> int:
+        """The number of darts, 2m."""
+        return 2 * self.edges
+
+
+class Sizes(NamedTuple):
+    """The sizes of the two worlds of one formula."""
+
+    one: Size
+    two: Size
+
+    @property
+    def name(self) -> str:
+        """Name for files: ``m4`` or ``m3-m4``, with the numbers of vertices."""
+        return "-".join(
+            f"m{size.edges}n{size.fewest}" + (f"to{size.most}" if size.most > size.fewest else "")
+            for size in dict.fromkeys(self)
+        )
+
+
+class Question(Struct, frozen=True):
+    """Is there a pair of different worlds that no motion separates?
+
+    Attributes:
+        lighthouse: its kind.
+        map_class: of both worlds.
+        vertices, edges: the most of each of them.
+        degree_marked, degree_others: of v0, the start's vertex, and of all others; None: any.
+        walk: a walk from the start, and what it senses in both worlds.
+    """
+
+    lighthouse: str
+    map_class: MapClass
+    vertices: int
+    edges: int
+    degree_marked: int | None = None
+    degree_others: int | None = None
+    walk: tuple[Step, ...] = ()
+
+    @property
+    def sensing(self) -> Sensing:
+        """The kind of marker that is sensed besides the degree."""
+        kind = LIGHTHOUSES[self.lighthouse]
+        assert issubclass(kind, ReferenceLighthouse)
+        return kind.sensing
+
+    def sizes(self) -> Iterator[Sizes]:
+        """The pairs of sizes that are to be searched, the smaller first.
+
+        Where a vertex is marked, worlds that look alike have equally many edges: exactly one
+        dart class lies over each dart of v0's quotient, and its size is the same for all.
+        Elsewhere the sizes are ordered by the larger number of edges, then by the smaller.
+        Sizes for which simple counting leaves no world are left out.
+        """
+        sizes = []
+        for m in range(1, self.edges + 1):
+            if numbers := [n for n in range(1, self.vertices + 1) if self._possible(m, n)]:
+                sizes.append(two := Size(m, numbers[0], numbers[-1]))
+                for one in sizes[-1:] if self.sensing.marks_v0 else sizes:
+                    yield Sizes(one, two)
+
+    def _possible(self, m: int, n: int) -> bool:
+        """Whether simple counting leaves worlds with these numbers of edges and vertices."""
+        root, others = self.degree_marked, self.degree_others
+        if n > m + 1:
+            return False
+        if self.map_class.simple and (n < 2 or m > n * (n - 1) // 2):
+            return False
+        if self.map_class is MapClass.PLANAR_SIMPLE and n >= 3 and m > 3 * n - 6:
+            return False
+        if root is not None and root > 2 * m - (n - 1):
+            return False
+        if root is not None and others is not None:
+            return 2 * m == root + others * (n - 1)
+        return others is None or 2 * m > others * (n - 1)
+
+    @property
+    def describes(self) -> str:
+        """The question as a sentence, for comments in files."""
+        extra = [
+            f"at most {plural(self.vertices, 'vertex', 'vertices')}",
+            f"at most {plural(self.edges, 'edge')}",
+        ]
+        if self.degree_marked is not None:
+            extra.append(f"degree {self.degree_marked} at the start's vertex")
+        if self.degree_others is not None:
+            extra.append(f"degree {self.degree_others} elsewhere")
+        if self.walk:
+            motions = ", ".join(str(step.motion) for step in self.walk)
+            seen = ", ".join(step.percept for step in self.walk)
+            extra.append(f"motions {motions} sensing {seen}")
+        return (
+            f"Two different worlds that no motion tells apart: lighthouse {self.lighthouse}, "
+            f"class {self.map_class}, {', '.join(extra)}"
+        )
+
+
+def question_of(request: SearchRequest) -> Question:
+    """The question that a request asks.
+
+    Raises:
+        InputError: naming the offending value and what would be legal.
+    """
+    if request.lighthouse not in SEARCHED:
+        raise InputError(
+            f"lighthouse {show(request.lighthouse)} is not one of {', '.join(SEARCHED)}, of which "
+            "there are formulas; 'ambiguity census' takes every lighthouse, and makes all small "
+            "worlds"
+        )
+    asked = Question(
+        request.lighthouse,
+        request.map_class,
+        request.vertices,
+        request.edges,
+        request.degree_marked,
+        request.degree_others,
+        tuple(_walk(request)),
+    )
+    for name, value in (("vertices", asked.vertices), ("edges", asked.edges)):
+        if an_integer(name, value) < 1:
+            raise InputError(f"{name} = {show(value)}, but a map has at least 1")
+        at_most(name, value, LARGEST_SIZE)
+    degrees = {"degree-marked": asked.degree_marked, "degree-others": asked.degree_others}
+    for name, degree in degrees.items():
+        if degree is not None and an_integer(name, degree) < 1:
+            raise InputError(f"{name} = {show(degree)}, but every vertex has at least 1 dart")
+    for step in asked.walk:
+        if step.present and not asked.sensing.marks_v0:
+            raise InputError(
+                f"percept {step.percept} needs a marked vertex, but there is none with "
+                f"--lighthouse {asked.lighthouse}; legal is {step.degree}A"
+            )
+    return asked
+
+
+def _walk(request: SearchRequest) -> Iterator[Step]:
+    """The steps of the walk of a request."""
+    motions, percepts = request.motions, request.percepts
+    for name, values in (("motions", motions), ("percepts", percepts)):
+        if not isinstance(values, Sequence) or isinstance(values, str):
+            raise InputError(f"{name} = {show(values)} is not a list")
+    if len(motions) != len(percepts):
+        raise InputError(
+            f"{len(motions)} motions and {len(percepts)} percepts, but there is one percept after "
+            "each motion"
+        )
+    for motion, percept in zip(motions, percepts, strict=True):
+        sensed = re.fullmatch(r"([1-9][0-9]{0,8})([AP])", a_text("percept", percept))
+        if sensed is None:
+            raise InputError(
+                f"percept {show(percept)} is not of the form 3A (marker absent) or 4P (present)"
+            )
+        yield Step(an_integer("motion", motion), int(sensed[1]), sensed[2] == "P")

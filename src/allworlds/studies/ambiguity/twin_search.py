@@ -1,0 +1,474 @@
+"""The search for twins by growing sizes, so that the first pair found is a smallest one."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import tempfile
+from pathlib import Path
+from time import monotonic
+from typing import Annotated, Any, TypeAlias
+
+from msgspec import Struct, field
+from typing_extensions import override
+
+from allworlds.document.struct import (
+    EXIT_CODE,
+    Aside,
+    Document,
+    ExitCode,
+    Natural,
+    Pair as Two,
+    Positive,
+    Text,
+    about,
+    computed,
+    narrowed,
+    one_of,
+    replace,
+)
+from allworlds.engines.effort import deadline_after
+from allworlds.engines.progress import Listener
+from allworlds.engines.swept_report import EndedReport
+from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
+from allworlds.inputs.requests import answers
+from allworlds.maps.classes import MapClass
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.outcome import COMPLETED, Disagreement, Ending, Exit, ended
+from allworlds.studies.ambiguity.formulas import (
+    Block,
+    Formula,
+    OneWorld,
+    Pair,
+    forbid_other_start,
+    pair_formula,
+    read_dimacs,
+    world_formula,
+)
+from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat, write_lrat
+from allworlds.studies.ambiguity.question import (
+    SEARCHED,
+    Question,
+    SearchRequest,
+    Sizes,
+    question_of,
+)
+from allworlds.studies.ambiguity.solvers import (
+    LONGEST_WAIT,
+    ExternalSolver,
+    SolverAnswer,
+    Status,
+    python_sat_is_installed,
+    solve_with_python_sat,
+    solve_with_z3,
+)
+from allworlds.world.bisimulation import flaw, same_world_from, sensed
+from allworlds.world.lighthouses.base import Where
+from allworlds.world.world import World
+
+PROOF_LIMIT = 10_000_000
+"""Bytes of DRAT that the checker of this package accepts: a minute or two."""
+
+Classes: TypeAlias = Two[Annotated[tuple[Natural, ...], narrowed(minItems=2)]]
+
+
+class Twins(Document):
+    """Two worlds that no motion tells apart, and the bisimulation that proves it."""
+
+    pair: Two[World]
+    bisimulation: Classes
+
+
+class Searched(Document):
+    """One level of a search.
+
+    Writing and solving took ``seconds``. ``same_map`` holds twins that turned out to be one world
+    with two starts; ``twins`` holds the decoded worlds, if the formula has a model.
+    """
+
+    edges: Annotated[Two[Positive], about("of each world")] = computed(
+        lambda level: tuple(size.edges for size in level.sizes)
+    )
+    vertices: Annotated[Two[Two[Positive]], about("for each world the fewest and the most")] = (
+        computed(lambda level: tuple((size.fewest, size.most) for size in level.sizes))
+    )
+    status: Annotated[Status, about("the solver's answer to this formula")]
+    formula: Annotated[Path, about("the path of the DIMACS file")]
+    proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")]
+    sizes: Aside[Sizes]
+    seconds: Aside[float]
+    same_map: Aside[tuple[Twins, ...]] = ()
+    twins: Aside[Twins | None] = None
+
+
+class SearchResult(EndedReport):
+    """Report of 'search'.
+
+    If it was interrupted by the user, the status is `unknown`, or twins had been found before.
+    """
+
+    status: Annotated[Status, about("`sat`: a pair; `unsat`: there is none in the bounds")]
+    exit_code: Annotated[
+        ExitCode, one_of(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
+    ] = EXIT_CODE
+    pair: Annotated[Two[World] | None, about("two worlds that look alike; null unless `sat`")] = (
+        None
+    )
+    bisimulation: Annotated[
+        Classes | None, about("for each of them the class of each dart; null unless `sat`")
+    ] = None
+    certificate: Annotated[
+        Path | None,
+        about("the path of the certificate; null: see [answers](ambiguity.md#answers)"),
+    ] = None
+    vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
+    lighthouse: Annotated[str, one_of(*SEARCHED), about("its kind")] = computed(
+        lambda r: r.question.lighthouse
+    )
+    map_class: Annotated[MapClass, about("the class of maps")] = computed(
+        lambda result: result.question.map_class, name="class"
+    )
+    vertices: Annotated[Positive, about("at most so many")] = computed(
+        lambda result: result.question.vertices
+    )
+    edges: Annotated[Positive, about("at most so many")] = computed(
+        lambda result: result.question.edges
+    )
+    directory: Annotated[Path, about("the directory of the formulas")]
+    levels: Annotated[tuple[Searched, ...], about("in the order of the search")]
+    same_map: Annotated[
+        tuple[Two[World], ...], about("pairs that look alike but are one map with two starts")
+    ] = computed(lambda r: tuple(same.pair for level in r.levels for same in level.same_map))
+    notices: Annotated[tuple[Text, ...], about("sentences for the reader")]
+    question: Aside[Question]
+
+    @property
+    @override
+    def undecided(self) -> bool:
+        return self.status == "unknown"
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return self.vacuous
+
+    @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"level_seconds": [level.seconds for level in self.levels]}
+
+
+# ---------------------------------------------------------------- a model, decoded and checked
+
+
+def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
+    """Class numbers of the darts of ``a`` and of ``b``; None if a motion tells them apart.
+
+    The finest classes of which the starts share one, sigma and alpha take classes to classes,
+    and the darts of a class sense the same.  They are numbered in the order of the darts of
+    ``a``.
+
+    Cost: O(m^2) at worst.
+    """
+    pairs = {(a.start, b.start)}
+    for x, y in (todo := list(pairs)):
+        if a.percepts[x] != b.percepts[y]:
+            return None
+        for pair in ((a.map.sigma[x], b.map.sigma[y]), (a.map.alpha[x], b.map.alpha[y])):
+            if pair not in pairs:
+                pairs.add(pair)
+                todo.append(pair)
+    # Every dart of b is met, for its map is connected; the least dart of a names the class.
+    ones, twos = list(a.map.darts), [len(a.map.sigma)] * len(b.map.sigma)
+    while uneven := [(x, y) for x, y in todo if ones[x] != twos[y]]:
+        for x, y in uneven:
+            ones[x] = twos[y] = min(ones[x], twos[y])
+    names = {least: i for i, least in enumerate(sorted({*ones}))}
+    return tuple(names[x] for x in ones), tuple(names[y] for y in twos)
+
+
+def decoded(pair: Pair, model: frozenset[int]) -> Twins:
+    """The two worlds of a model, the set of its true variables.
+
+    Raises:
+        RuntimeError: if they are not what was asked for; then encoder or solver is wrong.
+    """
+    asked, pointed = pair.question, pair.pointed or (None, None)
+    try:
+        one = _world(asked, pair.one, pointed[0], model)
+        two = _world(asked, pair.two, pointed[1], model)
+    except InputError as error:
+        raise RuntimeError(f"the solver's model is no pair of worlds: {error}") from None
+    classes = bisimulation(one, two)
+    if (
+        classes is None
+        or flaw((one, two), classes)
+        or same_world_from(one, two) == two.start
+        or not all(_fits(world, asked) for world in (one, two))
+    ):
+        raise RuntimeError(f"the solver's pair {one}, {two} does not answer: {asked}")
+    return Twins(pair=(one, two), bisimulation=classes)
+
+
+def _world(asked: Question, world: OneWorld, pointed: Block | None, model: frozenset[int]) -> World:
+    sigma, alpha = (
+        [_only([y for y, variable in enumerate(row) if variable in model]) for row in block.rows()]
+        for block in (world.sigma, world.alpha)
+    )
+    variables = pointed.variables if pointed else ()
+    references = [x for x, variable in enumerate(variables) if variable in model]
+    if pointed and asked.sensing.where is Where.AT_V0:
+        _only(references)
+    return World(CombinatorialMap(sigma, alpha), SEARCHED[asked.lighthouse](references), 0)
+
+
+def _only(darts: list[Dart]) -> Dart:
+    if len(darts) != 1:
+        raise InputError(f"the darts {darts}, where there is exactly one")
+    return darts[0]
+
+
+def _fits(world: World, asked: Question) -> bool:
+    """Whether the world has the class, sizes and degrees of the question, and senses the walk."""
+    map_, home = world.map, world.map.vertex_of[world.start]
+    seen = sensed(world, [step.motion for step in asked.walk])[1:]
+    others = {degree for v, degree in enumerate(map_.degrees) if v != home}
+    return (
+        asked.map_class.includes(map_)
+        and map_.vertex_count <= asked.vertices
+        and map_.edge_count <= asked.edges
+        and asked.degree_marked in (None, map_.degrees[home])
+        and (asked.degree_others is None or others <= {asked.degree_others})
+        and [(percept.degree, percept.marks > 0) for percept in seen]
+        == [(step.degree, step.present) for step in asked.walk]
+    )
+
+
+# ---------------------------------------------------------------- the search
+
+
+@answers(SearchRequest)
+def search(request: SearchRequest) -> SearchResult:
+    """Search by z3 for two different worlds that no motion separates, or show that there are none.
+
+    Worlds are different if no isomorphism of the maps carries the marks of one to those of
+    the other; where they start does not count.
+
+    Raises:
+        InputError: naming the offending value and what would be legal.
+    """
+    asked, time_limit, external = question_of(request), request.time_limit, None
+    if time_limit is not None and (not isinstance(time_limit, int | float) or not time_limit > 0):
+        raise InputError(f"time-limit = {show(time_limit)}, but it must be more than 0 seconds")
+    at_most("time-limit", time_limit or 0, LONGEST_WAIT)
+    if request.solver is not None:
+        a_path("solver", request.solver)
+        # As it was given: of ./solver a Path would leave a name that is looked for on PATH.
+        external = ExternalSolver(request.solver)
+    directory = _directory(request.out)
+    deadline = deadline_after(time_limit)
+    try:
+        found = _TwinsSearch(asked, external, directory, deadline, request.listener).run()
+    except BaseException:
+        if request.out is None:
+            shutil.rmtree(directory)
+        raise
+    for notice in found.notices:
+        request.listener.notice(notice)
+    return found
+
+
+def _directory(out: str | Path | None) -> Path:
+    """The directory that is named, else a temporary one."""
+    if out is None:
+        return Path(tempfile.mkdtemp(prefix="allworlds-search-"))
+    directory = a_path("out", out)
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"directory {show(str(out))} cannot be made: {error.strerror}") from None
+    return directory
+
+
+class _TwinsSearch(Struct):
+    """The state of one search."""
+
+    question: Question
+    external: ExternalSolver | None
+    directory: Path
+    deadline: float | None
+    listener: Listener
+    done: list[Searched] = field(default_factory=list)
+    notices: list[str] = field(default_factory=list)
+    best: Twins | None = None
+    result: SearchResult | None = None
+
+    def run(self) -> SearchResult:
+        ending = ended(self._answer)
+        if self.result:
+            return self.result
+        if self.best:
+            self.notices.append("interrupted before fewer vertices were tried")
+            return self._found(self.best, ending)
+        self.notices.append("interrupted; no answer follows from the sizes that are decided")
+        return self._result("unknown", ending)
+
+    def _answer(self) -> Ending:
+        self.result = self._searched()
+        return COMPLETED
+
+    def _searched(self) -> SearchResult:
+        every = list(self.question.sizes())
+        self.listener.stage("search", len(every), "sizes; these grow, so the time left is a guess")
+        for sizes in every:
+            found = self._decide(sizes)
+            self.listener.progress(1)
+            if found.twins:
+                return self._found(self._fewer_vertices(sizes, found.twins))
+            if found.status == "unknown":
+                self.notices.append(
+                    f"the sizes {sizes.name} are undecided; no answer follows from them"
+                )
+                return self._result("unknown")
+        if not self._some_world_exists():
+            self.notices.append("vacuous: no world at all exists within these bounds")
+            return self._result("unsat", vacuous=True)
+        complete = self._prove()
+        if met := sum(len(searched.same_map) for searched in self.done):
+            self.notices.append(
+                f"{met} pairs were met that are one world with two starts which look alike: "
+                "the map can be told, the robot's place in it cannot"
+            )
+        return self._result("unsat", certificate=self.directory if complete else None)
+
+    def _decide(self, sizes: Sizes) -> Searched:
+        """Solve for two sizes. Pairs that are one world started twice are excluded one by one."""
+        began = monotonic()
+        formula, pair = pair_formula(self.question, sizes)
+        path = self.directory / f"{sizes.name}.cnf"
+        same: list[Twins] = []
+        while True:
+            formula.write(path)
+            solved = self._solve(path)
+            twins = decoded(pair, solved.model) if solved.status == "sat" else None
+            start = same_world_from(*twins.pair) if twins else None
+            if twins is None or start is None:
+                break
+            same.append(twins)
+            forbid_other_start(formula, pair, start)
+        status = solved.status
+        proof = path.with_suffix(".lrat") if self.external and status == "unsat" else None
+        if proof and not self._accepts(formula, proof):
+            status, proof = "unknown", None
+        searched = Searched(
+            sizes=sizes,
+            status=status,
+            formula=path,
+            proof=proof,
+            seconds=monotonic() - began,
+            same_map=tuple(same),
+            twins=twins,
+        )
+        self.done.append(searched)
+        self.best = twins or self.best
+        return searched
+
+    def _solve(self, path: Path) -> SolverAnswer:
+        if self.external:
+            return self.external.solve(path, path.with_suffix(".lrat"), self.deadline)
+        return solve_with_z3(path, self.deadline)
+
+    def _accepts(self, formula: Formula, proof: Path) -> bool:
+        try:
+            with proof.open(encoding="ascii", errors="replace") as lines:
+                check_lrat(formula.clauses, lines)
+        except (ProofRefused, OSError) as error:
+            self.notices.append(f"the solver's proof {proof} is refused: {error}")
+            return False
+        return True
+
+    def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
+        """Among the pairs with these numbers of edges one with the fewest vertices."""
+        counts = [world.map.vertex_count for world in twins.pair]
+        one, two = (replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
+        less, less_too = (replace(size, most=size.most - 1) for size in (one, two))
+        marked = self.question.sensing.marks_v0
+        for smaller in (
+            [Sizes(less, less_too)] if marked else [Sizes(one, less_too), Sizes(less, two)]
+        ):
+            if all(size.fewest <= size.most for size in smaller):
+                again = self._decide(smaller)
+                if again.twins:
+                    return self._fewer_vertices(smaller, again.twins)
+                if again.status == "unknown":
+                    self.notices.append("the time was over before fewer vertices were tried")
+                    return twins
+        return twins
+
+    def _found(self, twins: Twins, ending: Ending = COMPLETED) -> SearchResult:
+        """The pair, written to a file with its bisimulation."""
+        file = self.directory / "pair.json"
+        file.write_text(json.dumps(twins.to_json()) + "\n", encoding="ascii")
+        found = {"pair": twins.pair, "bisimulation": twins.bisimulation}
+        return self._result("sat", ending, certificate=file, **found)
+
+    def _result(self, status: Status, ending: Ending = COMPLETED, **more: Any) -> SearchResult:
+        return SearchResult(
+            ending=ending,
+            question=self.question,
+            status=status,
+            directory=self.directory,
+            levels=tuple(self.done),
+            notices=tuple(self.notices),
+            **more,
+        )
+
+    def _some_world_exists(self) -> bool:
+        """Whether the bounds and the walk allow any world, by small formulas for z3."""
+        path = self.directory / "one-world.cnf"
+        for sizes in self.question.sizes():
+            if sizes.one == sizes.two:
+                world_formula(self.question, sizes).write(path)
+                if solve_with_z3(path, self.deadline).status != "unsat":
+                    return True
+        path.unlink(missing_ok=True)
+        return False
+
+    def _prove(self) -> bool:
+        """Add LRAT proofs from python-sat's DRAT, checked here; return whether each level has one.
+
+        Each reason why one is missing is told once, with the formulas that have no certificate.
+        """
+        missing: dict[str, list[str]] = {}
+        for number, searched in enumerate(self.done):
+            formula = searched.formula
+            if searched.proof is None and (reason := self._write_proof(formula)):
+                missing.setdefault(reason, []).append(formula.name)
+            else:
+                self.done[number] = replace(searched, proof=formula.with_suffix(".lrat"))
+        for reason, names in missing.items():
+            more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+            self.notices.append(f"no certificate for {names[0]}{more}: {reason}")
+        return not missing
+
+    def _write_proof(self, formula: Path) -> str:
+        """The reason why there is no proof; empty if one was written."""
+        if not python_sat_is_installed():
+            return f"{INSTALL.format('proofs')}, or name a CaDiCaL 2 with --solver"
+        drat = formula.with_suffix(".drat")
+        solved = solve_with_python_sat(formula, drat, self.deadline)
+        if solved.status == "sat":
+            raise Disagreement(f"z3 and CaDiCaL disagree on {formula}")
+        if solved.status == "unknown":
+            return "the time was over"
+        size = drat.stat().st_size
+        if size > PROOF_LIMIT:
+            return (
+                f"its DRAT proof ({drat}) has {size:,} bytes, and the checker of "
+                f"this package accepts {PROOF_LIMIT:,}; a CaDiCaL 2 named with --solver writes LRAT"
+            )
+        variables, clauses = read_dimacs(formula)
+        with drat.open(encoding="ascii") as lines:
+            write_lrat(lrat_of_drat(variables, clauses, lines), formula.with_suffix(".lrat"))
+        drat.unlink()
+        return ""

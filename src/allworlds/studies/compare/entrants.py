@@ -1,0 +1,539 @@
+"""The request of ``compare``, and what worlds of a class and worlds that grow have in common.
+
+Explorers that are run in the same worlds, their shares of a job, their costs, and the report.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field as entry
+from itertools import groupby
+from typing import Annotated, Any, NamedTuple, Self, TypeAlias, TypeVar
+
+from msgspec import Struct, field
+from typing_extensions import override
+
+from allworlds.document.struct import (
+    EXIT_CODE,
+    Aside,
+    Document,
+    Natural,
+    Positive,
+    Some,
+    Text,
+    WhichShard,
+    about,
+    computed,
+    replace,
+)
+from allworlds.engines.effort import AskedCluster, AskedDirectory
+from allworlds.engines.engine_table import Job, ReadyEngine, players_for
+from allworlds.engines.examiner import Outcome
+from allworlds.engines.job_records import from_kept
+from allworlds.engines.scope import Scope, UnitOfRuns
+from allworlds.engines.single import subject_of
+from allworlds.engines.sweep import Sweep
+from allworlds.engines.swept_report import (
+    AskedRows,
+    By,
+    SweptExit,
+    SweptReport,
+    TriedPlaces,
+    by_named,
+    told_scope,
+    tried_places,
+)
+from allworlds.engines.tally import RunCounter, Tally
+from allworlds.engines.units import (
+    WHOLE,
+    AskedShard,
+    PartialResult,
+    Portion,
+    SweptLevel,
+    Transport,
+)
+from allworlds.explorers.asked import ExplorersWords
+from allworlds.explorers.loading import Subject
+from allworlds.inputs.checks import InputError, a_text, integer_of, show
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Named, Option, Taken
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.maps.classes import Extent, ExtentOptions
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.families import FORMS
+from allworlds.outcome import Completed, Ending, Verdict
+from allworlds.studies.check.requests import ManyWorlds, SharedFile
+from allworlds.studies.check.tally_sweep import (
+    Confirmation,
+    record_of,
+    rules_known,
+    rules_record,
+    subject_of_record,
+)
+from allworlds.world.asked_lighthouse import LighthouseOptions
+from allworlds.world.named import HOLES
+from allworlds.world.own_condition import WhereOptions
+from allworlds.world.world import World
+
+
+def _families(given: object) -> tuple[str, ...] | None:
+    """The names of families, each once."""
+    if given is None:
+        return None
+    names = given.split(",") if isinstance(given, str) else given
+    if not isinstance(names, Iterable):
+        raise InputError(f"family = {show(given)} is neither a name nor a list of names")
+    return tuple(dict.fromkeys(a_text("family", name) for name in names))
+
+
+class ContestWorldsOptions(WhereOptions, ExtentOptions):
+    """The worlds in which explorers are compared.
+
+    Without ``to`` these are all worlds of a class, or one of a family.
+    """
+
+    family: Annotated[
+        Taken[str | Sequence[str] | None, tuple[str, ...] | None],
+        Option(
+            SCOPE,
+            "F[,F...]",
+            f"One world of a family: {FORMS}; with --to one or more families that grow: "
+            "lattice, torus, strip, dense (without 10% of its edges), cubic, regular:D, random "
+            "(twice as many edges as vertices), bouquet, lollipop:D, prism, thick:D, cover, "
+            "corridor.",
+            told=Annotated[
+                Some[Text] | None,
+                about("the families; with `to` null one, of which one world; null: a class"),
+            ],
+        ),
+    ] = Taken(_families, None)
+    holes: Annotated[str | None, HOLES] = None
+    seed: Annotated[
+        int | None,
+        Option(
+            SCOPE,
+            "S",
+            "The seed for worlds drawn from a family; with --to of the first world of a size, the "
+            "others have the next ones [default: 0; with --to 1].",
+            parse=integer_of,
+            told=Annotated[
+                Natural | None,
+                about("of the world of a family, or of the first of each size; null: a class"),
+            ],
+        ),
+    ] = None
+    to: Annotated[
+        int | None,
+        Option(
+            SCOPE,
+            "M",
+            "Worlds of the families up to M edges.",
+            parse=integer_of,
+            told=Annotated[
+                Positive | None, about("the most edges of worlds that grow; null: they do not")
+            ],
+        ),
+    ] = None
+    worlds: Annotated[
+        int | None,
+        Option(
+            RARE_SCOPE,
+            "K",
+            "With --to: seeds of each size; isomorphic worlds count once [default: 10].",
+            parse=integer_of,
+            told=Annotated[
+                Positive | None, about("seeds of each size; null: worlds that do not grow")
+            ],
+        ),
+    ] = None
+    places: Annotated[
+        int | None,
+        Option(
+            RARE_SCOPE,
+            "P",
+            "With --to: places of the lighthouse in each world; of more, such as the directions "
+            "of a marker, P are drawn by the seed [default: 8].",
+            parse=integer_of,
+            told=Annotated[
+                Positive | None,
+                about("at most so many places in a world; null: worlds that do not grow"),
+            ],
+        ),
+    ] = None
+
+
+class CompareRequest(
+    AskedRows, AskedDirectory, AskedCluster, ManyWorlds, AskedShard, ContestWorldsOptions
+):
+    """Explorers, and the worlds in which they are compared."""
+
+    explorers: Annotated[
+        Sequence[str | Callable[..., Any]],
+        Named(
+            ExplorersWords,
+            "names, as on the command line, or generator functions; two or more, with ``to`` one "
+            "or more.",
+        ),
+    ] = ()
+
+
+MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]
+"""Numbers of edges and vertices, sigma and alpha: sorts rooted maps from small to large."""
+
+
+@dataclass(slots=True)
+class CostTally(Tally):
+    """A tally that knows every run.
+
+    Attributes:
+        costs: of each rooted map by the number of the lighthouse's place in it.
+    """
+
+    costs: dict[MapKey, dict[int, int]] = entry(default_factory=dict)
+
+    def add(self, other: Tally) -> None:
+        """Take in another part's tally; no run is in two of them."""
+        # Zero-argument super() does not know a class with slots.
+        Tally.add(self, other)
+        if isinstance(other, CostTally):
+            for key, costs in other.costs.items():
+                self.costs.setdefault(key, {}).update(costs)
+
+
+class CostEngine(RunCounter, frozen=True):
+    """The counter that returns the cost of every run, too."""
+
+    def tally(self) -> CostTally:
+        """An empty tally."""
+        return CostTally(self.keep)
+
+    def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
+        """Add a run, which has one episode, to the tally, and its cost."""
+        super().count_outcome(world, place, outcome, tally)
+        assert isinstance(tally, CostTally)
+        tally.costs.setdefault(key_of(world.map), {})[place] = outcome.cost
+
+
+def key_of(map_: CombinatorialMap) -> MapKey:
+    """The key of a map that is rooted at its dart 0."""
+    return map_.edge_count, map_.vertex_count, tuple(map_.sigma), tuple(map_.alpha)
+
+
+class InWorld(NamedTuple):
+    """An explorer's runs in one world.
+
+    Attributes:
+        map: rooted at dart 0.
+        member: the words that name the world in a family; empty where there is no family.
+        explorer: its name.
+        costs: traversals by the number of the lighthouse's place.
+        places: the number of all places.
+        bound: on the traversals of a run, the same in each place; None without one.
+        drawn_from: the number of different worlds of this size that seeds draw, where it is known.
+        finished: all worlds of this size were run.
+    """
+
+    map: CombinatorialMap
+    member: str
+    explorer: str
+    costs: Mapping[int, int]
+    places: int
+    bound: int | None
+    drawn_from: int | None = None
+    finished: bool = True
+
+    @property
+    def mean(self) -> float:
+        """The mean cost of the runs."""
+        return sum(self.costs.values()) / len(self.costs)
+
+
+class UnitOfOne(Struct, frozen=True):
+    """A unit of runs that one entrant plays."""
+
+    number: int
+    unit: UnitOfRuns
+
+    @property
+    def key(self) -> str:
+        """Key of the unit in a run directory: ``NUMBER/KEY``."""
+        return f"{self.number}/{self.unit.key}"
+
+
+class CostsOfAll(Struct):
+    """Costs of the runs of each entrant, which add up in any order.
+
+    Attributes:
+        of: by the number of the entrant.
+    """
+
+    of: dict[int, CostTally] = field(default_factory=dict)
+
+    @property
+    def worlds(self) -> int:
+        """The number of rooted maps, counted once for each entrant."""
+        return sum(tally.worlds for tally in self.of.values())
+
+    def one(self, number: int) -> CostTally:
+        """The costs of a single entrant."""
+        return self.of.setdefault(number, CostTally(keep=1))
+
+    def add(self, other: CostsOfAll) -> None:
+        """Add the costs of another part."""
+        for number, tally in other.of.items():
+            self.one(number).add(tally)
+
+
+class SideBySide:
+    """The transports of all entrants as one; each entrant uses its own.
+
+    Args:
+        transports: by the number of the entrant; contexts as long as this one is.
+    """
+
+    def __init__(self, transports: Sequence[Transport[Any]]) -> None:
+        self._transports, self._stack = transports, ExitStack()
+
+    def __enter__(self) -> Self:
+        with ExitStack() as stack:
+            for transport in self._transports:
+                stack.enter_context(transport)
+            self._stack = stack.pop_all()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        raised: Any = error
+        self._stack.__exit__(*raised)
+
+    def map(
+        self, engine: Sequence[CostEngine], units: Iterable[UnitOfOne]
+    ) -> Iterator[PartialResult[UnitOfOne, CostsOfAll]]:
+        """Yield the parts of all units as they come. The units of an entrant stand together."""
+        for number, own in groupby(units, key=lambda unit: unit.number):
+            transport = self._transports[number]
+            for part in transport.map(engine[number], (each.unit for each in own)):
+                result = CostsOfAll({number: part.result})
+                yield PartialResult(UnitOfOne(number, part.unit), result, part.last)
+
+
+Answer = TypeVar("Answer")
+
+
+class Entrant(Struct, frozen=True):
+    """An explorer with the rules that its runs are judged by.
+
+    Attributes:
+        subject: the explorer.
+        rules: how it is played and judged.
+    """
+
+    subject: Subject
+    rules: Rules
+
+    @property
+    def name(self) -> str:
+        """The explorer's name."""
+        return self.subject.name
+
+    def scope(self, extent: Extent, portion: Portion = WHOLE) -> Scope:
+        """The scope of its runs in the worlds of an extent, or in a shard of them."""
+        return Scope(extent, self.rules, coverage=portion)
+
+    def first_world(self, map_: CombinatorialMap) -> World:
+        """A rooted map with its lighthouse at the first place."""
+        return World(map_, next(iter(self.rules.kind.places(map_, 0))), 0)
+
+
+def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
+    """The explorers, each under its own lighthouse unless the request names one.
+
+    Raises:
+        InputError: for one that is none or is there twice, or for an option.
+    """
+    entrants: list[Entrant] = []
+    for explore in request.explorers:
+        subject = subject_of(explore, request.limits)
+        if any(subject.name == other.name for other in entrants):
+            raise InputError(f"explorer {show(subject.name)} is named twice")
+        entrants.append(Entrant(subject, request.rules(subject)))
+    return tuple(entrants)
+
+
+def entrants_known(
+    request: CompareRequest, told: Iterable[Mapping[str, Any]]
+) -> tuple[Entrant, ...]:
+    """The entrants of an identity, without loading their code."""
+    return tuple(Entrant(subject_of_record(one), rules_known(request, one)) for one in told)
+
+
+class ComparedName(Document):
+    """An explorer by its name."""
+
+    name: Annotated[Text, about("the explorer's")]
+
+
+class Compared(ComparedName, of=(LighthouseOptions, AskedRules)):
+    """An explorer of a comparison, with the rules of its runs."""
+
+    places: TriedPlaces
+    shared_file: SharedFile
+
+
+class ContestScope(Document, of=ContestWorldsOptions):
+    """The worlds of a comparison."""
+
+    shard: WhichShard
+
+
+class ContestReport(SweptReport):
+    """The report of explorers that were run in the same worlds.
+
+    ``entrants`` were run; rows for programs are wanted ``by`` world or run.
+    """
+
+    verdict: Annotated[Verdict, about("whether a run of any explorer broke a law")] = computed(
+        lambda report: report.judged
+    )
+    exit_code: SweptExit = EXIT_CODE
+    explorers: Annotated[Some[Compared], about("in the order in which they were named")] = computed(
+        lambda report: tuple(report.compared_one(one) for one in report.entrants)
+    )
+    scope: Annotated[ContestScope, about("the worlds in which they were run")] = computed(
+        lambda report: told_scope(ContestScope, report.request, shard=str(report.portion))
+    )
+    findings: Annotated[
+        tuple[Finding, ...], about("the smallest of each explorer that broke a law")
+    ] = ()
+    entrants: Aside[tuple[Entrant, ...]]
+    by: Aside[By | None] = None
+
+    @property
+    def judged(self) -> Verdict:
+        """The verdict of these facts."""
+        return self.facts.verdict
+
+    @property
+    @override
+    def refuted(self) -> bool:
+        return bool(self.findings)
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the explorers."""
+        return [one.name for one in self.entrants]
+
+    @override
+    def records(self, by: str | None = None) -> list[dict[str, Any]]:
+        """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``.
+
+        Args:
+            by: ``size``, ``world`` or ``run``, as in the request; by default as was asked for.
+
+        Raises:
+            InputError: for another word, or for rows that were not kept.
+        """
+        found = self if by is None else replace(self, by=by_named(by))
+        return super(ContestReport, found).records()
+
+    def compared_one(self, one: Entrant) -> Compared:
+        """The part of the document that tells of an explorer."""
+        return Compared(
+            name=one.name,
+            **one.rules.told,
+            places=tried_places(one.rules.lighthouse, self.extent),
+            shared_file=one.rules.shared_file,
+        )
+
+
+class Contest(Sweep[CostsOfAll, Answer]):
+    """The sweep of several entrants through the same worlds.
+
+    Args:
+        entrants: who walks.
+        request: for the effort, and for all that the identity holds.
+        extent: holds every world.
+        every: these are all worlds of the extent.
+    """
+
+    verb, asked, result = "compare", CompareRequest, CostsOfAll
+
+    def __init__(
+        self,
+        entrants: Sequence[Entrant],
+        request: CompareRequest,
+        extent: Extent,
+        *,
+        every: bool = False,
+    ) -> None:
+        super().__init__(request, extent if every else None)
+        self.entrants, self.bounds = tuple(entrants), extent
+        self.names = [one.name for one in entrants]
+        self.findings: list[Finding] = []
+        self._found: dict[tuple[int, int], CostTally] = {}
+
+    @override
+    def explorer(self) -> dict[str, Any]:
+        records = [{**record_of(one.subject), **rules_record(one.rules)} for one in self.entrants]
+        return {"name": ", ".join(self.names), "explorers": records}
+
+    @override
+    def ready(self) -> ReadyEngine:
+        limits, cluster, notice = self.request.limits, self.request.cluster, self.listener.notice
+        scopes = [one.scope(self.bounds) for one in self.entrants]
+        jobs = [
+            Job(scope, one.subject, limits, 1, self.deadline, notice, cluster)
+            for one, scope in zip(self.entrants, scopes, strict=True)
+        ]
+        engines = [CostEngine(scope, 1) for scope in scopes]
+        return ReadyEngine(SideBySide([players_for(job) for job in jobs]), engines)
+
+    @override
+    def empty(self) -> CostsOfAll:
+        return CostsOfAll()
+
+    @override
+    def read(self, kept: Any) -> CostsOfAll:
+        total = from_kept(kept, CostsOfAll)
+        for number, tally in total.of.items():
+            tally.under(self.entrants[number].rules)
+        return total
+
+    @override
+    def costs(self, total: CostsOfAll) -> Iterable[tuple[int, int, int]]:
+        return (cost for tally in total.of.values() for cost in tally.costs_by_size)
+
+    @override
+    def leave(self, level: SweptLevel, total: CostsOfAll) -> None:
+        """Store the findings: the smallest of each entrant, in each group of levels."""
+        for number, tally in total.of.items():
+            known = self._found.setdefault((self.group(level), number), CostTally(keep=1))
+            for found in tally.findings:
+                known.find(found)
+
+    @override
+    def list_by(self, by: By) -> None:
+        self.request = replace(self.request, by=by)
+
+    def contest(self, ending: Ending) -> dict[str, Any]:
+        """Return the keywords of the report of any contest."""
+        return {
+            **self.ended(ending, self.bounds),
+            "findings": tuple(self.findings),
+            "entrants": self.entrants,
+            "by": self.request.by,
+        }
+
+    def group(self, level: SweptLevel) -> int:  # noqa: ARG002  # all are one
+        """The number of the group to which a level belongs."""
+        return 0
+
+    @override
+    def conclude(self, ending: Ending) -> Ending:
+        """Confirm the findings of all entrants."""
+        for (_, number), tally in sorted(self._found.items()):
+            one, limits = self.entrants[number], self.request.limits
+            scope = one.scope(self.bounds)
+            settled = Confirmation(one.subject, limits, scope, self.deadline, self.records)
+            self.findings += settled.confirmed(tally.findings)
+        return Completed() if ending.final and self.findings else ending
