@@ -27,6 +27,7 @@ from mkdocs.structure.pages import Page
 
 import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
+from allworlds.document.struct import replace
 from allworlds.maps.canonical import Mismatch, isomorphism
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.reports.drawing.scene import Scene, scene_of
@@ -92,7 +93,7 @@ def _walked() -> list[Scene]:
     """A robot after its first motion."""
     world = world_named("theta", "directional")
     dart = world.map.alpha[world.start]
-    return [scene_of(world, robot=dart, walked={dart})]
+    return [replace(scene_of(world), robot=dart, walked={dart})]
 
 
 FIGURES = {

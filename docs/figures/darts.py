@@ -12,11 +12,12 @@ from xml.etree import ElementTree as ET
 
 from frame import framed
 
+from allworlds.document.struct import replace
 from allworlds.maps import CombinatorialMap
 from allworlds.reports.drawing.layout import Layout, layout
 from allworlds.reports.drawing.scene import scene_of
 from allworlds.reports.drawing.svg import picture
-from allworlds.reports.rendering import tag
+from allworlds.reports.markup import tag
 from allworlds.world import Directional, World
 
 FILE = Path(__file__).parents[1] / "assets" / "darts.svg"
@@ -96,7 +97,7 @@ def across(drawn: Layout, dart: int) -> list[ET.Element]:
 
 def figure() -> ET.Element:
     """The whole figure."""
-    scene = scene_of(WORLD, robot=WORLD.start)
+    scene = replace(scene_of(WORLD), robot=WORLD.start)
     drawn = layout(WORLD.map, WORLD.start)
     left, top, width, height = drawn.box(40)
     world = picture(scene, "darts-world", "A world of three vertices")

@@ -16,10 +16,9 @@ from frame import framed
 import allworlds
 from allworlds import Estimate, Finding
 from allworlds.reports.drawing.layout import layout
-from allworlds.reports.drawing.scene import Scene
+from allworlds.reports.drawing.scene import Scene, walk_in_answer, walk_in_world
 from allworlds.reports.drawing.svg import picture
-from allworlds.reports.rendering import tag
-from allworlds.reports.scenes import walk_in_answer, walk_in_world
+from allworlds.reports.markup import tag
 
 ROOT = Path(__file__).parents[2]
 FILE = ROOT / "docs" / "assets" / "refutation.svg"

@@ -80,7 +80,8 @@ class Canvas(Struct, frozen=True):
     def note(self, dart: int, text: str, **style: Any) -> None:
         """Write a short text on the dart's edge, near its vertex."""
         box = {"boxstyle": "round,pad=0.15", "facecolor": PAPER, "edgecolor": "none"}
-        at = _xy(self.layout.label(dart))
+        a, b, c, *_ = self.layout.ways[dart]
+        at = _xy((a + 6 * b + c) / 8)
         self.axes.text(*at, text, ha="center", va="center", fontsize=7, bbox=box, zorder=7, **style)
 
     def _id(self, what: str) -> str | None:

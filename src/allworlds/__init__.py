@@ -43,7 +43,7 @@ if TYPE_CHECKING:
         Estimate as Estimate,
     )
     from allworlds.protocol.choices import Choices as Choices
-    from allworlds.reports.drawing.standalone import Drawing as Drawing, draw as draw
+    from allworlds.reports.drawing.svg import Drawing as Drawing, draw as draw
     from allworlds.studies import ambiguity as ambiguity
     from allworlds.studies.ambiguity.telling_apart import twins as twins
     from allworlds.studies.ambiguity.twin_search import search as search

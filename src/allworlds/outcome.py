@@ -165,14 +165,12 @@ def ended(job: Callable[[], Ending]) -> Ending:
 def until_interrupted(rows: Iterable[T]) -> tuple[tuple[T, ...], Ending]:
     """The rows that were made before the user interrupted, and how it ended."""
     made: list[T] = []
-
-    def all_made() -> Ending:
+    try:
         for row in rows:
             made.append(row)  # noqa: PERF402  # what is made before an interrupt is kept
-        return Completed()
-
-    ending = ended(all_made)
-    return tuple(made), ending
+    except KeyboardInterrupt:
+        return tuple(made), Interrupted()
+    return tuple(made), COMPLETED
 
 
 class Result(Protocol):

@@ -27,7 +27,7 @@ from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, int
 from allworlds.inputs.checks import InputError, an_integer
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, places
 from allworlds.protocol.choices import Choices, Kind
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
@@ -191,9 +191,9 @@ def _lit(
 ) -> World:
     map_ = draw(map_strategy)
     start = draw(integers(0, len(map_.sigma) - 1))
-    places = list(kind.places(map_, start))
-    assume(places)
-    return World(map_, places[draw(integers(0, len(places) - 1))], start)
+    lighthouses = list(kind.places(map_, start))
+    assume(lighthouses)
+    return World(map_, lighthouses[draw(integers(0, len(lighthouses) - 1))], start)
 
 
 @composite
@@ -227,7 +227,7 @@ def grow(
         if new_vertices < new_edges:
             ways += growth.between()
         if new_vertices:
-            ways += growth.outward()
+            ways += [(dart, OUTWARD) for dart in range(len(growth.sigma))]
         growth.add(ways[pick(ways)])
     return CombinatorialMap.trusted(*rooted_code(growth.sigma, growth.alpha, 0))
 
@@ -267,8 +267,8 @@ class _Growth:
     def between(self) -> list[Way]:
         """Every way to add an edge without a new vertex, ascending."""
         darts = range(len(self.sigma))
-        face = self._owner([self.sigma[e] for e in self.alpha])
-        vertex = self._owner(self.sigma)
+        face, _ = places(cycles([self.sigma[e] for e in self.alpha]))
+        vertex, _ = places(cycles(self.sigma))
         joined = {(vertex[d], vertex[self.alpha[d]]) for d in darts}
 
         def allowed(a: Dart, b: Dart) -> bool:
@@ -278,10 +278,6 @@ class _Growth:
             return not self.map_class.simple or (ends[0] != ends[1] and ends not in joined)
 
         return [way for way in combinations_with_replacement(darts, 2) if allowed(*way)]
-
-    def outward(self) -> list[Way]:
-        """Every way to add an edge with a new vertex, ascending."""
-        return [(d, OUTWARD) for d in range(len(self.sigma))]
 
     def add(self, way: Way) -> None:
         """Add the edge to the map."""
@@ -298,12 +294,3 @@ class _Growth:
     def _insert(self, dart: Dart, behind: Dart) -> None:
         self.sigma[dart] = self.sigma[behind]
         self.sigma[behind] = dart
-
-    @staticmethod
-    def _owner(permutation: Sequence[Dart]) -> list[int]:
-        """For each dart the number of its cycle in a permutation."""
-        owner = [0] * len(permutation)
-        for i, cycle in enumerate(cycles(permutation)):
-            for dart in cycle:
-                owner[dart] = i
-        return owner

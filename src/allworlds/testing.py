@@ -26,7 +26,6 @@ import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from functools import partial
-from pathlib import Path
 from typing import Any, TypeAlias
 
 from allworlds.inputs.checks import did_you_mean
@@ -35,7 +34,8 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.outcome import Verdict
-from allworlds.reports.rendering import brief, finding_in_words
+from allworlds.reports.formats import brief
+from allworlds.reports.plain_text import finding_in_words
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.fuzz.drive import MapsRequest, fuzz, refuted_in
@@ -315,7 +315,8 @@ def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
     chosen = options.get("worlds") is not None
     given = {**options} if chosen else {**options, **_bounds(options)}
     if not chosen and "corpus" not in given and "run" not in given:
-        given["corpus"] = _corpus_of_test()
+        plugin = sys.modules.get(PLUGIN)
+        given["corpus"] = plugin and plugin.corpus_of_test()
     report = check(explore, **given).uninterrupted()
     if report.past and "corpus" not in options:
         for name in report.past.fixed:
@@ -329,15 +330,8 @@ def _bounds(options: Mapping[str, Any]) -> dict[str, Any]:
     return {"edges": EDGES if edges is None and vertices is None else edges, "vertices": vertices}
 
 
-def _corpus_of_test() -> Path | None:
-    """The directory of the running test's past findings, if pytest runs one."""
-    plugin = sys.modules.get(PLUGIN)
-    return None if plugin is None else plugin.corpus_of_test()
-
-
 def _said(report: CheckReport) -> str:
     """The text about a report whose verdict is not that the laws hold."""
     verdict = brief("check", report, WIDTH)
-    return "\n" + "\n\n".join(
-        [*(finding_in_words(finding, WIDTH) for finding in report.findings), verdict]
-    )
+    findings = [finding_in_words(finding, WIDTH) for finding in report.findings]
+    return "\n" + "\n\n".join([*findings, verdict])

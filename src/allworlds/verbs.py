@@ -2,7 +2,7 @@
 
 The command line and the tests are derived from it.  A new verb is an entry here, and a module with
 its request, its function and its document.  One whose result is told in words of its own has a
-function in ``reports.tellings``; one that does more than answer a request has one in ``cli``.
+function in ``reports.content``; one that does more than answer a request has one in ``cli``.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Verb:
     name: str
     document: str
     summary: str
-    telling: str = "reports.tellings.plain:plain_telling"
+    telling: str = "reports.content.plain:plain_content"
     has: tuple[str, ...] = (ROWS,)
     swept: bool = False
     python: str = ""
@@ -71,7 +71,7 @@ VERBS = (
         "check",
         "check",
         "Run an explorer in every world of a class, for a verdict: the main job.",
-        telling="reports.tellings.check:check_telling",
+        telling="reports.content.check:check_content",
         swept=True,
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
@@ -80,14 +80,14 @@ VERBS = (
         "run",
         "run",
         "Run an explorer in one world, step by step.",
-        telling="reports.tellings.single_run:run_telling",
+        telling="reports.content.single_run:run_content",
         panel=EVERYDAY,
     ),
     Verb(
         "fuzz",
         "check",
         "Run an explorer in random worlds beyond the exhaustive bound.",
-        telling="reports.tellings.check:check_telling",
+        telling="reports.content.check:check_content",
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
         swept=True,
@@ -101,21 +101,21 @@ VERBS = (
         "replay",
         "replay",
         "Run a finding again: is it reproduced or fixed?",
-        telling="reports.tellings.single_run:replay_telling",
+        telling="reports.content.single_run:replay_content",
         panel=EVERYDAY,
     ),
     Verb(
         "explain",
         "explain",
         "Explain a finding in plain words.",
-        telling="reports.tellings.explain:explain_telling",
+        telling="reports.content.single_run:explain_content",
         panel=EVERYDAY,
     ),
     Verb(
         "init",
         "init",
         "Write a skeleton of an explorer, in one of four languages.",
-        telling="reports.tellings.init:init_telling",
+        telling="reports.content.plain:init_content",
         panel=EVERYDAY,
         has=(),
         example="my-explorer --lang javascript",
@@ -129,7 +129,7 @@ VERBS = (
         "play",
         "play",
         "Be the robot, in a web page or in the terminal.",
-        telling="reports.tellings.played:play_telling",
+        telling="reports.web.play:play_content",
         panel=EVERYDAY,
         has=(PAGE,),
     ),
@@ -137,7 +137,7 @@ VERBS = (
         "merge",
         "merge",
         "Join the shards of a job into one report.",
-        telling="reports.tellings.merge:merge_telling",
+        telling="reports.content.plain:merge_content",
         panel=LONG_RUNS,
         example="shard-0 shard-1",
         help=(
@@ -150,7 +150,7 @@ VERBS = (
         "status",
         "status",
         "Show the progress of a run directory.",
-        telling="reports.tellings.merge:status_telling",
+        telling="reports.content.plain:status_content",
         panel=LONG_RUNS,
         has=(),
         example="shard-0",
@@ -163,7 +163,7 @@ VERBS = (
         "compare",
         "compare",
         "Compare explorers in the same worlds, or in worlds that grow.",
-        telling="reports.tellings.compare:compare_telling",
+        telling="reports.content.compare:compare_content",
         panel=COSTS,
         swept=True,
         example="algorithm1 dudek91 --edges 4",
@@ -179,7 +179,7 @@ VERBS = (
         "worst",
         "worst",
         "Find the worst and best cost of Algorithm 1, over every schedule.",
-        telling="reports.tellings.worst:worst_telling",
+        telling="reports.content.sizes:worst_content",
         swept=True,
         panel=COSTS,
         example="--edges 5",
@@ -194,7 +194,7 @@ VERBS = (
         "count",
         "count",
         "Count the maps of a class, in two independent ways.",
-        telling="reports.tellings.count:count_telling",
+        telling="reports.content.sizes:count_content",
         panel=WORLDS,
         swept=True,
         example="--edges 6",
@@ -207,7 +207,7 @@ VERBS = (
         "ambiguity twins",
         "twins",
         "Decide whether any motion tells two worlds apart.",
-        telling="reports.tellings.lookalikes:twins_telling",
+        telling="reports.content.ambiguity:twins_content",
         example="fig1-left fig1-right",
         help=(
             "Can any motion tell two worlds apart? The answer comes with the shortest motions that "
@@ -219,7 +219,7 @@ VERBS = (
         "ambiguity-class",
         "List every world that no motion tells from a given one.",
         python="ambiguity.class_of",
-        telling="reports.tellings.lookalikes:class_telling",
+        telling="reports.content.ambiguity:class_content",
         example="k4 --class simple",
         help=("Build every world that no motion tells from WORLD, and say why."),
     ),
@@ -227,7 +227,7 @@ VERBS = (
         "ambiguity census",
         "ambiguity-census",
         "Classify the worlds of a class that no motion tells apart.",
-        telling="reports.tellings.census:census_telling",
+        telling="reports.content.ambiguity:census_content",
         swept=True,
         example="--edges 5",
         help=(
@@ -239,7 +239,7 @@ VERBS = (
         "ambiguity search",
         "search",
         "Search for worlds that no motion tells apart, by SMT.",
-        telling="reports.tellings.search:search_telling",
+        telling="reports.content.ambiguity:search_content",
         example="--lighthouse position --class simple --edges 6 --vertices 4",
         help=(
             "Find two different worlds that no motion tells apart, or show that there are none. "
@@ -250,7 +250,7 @@ VERBS = (
         "ledger",
         "ledger",
         "Check the sentences of a paper, each by its own function.",
-        telling="reports.tellings.ledger:ledger_telling",
+        telling="reports.content.ledger:ledger_content",
         panel=PAPERS,
         has=(ROWS, CASES),
         example="papers/minimal_information --only fig1",

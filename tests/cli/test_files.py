@@ -8,7 +8,7 @@ import pytest
 
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import emit, output_of
-from allworlds.reports.format_table import file_of
+from allworlds.reports.formats import file_of
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.fuzz.drive import fuzz
 

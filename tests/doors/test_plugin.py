@@ -7,7 +7,7 @@ import pytest
 
 import allworlds.testing  # what a run of pytester loads it forgets; the package stays the same one
 from allworlds.cli.app import command_line
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 
 pytest_plugins = ["pytester"]
 pytestmark = pytest.mark.usefixtures("without_workers")

@@ -8,8 +8,8 @@ import pytest
 from allworlds import Estimate, Finding, check, run
 from allworlds.engines.prints import KEPT, Prints
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.reports.telling import Quote
-from allworlds.reports.tellings.finding import printed
+from allworlds.reports.content.single_run import printed
+from allworlds.reports.parts import Quote
 from native_libraries import attack
 
 pytestmark = pytest.mark.processes

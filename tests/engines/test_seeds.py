@@ -2,6 +2,7 @@
 
 import pytest
 
+from allworlds import run, worlds
 from allworlds.document.struct import replace
 from allworlds.engines import lane
 from allworlds.inputs.checks import InputError
@@ -54,6 +55,16 @@ def test_a_finding_carries_the_hash_seed_that_decides_and_replay_sets_it(tmp_pat
     assert replay(again).outcome == "reproduced"
     other = replay(Finding.from_json({**found.to_json(), "hash_seed": 1 - found.hash_seed}))
     assert other.outcome == "fixed"
+
+
+def test_a_run_has_the_hash_seed_of_the_environment(tmp_path, monkeypatch):
+    module = tmp_path / "order.py"
+    module.write_text(GOES_BY_ORDER)
+    codes = set()
+    for seed in ("0", "1"):
+        monkeypatch.setenv("PYTHONHASHSEED", seed)
+        codes.add(run(f"{module}:explore", next(worlds(edges=1))).exit_code)
+    assert codes == {0, 1}
 
 
 COUNTS_ITS_RUNS = """

@@ -11,7 +11,7 @@ import allworlds
 
 ROOT = Path(__file__).parents[2]
 FOLDERS = {
-    Path(allworlds.__file__).parent: 250,
+    Path(allworlds.__file__).parent: 100,
     ROOT / "tests": 250,
     ROOT / "benchmarks": 5,
     ROOT / "proofs": 20,

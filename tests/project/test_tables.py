@@ -38,8 +38,7 @@ from allworlds.maps.families import FAMILIES
 from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol.choices import POLICIES, SEEDED, Schedule
 from allworlds.reports import schemas
-from allworlds.reports.format_table import FORMATS, formats_of
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import FORMATS, formats_of, text
 from allworlds.studies.ambiguity.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growth import GROWING

@@ -69,7 +69,7 @@ HOMES = {
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
     "psutil": ["engines.dask"],
-    "pyarrow": ["reports.formats.csv"],
+    "pyarrow": ["reports.formats"],
     "pysat": ["studies.ambiguity.solvers"],
     "rich": ["cli", "reports"],
     "typer": ["cli", "reports"],

@@ -2,7 +2,7 @@ import pytest
 
 from allworlds.document.struct import replace
 from allworlds.maps import named_map
-from allworlds.reports.rendering import text as text_of
+from allworlds.reports.formats import text as text_of
 from allworlds.studies.ambiguity import census, class_of, twins
 from allworlds.world import Position, World
 

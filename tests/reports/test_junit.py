@@ -9,8 +9,8 @@ import pytest
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document.struct import replace
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
-from allworlds.reports.format_table import file_of
-from allworlds.reports.rendering import finding_in_words as finding_text
+from allworlds.reports.formats import file_of
+from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import GateCell
 from allworlds.studies.fuzz.drive import fuzz

@@ -2,6 +2,7 @@
 
 import re
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree as ET
 
@@ -11,8 +12,9 @@ import allworlds
 from allworlds import maps
 from allworlds.engines import progress
 from allworlds.inputs.checks import InputError
-from allworlds.reports.drawing.standalone import STYLE, draw
-from allworlds.reports.rendering import text, verb_of
+from allworlds.reports.drawing import svg as drawn_by
+from allworlds.reports.drawing.svg import draw
+from allworlds.reports.formats import text, verb_of
 from allworlds.reports.schemas import reports_of
 from allworlds.verbs import VERBS
 from allworlds.world import Directional, World
@@ -37,11 +39,12 @@ def test_the_names_that_one_looks_for_are_found_by_dir():
 def test_a_saved_drawing_carries_its_style(world, tmp_path):
     drawing = draw(world)
     drawing.save(tmp_path / "world.svg")
+    style = (Path(drawn_by.__file__).parent / "alone.css").read_text(encoding="utf-8")
     root = ET.parse(tmp_path / "world.svg").getroot()
-    assert root.find(f"{SVG}style").text == STYLE.replace("NAME", root.get("id"))
+    assert root.find(f"{SVG}style").text == style.replace("NAME", root.get("id"))
     # No edge is a black area: each class of a shape that is drawn has a rule.
     shapes = [one for one in root.iter() if one.tag.removeprefix(SVG) in ("path", "circle", "rect")]
-    styled = set(re.findall(r"\.([a-z]+)", STYLE))
+    styled = set(re.findall(r"\.([a-z]+)", style))
     assert len(shapes) > 10
     for shape in shapes:
         hidden = {"stub", "robot"} & set(shape.get("class").split())

@@ -6,8 +6,8 @@ import pytest
 
 from allworlds.document.struct import replace
 from allworlds.outcome import Completed, Interrupted, Stopped
-from allworlds.reports.format_table import file_of, formats_of
-from allworlds.reports.rendering import finding_in_words as finding_text
+from allworlds.reports.formats import file_of, formats_of
+from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 
 TEXTS = [form for form in formats_of("check") if form != "parquet"]
@@ -90,7 +90,7 @@ def test_a_finding_is_an_error_at_the_line_of_the_explorer(refuted, line):
         assert properties["title"].startswith(
             f"mine.py:explore breaks the law '{finding.law}' in a world"
         )
-        assert message == finding_text(finding, 80, i)
+        assert message == finding_text(finding, 100, i)
 
 
 @pytest.mark.parametrize(

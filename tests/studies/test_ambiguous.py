@@ -9,7 +9,7 @@ import pytest
 
 import allworlds
 from allworlds.judging.findings.finding import Finding
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Directional, Position, World
 from small import EDGE, PLANE, TORUS

@@ -8,7 +8,7 @@ from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Move
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 from allworlds.world import Directional, World
 from schedules import schedules
 

@@ -13,6 +13,7 @@ from allworlds import compare, run
 from allworlds.document.struct import replace
 from allworlds.engines.effort import TimeIsUp
 from allworlds.engines.players import Unsettled
+from allworlds.engines.progress import Silent
 from allworlds.engines.units import SweptLevel
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import load
@@ -24,8 +25,7 @@ from allworlds.maps.families import edges_of
 from allworlds.outcome import Completed, Interrupted
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate
-from allworlds.reports.format_table import file_of
-from allworlds.reports.rendering import text as text_of
+from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.compare.entrants import CompareRequest, Entrant
 from allworlds.studies.compare.growth import (
     GROWING,
@@ -269,6 +269,17 @@ def test_finished_worlds_of_a_begun_size_are_in_the_rows_and_marked(monkeypatch)
     assert all(row["edges"] == second for row in begun)
     assert all({**row, "finished": True} in every for row in kept)
     assert "begun      3 worlds of an unfinished size" in text_of("compare", told, 100)
+
+
+def test_a_law_that_is_broken_in_a_begun_size_refutes():
+    class Ends(Silent):
+        def progress(self, worlds):
+            raise TimeIsUp
+
+    asked = {"family": "cubic", "to": 30, "worlds": 3, "listener": Ends(), "time_limit": 1000}
+    told = compare(stops_at_once, **asked)
+    assert (told.verdict.value, told.rows) == ("refuted", ())
+    assert told.findings[0].law == "no-estimate"
 
 
 def _unsized(growth):

@@ -18,8 +18,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Interrupted
 from allworlds.protocol.answers import Estimate
-from allworlds.reports.format_table import file_of
-from allworlds.reports.rendering import text as text_of
+from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.compare import intervals
 from allworlds.studies.compare.comparison import SameWorlds
 from allworlds.world import Directional, World

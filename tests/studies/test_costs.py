@@ -11,9 +11,8 @@ from allworlds.cli.app import call
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import InputError
 from allworlds.maps import named_map
-from allworlds.reports.play.page import game
-from allworlds.reports.rendering import text
-from allworlds.reports.tellings.played import LEAST, NAMES
+from allworlds.reports.formats import text
+from allworlds.reports.web.play import LEAST, NAMES, game
 from allworlds.studies.play import LARGEST, Walker, play
 from allworlds.world import LIGHTHOUSES, Directional, World
 from allworlds.world.own_condition import worlds

@@ -66,6 +66,17 @@ def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
 
 
 @pytest.mark.no_cover
+@pytest.mark.parametrize("map_class", ["maps", "planar"])
+@pytest.mark.parametrize(("fewest", "most"), [(1, 1)])
+def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
+    tmp_path, map_class, fewest, most
+):
+    found = counted(tmp_path / "f.cnf", 3, map_class, fewest=fewest, most=most)
+    wanted = [m for m in rooted_maps(3, map_class) if fewest <= m.vertex_count <= most]
+    assert sorted(found) == [(m.sigma, m.alpha) for m in wanted]
+
+
+@pytest.mark.no_cover
 @pytest.mark.parametrize(("root", "others"), [(2, None), (None, 2), (2, 2), (4, 1), (9, None)])
 def test_required_degrees_leave_exactly_the_maps_that_have_them(tmp_path, root, others):
     found = counted(tmp_path / "f.cnf", 3, "maps", (root, others))
@@ -91,15 +102,27 @@ def test_excluding_other_starts_keeps_a_pair_of_different_worlds(tmp_path):
     assert solved(tmp_path / "f.cnf", formula) == "sat"
 
 
+def test_of_four_edges_the_cycle_alone_looks_like_the_loop_without_a_lighthouse(tmp_path):
+    # The path of four edges, started in its middle, differs only beyond as many darts as the
+    # loop has.
+    sizes = Sizes(Size(1, 1, 2), Size(4, 1, 5))
+    formula, pair = pair_formula(question("none", "maps", 5, 4), sizes)
+    ((sigma, alpha),) = models(tmp_path / "f.cnf", formula, pair.two)
+    assert all(sigma[sigma[dart]] == dart != sigma[dart] for dart in range(8))
+    assert alpha != sigma
+
+
 def test_a_file_says_what_its_variables_and_clauses_mean(tmp_path):
-    asked = question("directional", "maps", 3, 2)
+    asked = question("directional", "simple", 3, 2, degree_marked=1)
     formula, _ = pair_formula(asked, next(asked.sizes()))
     formula.write(tmp_path / "f.cnf")
     lines = (tmp_path / "f.cnf").read_text().splitlines()
     assert lines[0].startswith("c Two different worlds that no motion tells apart")
+    assert "degree 1 at the start's vertex" in lines[0]
     header = lines.index(f"p cnf {formula.variable_count} {len(formula.clauses)}")
     named = [line.split()[2].split("..") for line in lines[:header] if "c variables" in line]
     told = [line.split()[2].rstrip(":").split("..") for line in lines[header:] if "c cl" in line]
     for ranges, last in ((named, formula.variable_count), (told, len(formula.clauses))):
         covered = [number for a, b in ranges for number in range(int(a), int(b) + 1)]
         assert covered == list(range(1, last + 1))
+    assert sum("no two edges with the same ends" in line for line in lines) == 2

@@ -4,8 +4,7 @@ import pytest
 
 import allworlds
 from allworlds.inputs.checks import InputError
-from allworlds.reports.format_table import file_of
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import file_of, text
 
 WRONG = """
 from allworlds import Move

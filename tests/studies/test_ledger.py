@@ -8,8 +8,7 @@ import allworlds
 from allworlds.document.struct import replace
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import COMPLETED, Exit, Interrupted
-from allworlds.reports.format_table import file_of
-from allworlds.reports.rendering import brief, text
+from allworlds.reports.formats import brief, file_of, text
 from allworlds.studies.ledger.checked_claims import FAULTS, LedgerReport, entry_with
 from allworlds.studies.ledger.claim import Found, NotChecked, Unfinished, claims_in, of_check
 

@@ -13,7 +13,7 @@ from allworlds.judging.findings.walks import believed_percepts, trail_to, true_w
 from allworlds.maps import MapClass
 from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.protocol.transcript import Transcript
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 from allworlds.world import Movable, World
 from allworlds.world.lighthouses.marked import Labels
 from small import EDGE, LOLLIPOP, PATH

@@ -7,7 +7,7 @@ import pytest
 import allworlds
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 from models import PARITY
 
 EXPLORER = """

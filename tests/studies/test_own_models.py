@@ -5,7 +5,7 @@ import json
 import pytest
 
 import allworlds
-from allworlds.reports.format_table import file_of
+from allworlds.reports.formats import file_of
 from allworlds.testing import assert_explores
 from models import PARITY
 

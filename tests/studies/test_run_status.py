@@ -20,6 +20,13 @@ def test_a_finished_directory_says_so(tmp_path):
     assert standing.explorer == "algorithm1"
 
 
+@pytest.mark.usefixtures("without_workers")
+def test_of_a_comparison_the_largest_cost_of_all_explorers_is_shown(tmp_path):
+    report = allworlds.compare("algorithm1", "dfs", edges=2, run=tmp_path)
+    largest = max(cost for row in report.rows for cost in row.worst.values())
+    assert allworlds.status(tmp_path).worst.cost == largest
+
+
 class Looks(Silent):
     def __init__(self, run, done):
         self.run, self.done, self.seen = run, done, []

@@ -5,7 +5,7 @@ import pytest
 from allworlds import ambiguity, check, compare, count, fuzz
 from allworlds.inputs.requests import in_scope
 from allworlds.judging.findings.rules import AskedRules
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 from allworlds.verbs import VERBS
 from allworlds.world.lighthouses.kinds import lighthouse_named
 

@@ -4,7 +4,7 @@ import pytest
 
 import allworlds
 from allworlds.inputs.checks import InputError
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 from allworlds.world import worlds
 from models import HEARD, PARITY
 

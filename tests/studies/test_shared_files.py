@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import allworlds
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 
 ATTACK = Path(__file__).parents[1] / "attacks" / "reaching" / "shares_its_file.py"
 
@@ -83,8 +83,6 @@ def modules(tmp_path, monkeypatch):
         "shared_walker": HONEST + "\n\ndef other(first):\n    return 1\n    yield\n",
         "shared_judge": "from shared_walker import judge as theirs\n\n\n"
         "def judge(world, transcript, answer):\n    return theirs(world, transcript, answer)\n",
-        "shared_twice": "def judge(world, transcript, answer):\n"
-        "    from shared_judge import judge\n    return judge(world, transcript, answer)\n",
         "shared_alone": "def judge(world, transcript, answer):\n    return None\n",
     }.items():
         (tmp_path / f"{name}.py").write_text(content)
@@ -93,7 +91,7 @@ def modules(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
-@pytest.mark.parametrize("name", ["shared_walker", "shared_judge", "shared_twice"])
+@pytest.mark.parametrize("name", ["shared_walker", "shared_judge"])
 def test_a_file_that_a_model_loads_only_by_imports_is_shared_too(modules, name):
     report = allworlds.check("shared_walker.py:explore", edges=1, task=f"{name}.py:judge")
     assert report.scope.shared_file == "shared_walker.py"

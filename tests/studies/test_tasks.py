@@ -9,7 +9,7 @@ import allworlds
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
 from allworlds.protocol.actions import Move
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 
 EXPLORERS = """
 from allworlds import Move

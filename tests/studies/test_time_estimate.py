@@ -11,7 +11,7 @@ from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import drawn_units, level_size
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.reports.rendering import text as text_of
+from allworlds.reports.formats import text as text_of
 from allworlds.studies.check.exhaustive import Guess, estimate, worlds_of
 
 pytestmark = pytest.mark.usefixtures("compiled")

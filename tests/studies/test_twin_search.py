@@ -14,6 +14,7 @@ from allworlds.studies.ambiguity.proofs import check_lrat
 from allworlds.studies.ambiguity.twin_search import bisimulation
 from allworlds.world import Directional, Position, World
 from allworlds.world.bisimulation import flaw
+from searches import question
 
 needs_python_sat = pytest.mark.skipif(
     not solvers.python_sat_is_installed(), reason="python-sat is not installed: no certificates"
@@ -57,6 +58,14 @@ def test_where_there_is_no_pair_every_level_has_a_checked_proof(
         clauses = [tuple(map(int, line[:-1])) for line in lines if line[0] not in {"c", "p"}]
         check_lrat(clauses, found.proof.read_text().splitlines())
         assert read_dimacs(found.formula)[1] == clauses
+
+
+def test_sizes_without_any_world_are_left_out():
+    sizes = [one for one, _ in question("position", "simple", 4, 7).sizes()]
+    wanted = [(1, 2, 2), (2, 3, 3), (3, 3, 4), (4, 4, 4), (5, 4, 4), (6, 4, 4)]
+    assert [(size.edges, size.fewest, size.most) for size in sizes] == wanted
+    *_, (largest, _) = question("position", "planar-simple", 5, 10).sizes()  # K5 has ten edges
+    assert (largest.edges, largest.fewest, largest.most) == (9, 5, 5)
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from allworlds.maps import from_cycles, named_map
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.transcript import Transcript
-from allworlds.reports.rendering import text as text_of
+from allworlds.reports.formats import text as text_of
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.explain import explain
 from allworlds.studies.fuzz.drive import fuzz

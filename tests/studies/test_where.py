@@ -5,7 +5,7 @@ import pytest
 import allworlds
 from allworlds.inputs.checks import InputError
 from allworlds.maps.counting import any_genus, sources
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
 
 PREDICATES = """
 def even(map_):

@@ -8,7 +8,7 @@ import pytest
 from allworlds import compare, run
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, named_map, rooted_isomorphism
-from allworlds.reports.format_table import file_of
+from allworlds.reports.formats import file_of
 from allworlds.world import Directional, World, code_of, world_named
 from allworlds.world.named import map_of_code, map_of_family
 from allworlds.world.own_condition import worlds

@@ -8,7 +8,7 @@ from statistics import mean
 import pytest
 
 from allworlds import compare
-from allworlds.reports.format_table import file_of
+from allworlds.reports.formats import file_of
 from bouquets import bound_of_information, bouquets, cautious_cost, number_of_bouquets, told_apart
 from optima import fewest_traversals
 from paper_claims import PAPER

@@ -22,10 +22,15 @@ from allworlds.engines.progress import Listener
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Option, answer
 from allworlds.outcome import Exit, Result
-from allworlds.reports.format_table import file_of, form_and_path, formats_of, legal_files
-from allworlds.reports.formats.json import document_text
-from allworlds.reports.plain_text import brief, on_terminal
-from allworlds.reports.rendering import told
+from allworlds.reports.formats import (
+    content_of,
+    document_text,
+    file_of,
+    form_and_path,
+    formats_of,
+    legal_files,
+)
+from allworlds.reports.plain_text import content_line, on_terminal
 from allworlds.verbs import BY_NAME, FINDINGS
 from allworlds.words import harmless
 
@@ -113,7 +118,7 @@ def _write_files(result: Report, output: OutputGroup, document: Callable[[], str
     if FINDINGS not in BY_NAME[output.verb].has or not hasattr(result, "findings"):
         return
     for form, format_ in formats_of(output.verb).items():
-        if os.environ.get(format_.told_to) == "true":
+        if os.environ.get(format_.read_by) == "true":
             print(file_of(output.verb, form, result), end="", file=sys.stderr)
         if summary := os.environ.get(format_.summary):
             try:
@@ -218,11 +223,11 @@ def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int
         if output.as_json:
             print(document(), end="")
         else:
-            telling, columns = told(output.verb, result), width()
+            content, columns = content_of(output.verb, result), width()
             said = (
-                brief(telling, columns)
+                content_line(content, columns)
                 if output.quiet
-                else on_terminal(telling, columns, whole=output.verbose)
+                else on_terminal(content, columns, whole=output.verbose)
             )
             for file, options in {} if output.quiet else defaults_used().items():
                 text = ", ".join(f"{key} = {value}" for key, value in options.items())

@@ -20,7 +20,7 @@ class Pictured:
 
     def _repr_svg_(self) -> str:
         """The picture that notebooks show."""
-        from allworlds.reports.drawing.standalone import draw
+        from allworlds.reports.drawing.svg import draw
 
         return draw(self).svg  # type: ignore[arg-type]  # one of the two that it draws
 

@@ -29,10 +29,6 @@ class Percept(WrittenByFields):
         """Return this percept with ``markers`` more marks."""
         return Percept(self.degree, self.marks + markers, self.bearing) if markers else self
 
-    def __reduce__(self) -> tuple[type[Percept], tuple[int, int, int | None]]:
-        """Pickle by the fields, several times faster than a frozen dataclass does by itself."""
-        return Percept, (self.degree, self.marks, self.bearing)
-
     def __str__(self) -> str:
         """The percept in words: for example ``degree 3, marked, bearing 2``."""
         marks = {0: "", 1: ", marked"}.get(self.marks, f", marks {self.marks}")

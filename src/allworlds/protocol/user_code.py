@@ -8,16 +8,14 @@ predicate is a *model*: it is called where verdicts are made, and its errors are
 
 from __future__ import annotations
 
-import ast
 import hashlib
 import re
 import sys
-import sysconfig
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
-from importlib.machinery import ModuleSpec, PathFinder
+from importlib.machinery import PathFinder
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -171,10 +169,7 @@ class UserCode(Struct, frozen=True):
     @property
     def files(self) -> frozenset[Path]:
         """The files that are run when it is loaded: its own, and those of what it imports."""
-        file = self.file.resolve()
-        text = self.source.text if self.source else bytes_of(file).decode(errors="replace")
-        imports = files_imported(text, file.parent)
-        return frozenset({file, *imports, *_loaded(self.bare).brought})
+        return frozenset({self.file.resolve(), *_loaded(self.bare).brought})
 
     def load(self) -> Any:
         """The object that the plain name stands for; a file is run once in a process.
@@ -318,23 +313,16 @@ def module_file(module: str) -> Path:
     Raises:
         InputError: if there is none.
     """
-    spec = _spec_of(module, [*sys.path, str(Path.cwd())])
+    places: list[str] | None = [*sys.path, str(Path.cwd())]
+    names = module.split(".")
+    for depth in range(1, len(names) + 1):
+        spec = PathFinder.find_spec(".".join(names[:depth]), places)
+        if spec is None:
+            break
+        places = spec.submodule_search_locations
     if spec is None or spec.origin is None:
         raise InputError(f"the file of the module {show(module)} is not found")
     return Path(spec.origin)
-
-
-def _spec_of(module: str, places: list[str]) -> ModuleSpec | None:
-    """The specification of a module that is found at one of these places; None if there is none."""
-    spec: ModuleSpec | None = None
-    inside: list[str] | None = places
-    names = module.split(".")
-    for depth in range(1, len(names) + 1):
-        spec = PathFinder.find_spec(".".join(names[:depth]), inside)
-        if spec is None:
-            return None
-        inside = spec.submodule_search_locations
-    return spec
 
 
 def digest_of_file(file: Path) -> str:
@@ -352,57 +340,3 @@ def bytes_of(file: Path) -> bytes:
         return file.read_bytes()
     except OSError as error:
         raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
-
-
-# ---------------------------------------------------------------- what it brings in
-
-
-def files_imported(text: str, folder: Path) -> set[Path]:
-    """The files of all modules that a text imports anywhere in it, and that these import.
-
-    The standard library and this package are left out, and so is what installed packages import.
-    The modules are found, and not run.
-    """
-    found: set[Path] = set()
-    texts = [(text, folder)]
-    for each, beside in texts:
-        for file in _files_named(each, beside):
-            installed = any(file.is_relative_to(place) for place in _INSTALLED)
-            if file in found or _is_known(file, installed):
-                continue
-            found.add(file)
-            if file.suffix == ".py" and not installed:
-                texts.append((bytes_of(file).decode(errors="replace"), file.parent))
-    return found
-
-
-_STANDARD = Path(sysconfig.get_path("stdlib")).resolve()
-_INSTALLED = tuple({Path(sysconfig.get_path(kind)).resolve() for kind in ("purelib", "platlib")})
-_OURS = Path(__file__).resolve().parents[1]
-
-
-def _is_known(file: Path, installed: bool) -> bool:
-    return file.is_relative_to(_OURS) or (file.is_relative_to(_STANDARD) and not installed)
-
-
-def _files_named(text: str, folder: Path) -> Iterator[Path]:
-    """The files of the modules that a text names in its imports."""
-    try:
-        statements = [*ast.walk(ast.parse(text))]
-    except (SyntaxError, ValueError, RecursionError):
-        return
-    everywhere = [*sys.path, str(Path.cwd()), str(folder)]
-    for statement in statements:
-        modules, places = list[str](), everywhere
-        match statement:
-            case ast.Import(names=names):
-                modules = [name.name for name in names]
-            case ast.ImportFrom(module=root, names=names, level=level):
-                inside = [f"{root}.{name.name}" if root else name.name for name in names]
-                modules = [root, *inside] if root else inside
-                if level:
-                    places = [str([folder, *folder.parents][level - 1])]
-        for module in modules:
-            spec = _spec_of(module, places)
-            if spec is not None and spec.origin is not None:
-                yield Path(spec.origin).resolve()

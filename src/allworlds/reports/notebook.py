@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from html import escape
 from typing import Any
 from xml.etree import ElementTree as ET
@@ -10,13 +9,12 @@ from xml.etree import ElementTree as ET
 from allworlds.document.report import Report
 from allworlds.judging.findings.finding import Finding
 from allworlds.protocol.transcript import Transcript
-from allworlds.reports.formats.csv import rows_of
-from allworlds.reports.formats.html import html
-from allworlds.reports.rendering import finding_in_words, tag, text, told, verb_of
-from allworlds.reports.tellings.finding import finding_section, headline_of
-from allworlds.reports.text_layout import table
-from allworlds.reports.web.frame import Page, framed
-from allworlds.reports.web.sections import element
+from allworlds.reports.content.single_run import finding_section, headline_of
+from allworlds.reports.formats import content_of, html, text, verb_of
+from allworlds.reports.parts import Cell, Table, rows_of
+from allworlds.reports.plain_text import finding_in_words, table
+from allworlds.reports.web.frame import framed
+from allworlds.reports.web.sections import element, table_element
 
 WIDTH = 100
 """Columns of a printed report."""
@@ -29,7 +27,8 @@ def text_of(value: Report | Finding | Transcript) -> str:
     """The text of the command line; of a transcript a line for each step."""
     match value:
         case Transcript():
-            return "\n".join(table(*_steps(value), "r"))
+            steps = _steps(value)
+            return "\n".join(table(steps.header, steps.texts, "r"))
         case Finding():
             return finding_in_words(value, WIDTH)
         case _:
@@ -38,7 +37,7 @@ def text_of(value: Report | Finding | Transcript) -> str:
 
 def records(report: Report) -> list[dict[str, Any]]:
     """The rows of ``-o FILE.csv``, by the names of their columns."""
-    return rows_of(told(verb_of(type(report)), report)).records
+    return rows_of(content_of(verb_of(type(report)), report)).records
 
 
 def shown(value: Report | Finding | Transcript) -> str:
@@ -48,28 +47,21 @@ def shown(value: Report | Finding | Transcript) -> str:
     """
     match value:
         case Transcript():
-            return _element(*_steps(value))
+            return ET.tostring(table_element(_steps(value)), "unicode")
         case Finding():
             verdict = ("REFUTED", headline_of(value), "refuted")
-            section = element(finding_section(value, 1))
-            page = framed(Page("finding", value.explorer, verdict, [section], value.to_json()))
+            section = element(finding_section(value))
+            page = framed(("finding", value.explorer), verdict, [section], value.to_json())
         case _:
-            page = html(told(verb_of(type(value)), value))
+            page = html(content_of(verb_of(type(value)), value))
     return (
         f'<iframe srcdoc="{escape(page)}" width="100%" height="{HEIGHT}" '
         'style="border: 1px solid #d5d9dd" title="allworlds"></iframe>'
     )
 
 
-def _steps(transcript: Transcript) -> tuple[list[str], list[list[str]]]:
-    """The names of the columns, and a row for the start and for each step."""
+def _steps(transcript: Transcript) -> Table:
+    """A row for the start and for each step."""
     rows = [("start", transcript.first), *transcript.steps]
-    told = [[str(i), str(action), str(percept)] for i, (action, percept) in enumerate(rows)]
-    return ["step", "action", "sensed"], told
-
-
-def _element(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A table as an element of a page."""
-    head = tag("tr", *(tag("th", name) for name in header))
-    body = [tag("tr", *(tag("td", cell) for cell in row)) for row in rows]
-    return ET.tostring(tag("table", tag("thead", head), tag("tbody", *body)), "unicode")
+    steps: list[list[Cell]] = [[i, str(action), str(it)] for i, (action, it) in enumerate(rows)]
+    return Table(["step", "action", "sensed"], steps)

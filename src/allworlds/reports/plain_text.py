@@ -1,129 +1,71 @@
-"""Reports as plain text, with their curves."""
+"""Reports as plain text."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import zip_longest
 from textwrap import wrap
-from xml.etree import ElementTree as ET
+from typing import Any
 
-from allworlds.judging.explanations.story import Spending
 from allworlds.reports.drawing.text import draw
-from allworlds.reports.rendering import tag
-from allworlds.reports.telling import (
+from allworlds.reports.parts import (
+    Bars,
     Block,
-    Costs,
-    Curve,
-    Headline,
+    DataRecord,
+    FactList,
+    MapPictures,
+    Paragraph,
     Quote,
+    ReportContent,
     Section,
-    ToldFacts,
-    ToldPicture,
-    ToldRecord,
-    ToldResult,
-    ToldTable,
-    ToldWalk,
-    Words,
+    ShownWalk,
+    Table,
 )
-from allworlds.reports.text_layout import GAP, INDENT, entry, table
-from allworlds.words import plural
-
-LONGEST = 12
-"""Edges of which each has a line of its own; of more, so many are told, evenly spread."""
+from allworlds.words import harmless
 
 BAR = 40
 """The longest bar, in columns."""
 
-WIDE, HIGH, LEFT, BELOW = 420, 220, 48, 40
-"""The picture in pixels: the plot, and the room for the numbers beside and below it."""
-
-
-def cost_lines(spent: Spending, width: int) -> list[str]:
-    """The traversals up to each found edge as bars, then the total and the bound."""
-    rows = [(f"edge {k}", at) for k, at in _told(spent)]
-    rows += [("all", spent.cost), ("bound", spent.bound)]
-    longest = max(1, *(at for _, at in rows))
-    room = max(1, min(BAR, width - 24))
-    cells = [
-        [name, f"{at:,}", ("░" if name == "bound" else "█") * round(max(at, 0) * room / longest)]
-        for name, at in rows
-    ]
-    return table(["found", "traversals", ""], cells, "lr")
-
-
-def _told(spent: Spending) -> list[tuple[int, int]]:
-    """Edges that get a line, each with the traversal that found it."""
-    found = [*enumerate(spent.found, 1)]
-    if len(found) <= LONGEST:
-        return found
-    last = len(found) - 1
-    return [found[i * last // (LONGEST - 1)] for i in range(LONGEST)]
-
-
-def cost_picture(spent: Spending, name: str) -> ET.Element:
-    """The number of found edges after each traversal as a line, with the bound beside it."""
-    most = max(spent.cost, spent.bound, 1)
-    edges = max(len(spent.found), 1)
-
-    def x(traversals: int) -> float:
-        return round(LEFT + WIDE * max(traversals, 0) / most, 1)
-
-    def y(found: int) -> float:
-        return round(HIGH + 10 - HIGH * found / edges, 1)
-
-    line = f"M{x(0)} {y(0)}"
-    for found, at in enumerate(spent.found, 1):
-        line += f" H{x(at)} V{y(found)}"
-    line += f" H{x(spent.cost)}"
-    said = (
-        f"{plural(len(spent.found), 'edge')} found in {plural(spent.cost, 'traversal')}; "
-        f"the bound is {spent.bound}."
-    )
-    svg = tag(
-        "svg",
-        tag("title", said, id=f"{name}-title"),
-        tag("path", class_="axis", d=f"M{LEFT} 10 V{HIGH + 10} H{LEFT + WIDE}"),
-        tag("path", class_="cost-bound", d=f"M{x(spent.bound)} 10 V{HIGH + 10}"),
-        tag("path", class_="cost-line", d=line),
-        tag("text", str(edges), x=LEFT - 16, y=y(edges)),
-        tag("text", "0", x=LEFT - 16, y=y(0)),
-        tag("text", f"bound {spent.bound}", x=x(spent.bound), y=HIGH + 24),
-        tag("text", str(spent.cost), x=x(spent.cost), y=HIGH + 40),
-        id=name,
-        class_="curve",
-        role="img",
-        aria_labelledby=f"{name}-title",
-        viewBox=f"0 0 {LEFT + WIDE + 32} {HIGH + 10 + BELOW}",
-        width=LEFT + WIDE + 32,
-        height=HIGH + 10 + BELOW,
-        xmlns="http://www.w3.org/2000/svg",
-    )
-    caption = tag("figcaption", tag("b", "Edges found"), ", against traversals: ", said)
-    return tag("figure", caption, tag("div", svg, class_="frame"))
-
-
 MOST, FEW = 30, 3
-"""Lines on a terminal of a telling that has short facts, and of its findings after the first."""
+"""Lines on a terminal of a content that has short facts, and of its findings after the first."""
 
 LONGEST_WALK = 60
-"""The steps of a longer walk are told from both ends."""
+"""The steps of a longer walk are shown from both ends."""
+
+GAP = 2
+"""Columns of a table are so far apart."""
+
+UNBROKEN = 24
+"""A word of a table that is no longer is not broken."""
+
+INDENT = 11
+"""The columns before the text of a named paragraph."""
 
 
-def text(telling: ToldResult, width: int) -> str:
+def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
+    """A finding with its picture, as in the text of ``check``."""
+    from allworlds.reports.content.single_run import finding_section
+
+    return harmless(text_of([finding_section(finding, number)], width))
+
+
+def content_text(content: ReportContent, width: int) -> str:
     """The headline and every section."""
-    head = [*_headline(telling.headline, width)] if telling.headline else []
-    return _joined([head, *(_section(section, width) for section in telling.sections)])
+    said = content.headline
+    head = entry(said.word, said.text, width) if said else []
+    return _joined([head, *(_section(section, width) for section in content.sections)])
 
 
-def on_terminal(telling: ToldResult, width: int, *, whole: bool) -> str:
-    """The text; of a telling with short facts at most :data:`MOST` lines, or the verdict last."""
-    if not telling.short or telling.headline is None:
-        return text(telling, width)
-    last = " ".join([*_headline(telling.headline, sys.maxsize)])
+def on_terminal(content: ReportContent, width: int, *, whole: bool) -> str:
+    """The text; of a content with short facts at most :data:`MOST` lines, or the verdict last."""
+    if not content.short or content.headline is None:
+        return content_text(content, width)
+    (last,) = entry(content.headline.word, content.headline.text, sys.maxsize)
     if whole:
-        return _joined([*(_section(section, width) for section in telling.sections), [last]])
-    facts = [_cut(entry(name, said, width - 4)) for name, said in telling.short[: MOST // 2]]
-    *findings, _ = telling.sections
+        return _joined([*(_section(section, width) for section in content.sections), [last]])
+    facts = [_cut(entry(name, said, width - 4)) for name, said in content.short[: MOST // 2]]
+    *findings, _ = content.sections
     others = [_cut(wrap(each.title, width - 4)) for each in findings[1:]]
     if len(others) > FEW:
         others = [*others[: FEW - 1], f"... and {len(others) - FEW + 1} more findings: -v"]
@@ -142,9 +84,9 @@ def _found(section: Section, width: int, room: int) -> list[str]:
     lines = wrap(section.title, width, break_long_words=False)
     picture, command = list[str](), list[str]()
     for block in section.blocks:
-        if isinstance(block, ToldFacts) and not picture:
+        if isinstance(block, FactList) and not picture:
             lines += _block(block, width)
-        elif isinstance(block, ToldWalk):
+        elif isinstance(block, ShownWalk):
             lines += [line for said in block.sentences for line in wrap(said, width)]
             picture = ["", *draw(block.views[0].scene, width).splitlines(), ""]
         elif isinstance(block, Quote) and block.command:
@@ -154,10 +96,10 @@ def _found(section: Section, width: int, room: int) -> list[str]:
     return [*lines[: room - len(command)], *command, "(-v: the walk, the answer, and the output)"]
 
 
-def brief(telling: ToldResult, width: int) -> str:
+def content_line(content: ReportContent, width: int) -> str:
     """The answer in one line, however wide it is; without one the first line of the text."""
-    head = telling.headline
-    return head.line if head else text(telling, width).partition("\n")[0]
+    head = content.headline
+    return head.line if head else content_text(content, width).partition("\n")[0]
 
 
 def text_of(sections: Iterable[Section], width: int) -> str:
@@ -169,58 +111,46 @@ def _joined(parts: Iterable[Sequence[str]]) -> str:
     return "\n\n".join("\n".join(part) for part in parts if part)
 
 
-def _headline(headline: Headline, width: int) -> Iterator[str]:
-    if len(headline.word) < INDENT:
-        yield from entry(headline.word, headline.text, width)
-    else:
-        yield from wrap(headline.line, width)
-
-
 def _section(section: Section, width: int) -> list[str]:
-    title = wrap(section.title, width, break_long_words=False) if section.title else []
-    lines = [line for line in ["\n".join(title)] if line]
+    lines = wrap(section.title, width, break_long_words=False)
     before: Block | None = None
     for block in section.blocks:
-        told = [*_block(block, width)]
+        shown = [*_block(block, width)]
         # Facts, and the quotation of a command, follow facts without an empty line.
-        near = isinstance(before, ToldFacts) and isinstance(block, ToldFacts | Quote)
-        if told:
-            lines += [*([""] if lines and not near else []), *told]
+        near = isinstance(before, FactList) and isinstance(block, FactList | Quote)
+        if shown:
+            lines += [*([""] if lines and not near else []), *shown]
             before = block
     return lines
 
 
 def _block(block: Block, width: int) -> Iterator[str]:
     match block:
-        case Words():
+        case Paragraph():
             yield from wrap(block.text, width, break_on_hyphens=False)
-        case ToldFacts():
+        case FactList():
             for name, said in block.entries:
                 yield from entry(name, said, width)
-        case ToldTable():
-            yield from _table(block, width)
-        case ToldPicture():
-            yield from [*wrap(block.title, width), "", draw(block.scene, width)]
-        case ToldWalk():
+        case Table():
+            if block.rows:
+                yield from wrap(block.caption, width)
+                yield from table(block.header, block.texts, block.right, width, block.keys)
+        case MapPictures():
+            for i, (title, scene) in enumerate(block.entries):
+                yield from [*([""] if i else []), *wrap(title, width), "", draw(scene, width)]
+        case ShownWalk():
             yield from _walk(block, width)
-        case Curve():
-            yield from cost_lines(block.spent, width)
+        case Bars():
+            yield from bar_lines(block, width)
         case Quote():
             indent = block.prefix or ("  " if block.title else "")
             yield from [block.title] if block.title else []
             yield from (f"{indent}{line}".rstrip() for line in block.text.splitlines())
-        case Costs() | ToldRecord():
-            return  # pictures and data of pages; tables and documents hold the same
+        case DataRecord():
+            return  # for pages; documents hold the same
 
 
-def _table(told: ToldTable, width: int) -> list[str]:
-    if not told.rows:
-        return []
-    title = wrap(told.caption, width)
-    return [*title, *table(told.header, told.texts, told.right, width, told.keys)]
-
-
-def _walk(walk: ToldWalk, width: int) -> Iterator[str]:
+def _walk(walk: ShownWalk, width: int) -> Iterator[str]:
     sentences = () if walk.tour else walk.sentences
     for sentence in sentences:
         yield from wrap(sentence, width, break_on_hyphens=False)
@@ -239,25 +169,77 @@ def _walk(walk: ToldWalk, width: int) -> Iterator[str]:
     rows = steps.texts
     if len(rows) > LONGEST_WALK:
         half = LONGEST_WALK // 2
-        between = ["...", f"({len(rows) - 2 * half} more)", *[""] * (len(steps.header) - 2)]
-        rows = [*rows[:half], between, *rows[-half:]]
-    yield from _steps(steps.header, rows, width)
+        left_out = ["...", f"({len(rows) - 2 * half} more)", *[""] * (len(steps.header) - 2)]
+        rows = [*rows[:half], left_out, *rows[-half:]]
+    yield from table(steps.header, rows, "r", width)
 
 
-def _steps(header: Sequence[str], rows: Sequence[Sequence[str]], width: int) -> list[str]:
-    """The steps as a table. Where it is too wide, percepts stand below each motion.
+def bar_lines(bars: Bars, width: int) -> list[str]:
+    """The numbers with bars; those of bounds are light."""
+    longest = max(1, *(count for _, count in bars.entries))
+    room = max(1, min(BAR, width - 24))
+    cells = [
+        [
+            name,
+            f"{count:,}",
+            ("░" if name == "bound" else "█") * round(max(count, 0) * room / longest),
+        ]
+        for name, count in bars.entries
+    ]
+    return table([bars.header, "traversals", ""], cells, "lr")
 
-    What is sensed elsewhere is then told only where it is not what is sensed.
+
+def table(
+    header: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    right: str = "",
+    width: int = sys.maxsize,
+    keys: int = 1,
+) -> list[str]:
+    """Lines of a table; column i is flushed right where ``right[i]`` is ``r``.
+
+    In a table that is wider than ``width`` the widest columns of texts are wrapped.  Where that is
+    not enough, the columns that do not fit stand in a table below, which begins with the first
+    ``keys`` ones again.
     """
-    lines = table(header, rows, "r")
-    if max(map(len, lines)) <= width:
-        return lines
-    below = " " * (len(header[0]) + GAP)
-    lines = [(" " * GAP).join(header[:3]), f"{below}{header[3]}"]
-    if len(header) > 4:
-        lines.append(f"{below}≠ {header[5]}")
-    for step, motion, place, sensed, *other in rows:
-        lines.append(f"{step:>{len(header[0])}}  {motion:6}  {place}".rstrip())
-        told = [sensed, f"≠ {other[1]}" if other and other[0] == "≠" else ""]
-        lines += [below + line for said in told for line in wrap(said, width - len(below))]
+    columns = [*zip(header, *rows, strict=True)]
+    widths = [max(map(len, column)) for column in columns]
+    right = right.ljust(len(header), "l")
+    least = [
+        wide if side == "r" else min(wide, UNBROKEN, max(map(len, " ".join(column).split(" "))))
+        for wide, side, column in zip(widths, right, columns, strict=True)
+    ]
+    room = width - GAP * (len(header) - 1)
+    while sum(widths) > room and widths != least:
+        widest = max(range(len(header)), key=lambda i: (widths[i] > least[i], widths[i]))
+        widths[widest] -= 1
+    fit = keys + 1
+    while fit < len(header) and sum(widths[: fit + 1]) + GAP * fit <= width:
+        fit += 1
+    if fit < len(header):
+        kept = [*range(keys), *range(fit, len(header))]
+        below = [[line[i] for i in kept] for line in (header, *rows)]
+        sides = "".join(right[i] for i in kept)
+        above = table(header[:fit], [row[:fit] for row in rows], right[:fit], width, keys)
+        return [*above, "", *table(below[0], below[1:], sides, width, keys)]
+    lines = []
+    for line in (header, *rows):
+        cells = [
+            wrap(cell, wide, break_on_hyphens=False) if len(cell) > wide else [cell]
+            for cell, wide in zip(line, widths, strict=True)
+        ]
+        for parts in zip_longest(*cells, fillvalue=""):
+            flushed = [
+                part.rjust(wide) if side == "r" else part.ljust(wide)
+                for part, wide, side in zip(parts, widths, right, strict=True)
+            ]
+            lines.append((" " * GAP).join(flushed).rstrip())
     return lines
+
+
+def entry(name: str, text: str, width: int) -> list[str]:
+    """A named paragraph with a hanging indent."""
+    first, indent = f"{name} ".ljust(INDENT), " " * INDENT
+    return wrap(
+        text, width, initial_indent=first, subsequent_indent=indent, break_on_hyphens=False
+    ) or [name]

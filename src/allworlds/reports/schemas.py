@@ -166,7 +166,8 @@ class Shapes:
         needed = {field.name for field in fields(kind) if field.required}
         for key in keys_of(kind):
             tp = hints[key.attribute]
-            sometimes = key.if_any or UnsetType in members(_bare(tp))
+            bare = get_args(tp)[0] if get_origin(tp) is Annotated else tp
+            sometimes = key.if_any or UnsetType in members(bare)
             must = not sometimes and (self.written or key.attribute in needed)
             yield key.name, tp, must
 
@@ -186,7 +187,8 @@ class Shapes:
 
     def _lighthouse(self, kind: type[Lighthouse]) -> Any:
         hints = get_type_hints(kind, include_extras=True)
-        keys: list[tuple[str, Any, bool]] = [("kind", _kind(kind.kind), True)]
+        named: Any = Annotated[Literal[kind.kind], about("which lighthouse it is")]
+        keys: list[tuple[str, Any, bool]] = [("kind", named, True)]
         keys += [
             (key, hints[key], self.written and IF_ANY not in get_args(hints[key])[1:])
             for key in place_keys(kind)
@@ -219,10 +221,6 @@ def members(tp: Any) -> tuple[Any, ...]:
     return get_args(tp) if get_origin(tp) in (Union, UnionType) else (tp,)
 
 
-def _bare(tp: Any) -> Any:
-    return get_args(tp)[0] if get_origin(tp) is Annotated else tp
-
-
 def _reference(struct: Any) -> Schema:
     return {"$ref": f"#/$defs/{struct.__name__}"}
 
@@ -245,35 +243,25 @@ def page(name: str) -> Schema:
     found, parts = schema_of(pages()[name], written=name not in READ)
     if found.keys() == {"$ref"}:
         found = parts.pop(found["$ref"].rpartition("/")[2])
-    title = {} if "title" in found else {"title": name.capitalize()}
-    return _page(name, {**title, **found}, _referred(found, parts, {}))
-
-
-def names_page() -> Schema:
-    """The names in tables, each with its summary if it has one."""
-    parts = {name: {"title": title, **_enum(table)} for name, (title, table) in NAMES.items()}
-    return _page("names", {"title": "Names"}, parts)
+    more = {"$defs": parts} if parts else {}
+    return {**_head(name), "title": name.capitalize(), **found, **more}
 
 
 def schemas() -> dict[str, Schema]:
-    """The schemas of all documents, by name."""
-    return {name: page(name) for name in pages()} | {"names": names_page()}
+    """The schemas of all documents, by name; then of the names in tables, with their summaries."""
+    parts: Schema = {}
+    for name, (title, table) in NAMES.items():
+        entries = [*table]
+        parts[name] = {"title": title, "enum": [str(entry) for entry in entries]}
+        if all(hasattr(entry, "summary") for entry in entries):
+            told = [{"const": str(each), "description": each.summary} for each in entries]
+            parts[name] = {"title": title, "oneOf": told}
+    names = {**_head("names"), "title": "Names", "$defs": parts}
+    return {name: page(name) for name in pages()} | {"names": names}
 
 
-def _page(name: str, told: Schema, parts: dict[str, Schema]) -> Schema:
-    more = {"$defs": parts} if parts else {}
-    return {"$schema": DRAFT, "$id": f"{name}.schema.json", **told, **more}
-
-
-def _enum(table: Iterable[Any]) -> Schema:
-    found = [*table]
-    if all(hasattr(name, "summary") for name in found):
-        return {"oneOf": [{"const": str(name), "description": name.summary} for name in found]}
-    return {"enum": [str(name) for name in found]}
-
-
-def _kind(name: str) -> Any:
-    return Annotated[Literal[name], about("which lighthouse it is")]
+def _head(name: str) -> Schema:
+    return {"$schema": DRAFT, "$id": f"{name}.schema.json"}
 
 
 def _plain(told: Any) -> Any:
@@ -298,30 +286,10 @@ def _plain(told: Any) -> Any:
         kept["title"] = title.removesuffix(".")
         if rest:
             kept["description"] = " ".join(rest[0].split())
-    return {key: kept[key] for key in sorted(kept, key=_place)}
+    return kept
 
 
 SIMPLE = {"integer", "number", "string", "boolean"}
-
-FIRST = ("title", "description", "$ref", "type")
-
-
-def _place(key: str) -> int:
-    return FIRST.index(key) if key in FIRST else len(FIRST)
-
-
-def _referred(told: Any, parts: dict[str, Schema], found: dict[str, Schema]) -> dict[str, Schema]:
-    """The parts that a schema refers to, and what these refer to."""
-    match told:
-        case {"$ref": str(reference)} if reference[0] == "#" and (
-            (name := reference.rpartition("/")[2]) not in found
-        ):
-            found[name] = parts[name]
-            _referred(parts[name], parts, found)
-    inner = told.values() if isinstance(told, dict) else told if isinstance(told, list) else ()
-    for each in inner:
-        _referred(each, parts, found)
-    return found
 
 
 def main(directory: Path) -> None:

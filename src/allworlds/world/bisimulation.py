@@ -50,12 +50,13 @@ def same_world_from(a: World, b: World) -> Dart | None:
     if len(a.map.sigma) != len(b.map.sigma):
         return None
     order = numbering(a.map.sigma, a.map.alpha, a.start)
-    for image in (b.start, *b.map.darts):
+    images: list[Dart] = [b.start, *b.map.darts]
+    for image in images:
         if a.first == b.percepts[image] and carries(
             a.map.sigma, a.map.alpha, order, b.map.sigma, b.map.alpha, image
         ):
-            images = numbering(b.map.sigma, b.map.alpha, image)
-            if all(a.percepts[d] == b.percepts[e] for d, e in zip(order, images, strict=True)):
+            pairs = zip(order, numbering(b.map.sigma, b.map.alpha, image), strict=True)
+            if all(a.percepts[d] == b.percepts[e] for d, e in pairs):
                 return image
     return None
 

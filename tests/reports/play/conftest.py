@@ -9,7 +9,7 @@ import pytest
 
 import allworlds
 
-SCRIPTS = Path(allworlds.__file__).parent / "reports" / "play"
+SCRIPTS = Path(allworlds.__file__).parent / "reports" / "web"
 ANSWERS = Path(__file__).with_name("answers.js")
 
 

@@ -8,8 +8,8 @@ from base64 import b64encode
 import pytest
 
 from allworlds.inputs.checks import InputError
-from allworlds.reports.play.page import costs_data, game as game_page, world_data
-from allworlds.reports.rendering import text
+from allworlds.reports.formats import text
+from allworlds.reports.web.play import costs_data, game as game_page, world_data
 from allworlds.studies.play import play
 from allworlds.world import LIGHTHOUSES
 from html_tree import Reader

@@ -8,11 +8,10 @@ import pytest
 from allworlds import Estimate, Move, explain, replay, run, search, twins, worst
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import named_map
-from allworlds.reports.format_table import file_of
-from allworlds.reports.telling import SizeCost
-from allworlds.reports.tellings.lookalikes import letters
+from allworlds.reports.content.ambiguity import letters
+from allworlds.reports.formats import file_of
 from allworlds.reports.web import frame
-from allworlds.reports.web.sections import LONGEST, plot
+from allworlds.reports.web.sections import LONGEST
 from allworlds.studies.ambiguity import class_of, projection_of
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import most_expensive_runs
@@ -162,18 +161,13 @@ def test_a_finding_that_is_mended_is_replayed_beside_what_was_recorded(finding):
 
 
 @pytest.mark.no_cover
-def test_of_a_check_that_holds_the_most_expensive_run_of_each_size_is_shown():
+def test_of_a_check_that_holds_the_most_expensive_run_is_shown():
     for engine in ("python", "kernel"):
         report = check(edges=3, engine=engine)
         root = read(file_of("check", "html", report))
-        rows = {(row.edges, row.vertices): row for row in report.rows}
-        shown = [*root.all("details", class_="run")]
-        assert len(shown) == len(rows) == 9
-        for (edges, vertices), details in zip(sorted(rows), shown, strict=True):
-            row = rows[edges, vertices]
-            moves = [i for i in details.all("li") if "data-moved" in i.attributes]
-            assert len(moves) == row.max_cost
-        assert "open" in shown[-1].attributes
+        (viewer,) = root.one(id="most-expensive").all(class_="viewer")
+        moves = [i for i in viewer.all("li") if "data-moved" in i.attributes]
+        assert len(moves) == max(row.max_cost for row in report.rows)
 
 
 def test_the_most_expensive_run_is_played_again_at_its_cost_whatever_counted():
@@ -189,24 +183,15 @@ def test_the_most_expensive_run_is_played_again_at_its_cost_whatever_counted():
     assert by_python == [(row.edges, row.vertices, row.max_cost) for row in check(edges=3).rows]
 
 
-def test_an_explorer_that_no_name_leads_to_has_a_page_without_most_expensive_runs():
+def test_an_explorer_that_no_name_leads_to_has_a_page_without_the_most_expensive_run():
     def explore(first):
         answer = yield from mutant("walks-too-much")(first)
         return answer
 
     root = read(file_of("check", "html", check(explore, edges=1, bound="none")))
-    assert root.one(class_="plot")
-    assert not [*root.all("details", class_="run")]
-
-
-def test_walks_for_which_there_is_no_room_are_left_out(monkeypatch):
-    report = check(edges=3)
-    monkeypatch.setattr("allworlds.reports.web.sections.ROOM", 40_000)
-    root = read(file_of("check", "html", report))
-    shown = [*root.all("details", class_="run")]
-    assert 0 < len(shown) < 9
-    assert f"{9 - len(shown)} smaller size" in root.text
-    assert "3 edges and 4 vertices" in shown[-1].text
+    bars = [line.split() for line in root.one(id="costs-bars").text.splitlines()[1:]]
+    assert [line[-2:] for line in bars] == [["3", "█" * 40]] * 2
+    assert not [*root.all(id="most-expensive")]
 
 
 def test_a_page_that_would_be_too_large_leaves_its_document_out(monkeypatch):
@@ -227,21 +212,6 @@ def test_of_a_long_walk_the_first_steps_are_told():
     root = read(file_of("run", "html", told))
     assert len([*root.one("ol").all("li")]) == LONGEST
     assert f"of {LONGEST + 10:,} steps" in root.text
-
-
-def test_bars_are_as_high_as_costs_and_lines_as_bounds():
-    cells = [SizeCost(1, 1, 2, 4), SizeCost(1, 2, 8, 16), SizeCost(2, 1, 16, None)]
-    svg = plot(cells, "p")
-    heights = []
-    for path in svg.iter("path"):
-        numbers = [float(x) for x in re.findall(r"-?[0-9.]+", path.get("d"))]
-        if path.get("class") == "cost":
-            heights.append(numbers[1] - numbers[2])
-    assert heights == pytest.approx([heights[2] / 8, heights[2] / 2, heights[2]])
-    bounds = [p for p in svg.iter("path") if p.get("class") == "bound"]
-    assert len(bounds) == 2
-    (desc,) = [e.text for e in svg.iter("desc")]
-    assert "1 edge and 2 vertices: 8 traversals of at most 16." in desc
 
 
 def test_letters_go_on_after_z():

@@ -3,8 +3,8 @@
 from allworlds import run
 from allworlds.document.struct import replace
 from allworlds.protocol.answers import Checkpoint
-from allworlds.reports.format_table import file_of
-from allworlds.reports.tellings.single_run import known
+from allworlds.reports.content.single_run import known
+from allworlds.reports.formats import file_of
 from allworlds.reports.web.sections import NEVER
 from html_tree import read
 

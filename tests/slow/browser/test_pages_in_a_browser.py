@@ -8,7 +8,7 @@ import pytest
 from allworlds import ledger, run, twins
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import CombinatorialMap, family
-from allworlds.reports.format_table import file_of
+from allworlds.reports.formats import file_of
 from allworlds.studies.check.exhaustive import check
 from allworlds.world import Directional, World, world_named
 from small import long

@@ -2,8 +2,7 @@
 
 import pytest
 
-from allworlds.reports.play.page import game as game_page
-from allworlds.reports.tellings.played import NAMES
+from allworlds.reports.web.play import NAMES, game as game_page
 from allworlds.studies.play import play
 
 pytestmark = pytest.mark.no_cover

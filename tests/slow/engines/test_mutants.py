@@ -62,7 +62,9 @@ MUTANTS = [
 ]
 
 
-@pytest.mark.parametrize(("where", "honest", "mutant"), MUTANTS, ids=lambda part: getattr(part, "__name__", part))
+@pytest.mark.parametrize(
+    ("where", "honest", "mutant"), MUTANTS, ids=lambda part: getattr(part, "__name__", part)
+)
 @pytest.mark.parametrize("compares", [True, False])
 def test_a_check_with_a_damaged_table_ends_as_an_internal_error(
     monkeypatch, where, honest, mutant, compares

@@ -2,7 +2,7 @@ import sys
 
 import pytest
 
-from allworlds.reports.rendering import finding_in_words as finding_text
+from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from reports.test_texts import check_text
 

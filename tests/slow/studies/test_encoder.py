@@ -1,21 +1,10 @@
 import pytest
 
 from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
-from bruteforce import rooted_maps_by_permutations as rooted_maps
 from searches import question
 from small import long
 from studies import test_encoder as quick
-from studies.test_encoder import counted, solved
-
-
-@pytest.mark.parametrize("map_class", ["maps", "planar"])
-@pytest.mark.parametrize(("fewest", "most"), [(1, 1), (2, 3), (4, 4)])
-def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
-    tmp_path, map_class, fewest, most
-):
-    found = counted(tmp_path / "f.cnf", 3, map_class, fewest=fewest, most=most)
-    wanted = [m for m in rooted_maps(3, map_class) if fewest <= m.vertex_count <= most]
-    assert sorted(found) == [(m.sigma, m.alpha) for m in wanted]
+from studies.test_encoder import solved
 
 
 def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(tmp_path):
@@ -39,4 +28,14 @@ def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
 ):
     quick.test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
         tmp_path, map_class, edges, count
+    )
+
+
+@pytest.mark.parametrize("map_class", ["maps", "planar"])
+@pytest.mark.parametrize(("fewest", "most"), [(2, 3), (4, 4)])
+def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
+    tmp_path, map_class, fewest, most
+):
+    quick.test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
+        tmp_path, map_class, fewest, most
     )

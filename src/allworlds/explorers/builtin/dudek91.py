@@ -42,11 +42,11 @@ def dudek91(
 
 
 class _Dudek:
-    """The state of an exploration: S with U, and the robot's dart in it."""
+    """The state of an exploration: S with U, the robot's dart in it, and the last percept."""
 
     def __init__(self, first: Percept, choices: Choices, notice: Callable[[str], None]) -> None:
         self.s = PartialMap(first)
-        self.here = 0
+        self.here, self.seen = 0, first
         self.choices = choices
         self.notice = notice
 
@@ -56,14 +56,17 @@ class _Dudek:
             cost = walks(s, s.vertex[self.here], s.unexplored)
             dart = self.choices.pick(s.unexplored, of="edge", cost=cost)
             yield from self.go(s.vertex[dart])
-            beyond = yield from self.leave_by(dart)
+            yield from self.leave_by(dart)
+            beyond = self.seen
             yield Drop()
-            seen = yield Move(0)
+            self.seen = yield Move(0)
             self.here = dart
-            found = yield from self.find_marker(self.candidates(dart, beyond), seen)
-            if found:
-                self.notice("back-link")
-                yield from self.close(dart)
+            for vertex in self.candidates(dart, beyond):
+                yield from self.go(vertex)
+                if self.seen.marks:
+                    self.notice("back-link")
+                    yield from self.close(dart)
+                    break
             else:
                 self.notice("new-vertex")
                 yield from self.go(s.vertex[dart])
@@ -73,20 +76,19 @@ class _Dudek:
             yield s.checkpoint(self.here)
         return s.estimate(self.here)
 
-    def go(self, goal: int) -> Walk[Percept | None]:
-        """Walk to a vertex by a shortest way in S; return the percept there (no step: None)."""
-        s, seen = self.s, None
+    def go(self, goal: int) -> Walk[None]:
+        """Walk to a vertex by a shortest way in S."""
+        s = self.s
         lengths = s.distances(goal)
         while (vertex := s.vertex[self.here]) != goal:
             nearer = lengths[vertex] - 1
             dart = next(dart for dart, other in s.ways(vertex) if lengths[other] == nearer)
-            seen = yield Move(s.offset(self.here, dart))
+            yield from self.leave_by(dart)
             self.here = s.alpha[dart]
-        return seen
 
-    def leave_by(self, dart: int) -> Walk[Percept]:
+    def leave_by(self, dart: int) -> Walk[None]:
         """Leave through a dart of the robot's vertex; ``here`` is not changed."""
-        return (yield Move(self.s.offset(self.here, dart)))
+        self.seen = yield Move(self.s.offset(self.here, dart))
 
     def candidates(self, explored: int, beyond: Percept) -> list[int]:
         """The vertices of S that the unknown end can be, in the order of a walk round a tree."""
@@ -105,14 +107,6 @@ class _Dudek:
                 waiting += [other for _, other in s.ways(vertex)]
         return [vertex for vertex in order if vertex in possible]
 
-    def find_marker(self, candidates: list[int], here: Percept) -> Walk[bool]:
-        """Visit the candidates until the marker is seen; the robot stays there."""
-        for vertex in candidates:
-            seen = yield from self.go(vertex)
-            if (seen or here).marks:
-                return True
-        return False
-
     def close(self, dart: int) -> Walk[None]:
         """Carry the marker to the known end, go back, and find the open dart that leads to it."""
         s = self.s
@@ -125,9 +119,9 @@ class _Dudek:
         around = [s.turn(entry, k) for k in range(s.expected[entry].degree)]
         partners = [other for other in around if s.alpha[other] == other and other != dart]
         for partner in partners:
-            seen = yield from self.leave_by(partner)
+            yield from self.leave_by(partner)
             # In a simple world the last one that is left must be it.
-            if seen.marks or partner == partners[-1]:
+            if self.seen.marks or partner == partners[-1]:
                 yield Pick()
                 s.add_loop(dart, partner)
                 self.here = dart

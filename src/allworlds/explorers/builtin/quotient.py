@@ -105,7 +105,7 @@ def quotient(
     return answer
 
 
-class Table(NamedTuple):
+class ClassTable(NamedTuple):
     """Classes, with the effect of the letters; class 0 is the start's.
 
     Attributes:
@@ -185,7 +185,7 @@ class _Learner:
     def __init__(self, world: Experiments) -> None:
         self.world = world
         self.telling: list[Word] = [()]
-        self.table = Table((), (), (), 0)
+        self.table = ClassTable((), (), (), 0)
         self._reached: list[Word] = []
         self._rows: list[Row] = []
 
@@ -215,7 +215,7 @@ class _Learner:
                     self._reached.append(further)
                 to.append(self._rows.index(row))
         sensed = tuple(row[0] for row in self._rows)
-        self.table = Table(tuple(leads["s"]), tuple(leads["a"]), sensed, 0)
+        self.table = ClassTable(tuple(leads["s"]), tuple(leads["a"]), sensed, 0)
 
     def _row(self, place: TreeDart) -> Walk[Row]:
         row = []

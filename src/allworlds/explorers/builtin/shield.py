@@ -79,11 +79,9 @@ class _Guest:
 
     def next_dart(self) -> int | None:
         """The dart by which it leaves; None once it is out."""
-        if self._walk is None:
-            self._walk = self._explorer(self._percept())
-            message = self._walk.send(None)
-        else:
-            message = self._walk.send(self._percept())
+        reply = None if self._walk is None else self._percept()
+        self._walk = self._walk or self._explorer(self._percept())
+        message = self._walk.send(reply)
         published = 0
         while type(message) is Checkpoint:
             published += 1
@@ -93,11 +91,6 @@ class _Guest:
         if type(message) is not Move:
             raise ValueError(f"{show(message)} is no motion")
         return self._log.turn(self._log.canonical(self.here), integer(message.k))
-
-    def pass_through(self, dart: int) -> None:
-        """Go through a dart that the log knows."""
-        self.here = self._log.beyond(self._log.canonical(dart))
-        self.steps += 1
 
     def _percept(self) -> Percept:
         """The percept of the guest there, read from the log."""
@@ -147,5 +140,6 @@ def _take_turns(log: FoldedLog, here: int, guests: Sequence[_Guest]) -> Walk[int
                     here = log.arrive(leaving, seen)
                 if not has_open_dart(log):
                     return here
-            guest.pass_through(dart)
+            guest.here = log.beyond(log.canonical(dart))
+            guest.steps += 1
     raise AssertionError("turns have no end")

@@ -5,17 +5,14 @@ from __future__ import annotations
 from cmath import exp, phase, rect
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from itertools import combinations, pairwise
+from itertools import pairwise
 from math import pi, tau
 
 from msgspec import Struct
 
 from allworlds.maps.canonical import Mismatch, isomorphism, unrooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
-from allworlds.reports.drawing.planar import PlanarMap, drawings, mesh, place
-
-ROUND_VERTEX, ROUND_CROSSING = 40.0, 30.0
-"""In pixels: so near to a vertex or to a crossing of theirs edges may come near each other."""
+from allworlds.reports.drawing.planar import mesh, place, planar
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
@@ -26,41 +23,11 @@ def points_of(way: Sequence[complex]) -> list[complex]:
     return [*points, way[-1]]
 
 
-def crossings_of(way: Sequence[complex]) -> Sequence[complex]:
-    """The points where the edge crosses an edge: every fifth point between its ends."""
-    return way[5:-1:5]
-
-
 def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
     """The ends of the straight piece of the curve about each crossing."""
-    around = zip(way[4::5], crossings_of(way), way[6::5], strict=False)
+    # Every fifth point between the ends of the edge is where it crosses another one.
+    around = zip(way[4::5], way[5:-1:5], way[6::5], strict=False)
     return [((before + at) / 2, (at + after) / 2) for before, at, after in around]
-
-
-def least_distance(ways: Sequence[Sequence[complex]]) -> float:
-    """The smallest distance of two edges in pixels, apart from vertices and crossings.
-
-    Args:
-        ways: for each dart the points that its edge is drawn towards.
-
-    Cost: quadratic in the number of points; these are so dense that the distance is about right.
-    """
-    ends = [way[0] for way in ways]
-    crossed = [point for way in ways for point in crossings_of(way)]
-    free = {}
-    for way in ways:
-        # Each edge has two darts; seen from the other one its points are those backwards.
-        name = min((p.real, p.imag) for p in (way[1], way[-2]))
-        free[name] = [
-            p
-            for p in points_of(way)
-            if all(abs(p - end) > ROUND_VERTEX for end in ends)
-            and all(abs(p - end) > ROUND_CROSSING for end in crossed)
-        ]
-    return min(
-        (abs(p - q) for one, other in combinations(free.values(), 2) for p in one for q in other),
-        default=float("inf"),
-    )
 
 
 SQUAREST = 0.42 * pi
@@ -129,12 +96,6 @@ def spread(centre: complex, round_it: Sequence[complex]) -> list[complex]:
 MOST_DARTS = 200
 """Larger drawings, ends at crossings counted, are made in the plain way."""
 
-CANDIDATES = 3
-"""The most drawings that are made where edges come near each other."""
-
-APART = 12.0
-"""In pixels: so far apart no two edges are said to come near each other."""
-
 STUB, NARROWEST, WIDEST = 24.0, 130.0, 900.0
 """In pixels: the straight beginning of an edge, at least; the drawing, at least and at most."""
 
@@ -160,11 +121,6 @@ class Layout(Struct, frozen=True):
         """The end of the straight beginning of the dart."""
         start, towards, *_ = self.ways[dart]
         return (start + towards) / 2
-
-    def label(self, dart: Dart) -> complex:
-        """A point of the edge for the dart's number where that scales with the drawing."""
-        a, b, c, *_ = self.ways[dart]
-        return (a + 6 * b + c) / 8
 
     def along(self, dart: Dart) -> complex:
         """The direction in which the dart leaves its vertex, of length 1."""
@@ -204,35 +160,21 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
     cross, and those of another as seldom as was found.  Only in the plain way, round a circle,
     edges cross needlessly and may run under a vertex.
     """
-    if 2 * map_.edge_count > MOST_DARTS:
-        return _finished(map_, root, _round_a_circle(map_))
-    same = CombinatorialMap.trusted(*unrooted_code(map_))
-    names, ways = isomorphism(map_, same), _best(same)
-    if isinstance(names, Mismatch) or not ways:
-        return _finished(map_, root, _round_a_circle(map_))
-    return _finished(map_, root, [ways[names[dart]] for dart in map_.darts])
+    if 2 * map_.edge_count <= MOST_DARTS:
+        same = CombinatorialMap.trusted(*unrooted_code(map_))
+        if ways := _ways(same):
+            names = isomorphism(map_, same)
+            assert not isinstance(names, Mismatch)
+            return _finished(map_, root, [ways[names[dart]] for dart in map_.darts])
+    return _finished(map_, root, _round_a_circle(map_))
 
 
 @lru_cache(maxsize=256)
-def _best(map_: CombinatorialMap) -> Sequence[Sequence[complex]]:
-    """For each dart the points that its edge is drawn towards; empty for a map that is too large.
-
-    Of the first few drawings it is the first in which no two edges come near each other, else
-    the one in which they come least near.
-    """
-    best: tuple[float, Sequence[Sequence[complex]]] = (-1.0, ())
-    for drawn in drawings(map_)[:CANDIDATES]:
-        if len(drawn.sigma) > MOST_DARTS:
-            break
-        ways = _ways(drawn)
-        apart = least_distance(_finished(map_, 0, ways).ways)
-        best = max(best, (apart, ways), key=lambda one: one[0])
-        if apart >= APART:
-            break
-    return best[1]
-
-
-def _ways(drawn: PlanarMap) -> list[list[complex]]:
+def _ways(map_: CombinatorialMap) -> list[list[complex]]:
+    """For each dart the points that its edge is drawn towards; empty if there are too many."""
+    drawn = planar(map_)
+    if len(drawn.sigma) > MOST_DARTS:
+        return []
     net = mesh(drawn)
     points = place(net)
     vertices = cycles(drawn.sigma)

@@ -48,18 +48,10 @@ def planar(map_: CombinatorialMap) -> PlanarMap:
 
     Cost: O(TRIES m c), for c crossings and edges.
     """
-    return drawings(map_)[0]
-
-
-def drawings(map_: CombinatorialMap) -> list[PlanarMap]:
-    """The different drawings with the fewest crossings found, that of :func:`planar` first."""
     edges = map_.edges
-    orders = [edges[i:] + edges[:i] for i in range(min(len(edges), TRIES))]
-    if map_.genus == 0:
-        del orders[1:]
-    found = [_drawn(map_, order) for order in orders]
-    least = min(drawn.crossings for drawn in found)
-    return [*dict.fromkeys(drawn for drawn in found if drawn.crossings == least)]
+    tries = min(len(edges), TRIES) if map_.genus else 1
+    orders = (edges[i:] + edges[:i] for i in range(tries))
+    return min((_drawn(map_, order) for order in orders), key=lambda drawn: drawn.crossings)
 
 
 def _drawn(map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]) -> PlanarMap:

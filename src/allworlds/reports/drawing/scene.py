@@ -7,8 +7,12 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct, field
 
+from allworlds.document.struct import replace
+from allworlds.judging.findings.walks import believed_walk, true_walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.actions import Percept
+from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Estimate
+from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
 
 
@@ -33,10 +37,6 @@ class Scene(Struct, frozen=True):
         walked: the darts by which the robot has arrived anywhere.
         ringed: the dart to look at; None where there is none.
         names: the names of darts and vertices, where they are not their numbers.
-
-    Raises:
-        ValueError: for a dart or vertex that the map does not have, a negative number of
-            markers, or labels that are not one for each dart.
     """
 
     map: CombinatorialMap
@@ -61,44 +61,12 @@ class Scene(Struct, frozen=True):
             return self.names.vertices
         return [f"v{vertex}" for vertex in range(self.map.vertex_count)]
 
-    def __post_init__(self) -> None:
-        map_, robot = self.map, () if self.robot is None else (self.robot,)
-        for what, darts in (
-            ("start", (self.start,)),
-            ("robot", robot),
-            ("pointed", self.pointed),
-            ("walked", self.walked),
-        ):
-            for dart in darts:
-                if dart not in map_.darts:
-                    raise ValueError(
-                        f"{what} = {dart} is no dart; darts are 0..{len(map_.sigma) - 1}"
-                    )
-        for vertex, marks in self.marks.items():
-            if not 0 <= vertex < map_.vertex_count:
-                raise ValueError(
-                    f"marked vertex {vertex} does not exist; "
-                    f"vertices are 0..{map_.vertex_count - 1}"
-                )
-            if marks < 0:
-                raise ValueError(
-                    f"vertex {vertex} cannot have {marks} markers; at least 0 are legal"
-                )
-        if self.labels is not None and len(self.labels) != len(map_.sigma):
-            raise ValueError(
-                f"{len(self.labels)} labels for {len(map_.sigma)} darts; there must be one for each"
-            )
-
     @classmethod
     def sensed(
         cls,
         map_: CombinatorialMap,
         start: Dart,
         percepts: Iterable[tuple[Dart, Percept]],
-        *,
-        robot: Dart | None = None,
-        labels: Sequence[str] | None = None,
-        walked: Collection[Dart] = (),
     ) -> Scene:
         """Return the scene of a map in which percepts are known for arrival at some darts.
 
@@ -109,21 +77,37 @@ class Scene(Struct, frozen=True):
         marks = {map_.vertex_of[dart]: p.marks for dart, p in known}
         marks = {vertex: number for vertex, number in marks.items() if number}
         pointed = {map_.turn(dart, p.bearing) for dart, p in known if p.bearing is not None}
-        return cls(map_, start, robot, marks, sorted(pointed), labels, walked)
+        return cls(map_, start, None, marks, sorted(pointed))
 
 
-def scene_of(
-    world: World,
-    *,
-    robot: Dart | None = None,
-    dropped: Collection[int] = (),
-    labels: Sequence[str] | None = None,
-    walked: Collection[Dart] = (),
-) -> Scene:
+def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
     """The scene of a world, with everything that can be sensed in it.
 
     ``dropped`` holds the vertices at which the robot has dropped markers, one entry a marker.
     """
     map_, lying = world.map, Counter(dropped)
     percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
-    return Scene.sensed(map_, world.start, percepts, robot=robot, labels=labels, walked=walked)
+    return Scene.sensed(map_, world.start, percepts)
+
+
+def walk_in_world(world: World, transcript: Transcript) -> Scene:
+    """The world with everything that is sensed, and the robot at the end of its walk."""
+    states = [state for state, _ in true_walk(world, transcript)]
+    trail = [state.dart for state in states]
+    scene = scene_of(world, states[-1].lying)
+    return replace(scene, robot=trail[-1], walked=_arrivals(trail, transcript))
+
+
+def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Scene:
+    """The answer with the percepts that it predicts, and the robot where the answer says."""
+    walk = believed_walk(world, answer, transcript)
+    # Where the answer has no place for the lighthouse it says nothing of markers.
+    percepts = zip(walk.trail, walk.percepts or [], strict=False)
+    scene = Scene.sensed(answer.map, walk.trail[0], percepts)
+    return replace(scene, robot=answer.here, walked=_arrivals(walk.trail, transcript))
+
+
+def _arrivals(trail: Sequence[Dart], transcript: Transcript) -> set[Dart]:
+    """The darts by which the robot arrived, step by step; none before the first motion."""
+    steps = zip(trail[1:], transcript.actions, strict=True)
+    return {dart for dart, action in steps if type(action) is Move}

@@ -1,123 +1,32 @@
-"""A map as SVG."""
+"""A map as SVG, in a page or alone."""
 
 from __future__ import annotations
 
 from cmath import phase
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from hashlib import sha256
+from importlib.resources import files
 from itertools import pairwise
 from math import cos, pi, sin, tau
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from allworlds.maps.combinatorial import Dart
+from msgspec import Struct
+
+from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.drawing.layout import CHIP, DISC, HIGH, Layout, bridges_of, layout, rim
-from allworlds.reports.drawing.scene import Scene
-from allworlds.reports.rendering import Child, tag
+from allworlds.reports.drawing.scene import Scene, scene_of
+from allworlds.reports.drawing.text import draw as drawn_in_characters
+from allworlds.reports.markup import Child, tag
+from allworlds.words import size
+from allworlds.world.world import World
 
 FLAG = 12.0
 """The length of the head of the arrow that stands for a marker's direction, in pixels."""
 
 COLOURS = 12
 """The number of classes of darts that have distinct colours."""
-
-
-def curve(way: Sequence[complex]) -> str:
-    """A curve through these points: straight, then a parabola for each point between."""
-    path = f"M{at(way[0])} L{at((way[0] + way[1]) / 2)}"
-    for towards, after in pairwise(way[1:]):
-        path += f" Q{at(towards)} {at((towards + after) / 2)}"
-    return f"{path} L{at(way[-1])}"
-
-
-def edge_along(scene: Scene, dart: Dart, path: str) -> ET.Element:
-    """The edge of a dart, drawn along the path from that dart to the other one."""
-    other = scene.map.alpha[dart]
-    walked = dart in scene.walked or other in scene.walked
-    kind = "edge walked" if walked else "edge"
-    return tag("path", class_=kind, data_darts=f"{dart} {other}", d=path)
-
-
-def stub(dart: Dart, start: complex, end: complex) -> ET.Element:
-    """The straight beginning of a dart, as a path."""
-    return tag("path", class_="stub", data_stub=dart, d=f"M{at(start)} L{at(end)}")
-
-
-def vertex_with(
-    scene: Scene,
-    vertex: int,
-    centre: complex,
-    along: Mapping[Dart, complex],
-    below: Sequence[ET.Element] = (),
-) -> ET.Element:
-    """A vertex with its name, everything that is shown there, and the numbers of some darts.
-
-    Args:
-        scene: what is shown.
-        vertex: which of its vertices.
-        centre: where that is drawn.
-        along: for each of the darts the direction in which it leaves there, of length 1.
-        below: what lies below all this.
-    """
-    marks, parts = scene.marks.get(vertex, 0), [*below]
-    rims = {
-        dart: rim(here, [other for d, other in along.items() if d != dart], _width(scene, dart))
-        for dart, here in along.items()
-    }
-    parts += [flag(along[dart], rims[dart]) for dart in along if dart in scene.pointed]
-    parts.append(tag("circle", class_="disc", r=DISC))
-    parts.append(tag("text", scene.vertex_names[vertex], class_="name"))
-    if marks > 1:
-        text = f"\N{MULTIPLICATION SIGN}{marks}"
-        parts.append(tag("text", text, class_="marks", x=rounded(DISC), y=rounded(-DISC)))
-    parts += [number(scene, dart, rims[dart] * along[dart]) for dart in along]
-    return tag(
-        "g",
-        tag("g", *parts, class_="fixed"),
-        class_="vertex marked" if marks else "vertex",
-        data_vertex=vertex,
-        transform=f"translate({at(centre)})",
-    )
-
-
-def flag(along: complex, far: float) -> ET.Element:
-    """The marker's arrow, behind the number of the dart that it points along."""
-    base, wing = (far + CHIP) * along, along * 1j * FLAG * 0.55
-    head = f"M{at(base + FLAG * along)} L{at(base + wing)} L{at(base - wing)} Z"
-    return tag(
-        "g",
-        tag("path", class_="pole", d=f"M{at(0j)} L{at(base)}"),
-        tag("path", class_="flag", d=head),
-    )
-
-
-def number(scene: Scene, dart: Dart, place: complex) -> ET.Element:
-    """The dart's number: in a box where the robot started, on a disc where it is."""
-    text: list[Child] = [scene.dart_names[dart]]
-    colour = ""
-    if scene.labels is not None:
-        text.append(tag("tspan", scene.labels[dart], class_="letter"))
-        colour = f" class-{sorted(set(scene.labels)).index(scene.labels[dart]) % COLOURS}"
-    wide, high = _width(scene, dart) + 4, HIGH + 2
-    left, top = rounded(-wide / 2), rounded(-high / 2)
-    box = tag("rect", class_="box", x=left, y=top, width=wide, height=high, rx=3)
-    parts = [tag("circle", class_="ring", r=CHIP + 4)] if dart == scene.ringed else []
-    here = " here" if dart == scene.robot else ""
-    start = " start" if dart == scene.start else ""
-    return tag(
-        "g",
-        *parts,
-        box,
-        tag("circle", class_="robot", r=CHIP),
-        tag("text", *text),
-        class_=f"dart{start}{colour}{here}",
-        data_dart=dart,
-        transform=f"translate({at(place)})",
-    )
-
-
-def _width(scene: Scene, dart: Dart) -> float:
-    """Width in pixels of the dart's number with its letter."""
-    letters = "" if scene.labels is None else scene.labels[dart]
-    return 4.0 + 7.0 * len(scene.dart_names[dart] + letters)
 
 
 def at(point: complex) -> str:
@@ -151,7 +60,11 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
         tag("title", title, id=f"{name}-title"),
         tag("desc", in_words(scene), id=f"{name}-desc"),
         *(part for dart, _ in map_.edges for part in _edge(scene, drawn, dart)),
-        *(stub(dart, drawn.ways[dart][0], drawn.stub(dart)) for dart in map_.darts),
+        *(
+            # The straight beginning of the dart.
+            tag("path", class_="stub", data_stub=d, d=f"M{at(way[0])} L{at(drawn.stub(d))}")
+            for d, way in enumerate(drawn.ways)
+        ),
         *(_vertex(scene, drawn, vertex) for vertex in range(map_.vertex_count)),
         tag("g", class_="arrows"),
         id=name,
@@ -167,46 +80,108 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
 
 def in_words(scene: Scene) -> str:
     """The scene in words, for readers who cannot see it."""
-    map_, dart_names, vertex_names = scene.map, scene.dart_names, scene.vertex_names
+    map_, darts, vertices = scene.map, scene.dart_names, scene.vertex_names
     sentences = []
-    for vertex, darts in enumerate(map_.vertices):
-        ways = [
-            f"{dart_names[dart]} to dart {dart_names[map_.alpha[dart]]} of "
-            f"{vertex_names[map_.vertex_of[map_.alpha[dart]]]}"
-            for dart in darts
-        ]
-        sentences.append(
-            f"Clockwise round {vertex_names[vertex]} its darts lead: {', '.join(ways)}."
+    for vertex, around in enumerate(map_.vertices):
+        ends = ((dart, map_.alpha[dart]) for dart in around)
+        ways = (
+            f"{darts[dart]} to dart {darts[end]} of {vertices[map_.vertex_of[end]]}"
+            for dart, end in ends
         )
-    for vertex, marks in sorted(scene.marks.items()):
-        sentences.append(f"Markers at {vertex_names[vertex]}: {marks}.")
+        sentences.append(f"Clockwise round {vertices[vertex]} its darts lead: {', '.join(ways)}.")
+    sentences += [f"Markers at {vertices[v]}: {marks}." for v, marks in sorted(scene.marks.items())]
     if scene.pointed:
-        pointed = ", ".join(dart_names[dart] for dart in sorted(scene.pointed))
-        sentences.append(f"Pointed darts: {pointed}.")
+        sentences.append(f"Pointed darts: {', '.join(darts[d] for d in sorted(scene.pointed))}.")
     if scene.labels is not None:
-        labels = ", ".join(f"{dart_names[d]} {scene.labels[d]}" for d in map_.darts)
-        sentences.append(f"Darts with their letters: {labels}.")
+        letters = ", ".join(map(" ".join, zip(darts, scene.labels, strict=True)))
+        sentences.append(f"Darts with their letters: {letters}.")
     if scene.ringed is not None:
-        sentences.append(f"Ringed is dart {dart_names[scene.ringed]}.")
-    end = "" if scene.robot is None else f", the robot is in the end at {dart_names[scene.robot]}"
-    sentences.append(f"The start is dart {dart_names[scene.start]}{end}.")
+        sentences.append(f"Ringed is dart {darts[scene.ringed]}.")
+    end = "" if scene.robot is None else f", the robot is in the end at {darts[scene.robot]}"
+    sentences.append(f"The start is dart {darts[scene.start]}{end}.")
     return " ".join(sentences)
 
 
 def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
     """The edge, and before it the gaps that it leaves in the edges below."""
-    way = drawn.ways[dart]
+    way, other = drawn.ways[dart], scene.map.alpha[dart]
     for start, end in bridges_of(way):
         yield tag("path", class_="bridge", d=f"M{at(start)} L{at(end)}")
-    yield edge_along(scene, dart, curve(way))
+    walked = dart in scene.walked or other in scene.walked
+    # Straight, then a parabola for each point between.
+    path = f"M{at(way[0])} L{at((way[0] + way[1]) / 2)}"
+    for towards, after in pairwise(way[1:]):
+        path += f" Q{at(towards)} {at((towards + after) / 2)}"
+    path += f" L{at(way[-1])}"
+    kind = "edge walked" if walked else "edge"
+    yield tag("path", class_=kind, data_darts=f"{dart} {other}", d=path)
 
 
 def _vertex(scene: Scene, drawn: Layout, vertex: int) -> ET.Element:
-    """The vertex with the numbers of its darts, its markers and the robot."""
-    darts = scene.map.vertices[vertex]
-    along = {dart: drawn.along(dart) for dart in darts}
-    arrow = _clockwise([*along.values()])
-    return vertex_with(scene, vertex, drawn.vertices[vertex], along, [arrow])
+    """The vertex with its name, the numbers of its darts, its markers and the robot."""
+    marks = scene.marks.get(vertex, 0)
+    along = {dart: drawn.along(dart) for dart in scene.map.vertices[vertex]}
+    rims = {
+        dart: rim(here, [other for d, other in along.items() if d != dart], _width(scene, dart))
+        for dart, here in along.items()
+    }
+    parts = [_clockwise([*along.values()])]
+    parts += [_flag(along[dart], rims[dart]) for dart in along if dart in scene.pointed]
+    parts.append(tag("circle", class_="disc", r=DISC))
+    parts.append(tag("text", scene.vertex_names[vertex], class_="name"))
+    if marks > 1:
+        text = f"\N{MULTIPLICATION SIGN}{marks}"
+        parts.append(tag("text", text, class_="marks", x=rounded(DISC), y=rounded(-DISC)))
+    parts += [_number(scene, dart, rims[dart] * along[dart]) for dart in along]
+    return tag(
+        "g",
+        tag("g", *parts, class_="fixed"),
+        class_="vertex marked" if marks else "vertex",
+        data_vertex=vertex,
+        transform=f"translate({at(drawn.vertices[vertex])})",
+    )
+
+
+def _flag(along: complex, far: float) -> ET.Element:
+    """The marker's arrow, behind the number of the dart that it points along."""
+    base, wing = (far + CHIP) * along, along * 1j * FLAG * 0.55
+    head = f"M{at(base + FLAG * along)} L{at(base + wing)} L{at(base - wing)} Z"
+    return tag(
+        "g",
+        tag("path", class_="pole", d=f"M{at(0j)} L{at(base)}"),
+        tag("path", class_="flag", d=head),
+    )
+
+
+def _number(scene: Scene, dart: Dart, place: complex) -> ET.Element:
+    """The dart's number: in a box where the robot started, on a disc where it is."""
+    text: list[Child] = [scene.dart_names[dart]]
+    colour = ""
+    if scene.labels is not None:
+        text.append(tag("tspan", scene.labels[dart], class_="letter"))
+        colour = f" class-{sorted(set(scene.labels)).index(scene.labels[dart]) % COLOURS}"
+    wide, high = _width(scene, dart) + 4, HIGH + 2
+    left, top = rounded(-wide / 2), rounded(-high / 2)
+    box = tag("rect", class_="box", x=left, y=top, width=wide, height=high, rx=3)
+    parts = [tag("circle", class_="ring", r=CHIP + 4)] if dart == scene.ringed else []
+    here = " here" if dart == scene.robot else ""
+    start = " start" if dart == scene.start else ""
+    return tag(
+        "g",
+        *parts,
+        box,
+        tag("circle", class_="robot", r=CHIP),
+        tag("text", *text),
+        class_=f"dart{start}{colour}{here}",
+        data_dart=dart,
+        transform=f"translate({at(place)})",
+    )
+
+
+def _width(scene: Scene, dart: Dart) -> float:
+    """Width in pixels of the dart's number with its letter."""
+    letters = "" if scene.labels is None else scene.labels[dart]
+    return 4.0 + 7.0 * len(scene.dart_names[dart] + letters)
 
 
 def _clockwise(along: Sequence[complex]) -> ET.Element:
@@ -226,3 +201,70 @@ def _clockwise(along: Sequence[complex]) -> ET.Element:
         tag("path", class_="head", d=f"M{' L'.join(map(at, head))} Z"),
         class_="clockwise",
     )
+
+
+SUFFIX = ".svg"
+"""The end of the names of files of drawings."""
+
+
+class Drawing(Struct, frozen=True):
+    """A picture of a map or a world.
+
+    Attributes:
+        svg: an SVG document with its own style.
+        text: the same in characters.
+    """
+
+    svg: str
+    text: str
+
+    def save(self, file: str | Path) -> None:
+        """Write the SVG document into a file.
+
+        Raises:
+            InputError: if the name of the file does not end in ``.svg``.
+            OSError: if it cannot be written.
+        """
+        path = a_path("file", file)
+        if path.suffix.lower() != SUFFIX:
+            raise InputError(
+                f"file {show(str(file))} does not end in {SUFFIX}: a drawing is written as SVG"
+            )
+        path.write_text(self.svg, encoding="utf-8")
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_svg_(self) -> str:
+        """The picture that notebooks show."""
+        return self.svg
+
+
+def draw(shown: CombinatorialMap | World) -> Drawing:
+    """A picture of a map or a world, the same every time.
+
+    Args:
+        shown: the map, or the world, whose lighthouse and start are drawn, too.
+
+    Raises:
+        InputError: for anything else.
+    """
+    match shown:
+        case World():
+            scene, map_ = scene_of(shown), shown.map
+        case CombinatorialMap():
+            scene, map_ = Scene(shown), shown
+        case _:
+            raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
+    where = size(map_.edge_count, map_.vertex_count)
+    title = f"A {'world' if isinstance(shown, World) else 'map'} with {where}"
+    style = (files("allworlds.reports.drawing") / "alone.css").read_text(encoding="utf-8")
+
+    def svg(name: str) -> str:
+        root = picture(scene, name, title)
+        root.insert(2, tag("style", style.replace("NAME", name)))
+        return ET.tostring(root, "unicode") + "\n"
+
+    # In a notebook that shows several drawings, each has a name of its own: that of its content.
+    content = svg("map").encode()
+    return Drawing(svg(f"map-{sha256(content).hexdigest()[:16]}"), drawn_in_characters(scene))

@@ -38,7 +38,7 @@ _LEGEND = {
 """The signs in the order of the legend."""
 
 
-def draw(scene: Scene, width: int = 80, *, most: int = LONGEST_ROW) -> str:
+def draw(scene: Scene, width: int = 80) -> str:
     """The scene as an arc diagram, or as :func:`rotation_table` where that is wider than ``width``.
 
     It begins at the start.  Vertex ``v`` is called by its index in ``map.vertices``.  Under the
@@ -50,40 +50,42 @@ def draw(scene: Scene, width: int = 80, *, most: int = LONGEST_ROW) -> str:
     map_, labels = scene.map, scene.labels
     groups = _groups(map_, scene.start)
     names_of = _names(scene)
-    names = [names_of[map_.vertex_of[group[0]]] for group in groups]
+    names = {group[0]: names_of[map_.vertex_of[group[0]]] for group in groups}
     # Widths follow from the map alone, so that renaming the darts moves nothing.
     cell = max(map(len, [str(len(map_.sigma) - 1), *(labels or ())]))
-    column = _columns(groups, cell, names)
-    rows = [_darts(groups, column)]
+    column, texts, left = dict[Dart, int](), dict[int, str](), 0
+    for group in groups:
+        column |= {dart: left + 1 + i * (cell + 1) for i, dart in enumerate(group)}
+        texts |= {left: "(", **{column[dart]: str(dart) for dart in group}}
+        texts[column[group[-1]]] += ")"
+        left += 1 + max(len(group) * (cell + 1), len(names[group[0]])) + 1
+    rows = [texts]
     if labels is not None:
-        rows.append(_row({column[dart]: labels[dart] for dart in column}))
-    rows.append(_row({column[group[0]]: name for group, name in zip(groups, names, strict=True)}))
-    rows += [
-        _row({column[dart]: sign for dart in darts})
-        for sign, darts in _signed(scene).items()
-        if darts
-    ]
-    if max(map(len, rows)) > width:
-        return rotation_table(scene, width, most=most)
+        rows.append({at: labels[dart] for dart, at in column.items()})
+    rows.append({column[dart]: name for dart, name in names.items()})
+    rows += [{column[dart]: sign for dart in darts} for sign, darts in _signed(scene).items()]
+    lines = [line for line in map(_row, rows) if line]
+    if max(map(len, lines)) > width:
+        return rotation_table(scene, width)
     # No arc reaches beyond the darts that it joins.
-    arcs = list(_arcs([_span(column[d], column[e]) for d, e in map_.edges]))
-    return "\n".join([*arcs, *rows, "", _legend({"(", *"".join(arcs)} | _signs(scene), width)])
+    arcs = list(
+        _arcs((min(column[d], column[e]), max(column[d], column[e])) for d, e in map_.edges)
+    )
+    return "\n".join([*arcs, *lines, "", _legend({"(", *"".join(arcs)}, scene, width)])
 
 
-def rotation_table(scene: Scene, width: int = 80, *, most: int = LONGEST_ROW) -> str:
+def rotation_table(scene: Scene, width: int = 80) -> str:
     """The scene as a table: a line for each vertex with name, degree and its darts clockwise.
 
     The order is that of :func:`draw`.  Each dart is written ``dart→vertex.dart``: where its
     edge goes.  The signs stand before the dart, its label in square brackets after it.  Only
     the legend is kept within ``width``.
 
-    Of more than ``most`` vertices, and of more than ``most`` darts of a vertex, the first and
-    the last are shown, and how many there are between them.
+    Of more than :data:`LONGEST_ROW` vertices, and of more darts of a vertex, the first and the last
+    are shown, and how many there are between them.
     """
     map_, labels, signed = scene.map, scene.labels, _signed(scene)
-    groups = _groups(map_, scene.start)
     names = _names(scene)
-    head, between, tail = _ends(groups, most)
 
     def entry(dart: Dart) -> str:
         signs = "".join(sign for sign, darts in signed.items() if dart in darts)
@@ -92,24 +94,23 @@ def rotation_table(scene: Scene, width: int = 80, *, most: int = LONGEST_ROW) ->
         return f"{signs}{dart}{label}→v{map_.vertex_of[other]}.{other}"
 
     def row(group: list[Dart]) -> list[str]:
-        first, left_out, last = _ends(group, most)
+        first, left_out, last = _ends(group)
         more = [f"({len(left_out):,} darts more)"] if left_out else []
         texts = [*map(entry, first), *more, *map(entry, last)]
         return [names[map_.vertex_of[group[0]]], str(len(group)), *texts]
 
+    head, between, tail = _ends(_groups(map_, scene.start))
     rows = [*map(row, head), *map(row, tail)]
     name, degree = (max(len(row[i]) for row in rows) for i in (0, 1))
     cell = max(len(text) for row in rows for text in row[2:])
     lines = [
-        "  ".join(
-            [row[0].ljust(name), row[1].rjust(degree), *(text.ljust(cell) for text in row[2:])]
-        ).rstrip()
-        for row in rows
+        "  ".join([v.ljust(name), d.rjust(degree), *(text.ljust(cell) for text in texts)]).rstrip()
+        for v, d, *texts in rows
     ]
     if between:
         darts = sum(map(len, between))
         lines.insert(len(head), f"... ({len(between):,} vertices more, with {darts:,} darts)")
-    return "\n".join([*lines, "", _legend({"→"} | _signs(scene), width)])
+    return "\n".join([*lines, "", _legend({"→"}, scene, width)])
 
 
 def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
@@ -135,35 +136,16 @@ def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
     return groups
 
 
-def _ends(items: list[T], most: int) -> tuple[list[T], list[T], list[T]]:
+def _ends(items: list[T]) -> tuple[list[T], list[T], list[T]]:
     """The first items, those that are left out, and the last ones."""
-    if len(items) <= most:
+    if len(items) <= LONGEST_ROW:
         return items, [], []
-    half = most // 2
+    half = LONGEST_ROW // 2
     return items[:half], items[half : len(items) - half], items[len(items) - half :]
 
 
 def _turned(map_: CombinatorialMap, first: Dart) -> list[Dart]:
     return [map_.turn(first, offset) for offset in range(map_.degree_at[first])]
-
-
-def _columns(groups: Sequence[Sequence[Dart]], cell: int, names: Sequence[str]) -> dict[Dart, int]:
-    """The column of each dart: cells of one width, brackets round each group, room for names."""
-    column = {}
-    left = 0
-    for group, name in zip(groups, names, strict=True):
-        for place, dart in enumerate(group):
-            column[dart] = left + 1 + place * (cell + 1)
-        left += 1 + max(len(group) * (cell + 1), len(name)) + 1
-    return column
-
-
-def _darts(groups: Sequence[Sequence[Dart]], column: Mapping[Dart, int]) -> str:
-    texts = {column[dart]: str(dart) for dart in column}
-    for group in groups:
-        texts[column[group[0]] - 1] = "("
-        texts[column[group[-1]]] += ")"
-    return _row(texts)
 
 
 def _names(scene: Scene) -> list[str]:
@@ -177,10 +159,6 @@ def _names(scene: Scene) -> list[str]:
     return names
 
 
-def _span(a: int, b: int) -> tuple[int, int]:
-    return min(a, b), max(a, b)
-
-
 def _arcs(spans: Iterable[tuple[int, int]]) -> Iterator[str]:
     """The rows of the arcs, highest first.
 
@@ -192,9 +170,8 @@ def _arcs(spans: Iterable[tuple[int, int]]) -> Iterator[str]:
         free = (
             level for level in levels if all(right < other[0] or other[1] < left for other in level)
         )
-        level = next(free, None)
-        if level is None:
-            level = []
+        level = next(free, [])
+        if not level:
             levels.append(level)
         level.append((left, right))
     legs: set[int] = set()
@@ -210,21 +187,17 @@ def _arcs(spans: Iterable[tuple[int, int]]) -> Iterator[str]:
 
 def _row(texts: Mapping[int, str]) -> str:
     """A line with each text at its column, and no space at its end."""
-    parts = []
-    length = 0
+    line = ""
     for column, text in sorted(texts.items()):
-        parts += [" " * (column - length), text]
-        length = max(length, column) + len(text)
-    return "".join(parts).rstrip()
+        line = line.ljust(column) + text
+    return line.rstrip()
 
 
-def _signs(scene: Scene) -> set[str]:
-    marked = {"●"} if any(scene.marks.values()) else set()
-    lettered = {"a"} if scene.labels is not None else set()
-    return marked | lettered | {sign for sign, darts in _signed(scene).items() if darts}
-
-
-def _legend(signs: set[str], width: int) -> str:
+def _legend(signs: set[str], scene: Scene, width: int) -> str:
+    """The meaning of these signs, and of those of the scene."""
+    signs |= {"●"} if any(scene.marks.values()) else set()
+    signs |= {"a"} if scene.labels is not None else set()
+    signs |= {sign for sign, darts in _signed(scene).items() if darts}
     # Spaces within an item hold together; only between items may the line break.
     items = [text.replace(" ", "\0") for sign, text in _LEGEND.items() if sign in signs]
     lines = textwrap.wrap("   ".join(items), max(width, 1), break_long_words=False)

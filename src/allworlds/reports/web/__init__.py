@@ -1,13 +1,16 @@
-"""The parts of a web page that shows a telling, complete in itself: no network, no other file.
+"""Web pages, each complete in itself: no network, no other file.
 
 ``sections``
-    each part of a telling as elements;
-``frame``
-    what every page has round it;
-``viewer``, ``walk``, ``cost_plot``
-    pictures to step through, a walk as a list of steps, and cost against bound;
-``beside``, ``known``
-    pictures of two maps side by side, and of what an explorer knows beside its world;
-``style.css``, ``script.js``
-    what a page looks like, and the keys that step along a walk.
+    each part of a report's content as elements, and the list of the steps of a walk;
+``frame``, ``controls.html``
+    what every page has round it, and pictures to step through;
+``style.css``, ``script.js``, ``fit.js``
+    what a page looks like, the keys that step along a walk, and room for pictures;
+``play``, ``play.html``, ``play.css``
+    the page in which the reader is the robot and draws a map from the percepts;
+``robot.js``
+    what a robot does and senses, and what it concludes: it knows nothing of pages, and is held
+    against the worlds in Python;
+``spots.js``, ``view.js``
+    where the places of the notes are drawn, and what is seen of the game.
 """

@@ -2,61 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from itertools import groupby
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from xml.etree import ElementTree as ET
 
-from allworlds.document.struct import replace
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Move
-from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
-from allworlds.reports.drawing.layout import Layout, layout
-from allworlds.reports.plain_text import cost_picture
-from allworlds.reports.rendering import record, tag
-from allworlds.reports.telling import (
+from allworlds.reports.drawing.aligned_maps import drawn_beside
+from allworlds.reports.drawing.layout import layout
+from allworlds.reports.markup import record, tag
+from allworlds.reports.parts import (
+    Bars,
     Block,
-    Costs,
-    Curve,
+    DataRecord,
+    FactList,
+    MapPictures,
+    Paragraph,
     Quote,
     Section,
     ShownMap,
-    SizeCost,
-    ToldFacts,
-    ToldPicture,
-    ToldRecord,
-    ToldTable,
-    ToldWalk,
+    ShownWalk,
+    Table,
     View,
-    Words,
 )
-from allworlds.reports.web.viewer import figure, viewer
-from allworlds.words import number, plural, size
-
-
-def drawn_beside(
-    first: View, other: View, drawn: Layout, agreement: int
-) -> tuple[View, View, Layout]:
-    """Both views with their first difference ringed, the other in the numbers of the first.
-
-    Args:
-        first: what is to be seen in one map, and the trail there.
-        other: the same of the other one.
-        drawn: how the first is laid out.
-        agreement: the number of steps, the start included, in which both go along alike.
-    """
-    world, answer = first.scene, other.scene
-    ties: dict[Dart, Dart] = {}
-    for robot, belief in zip(first.trail[:agreement], other.trail[:agreement], strict=True):
-        for k in range(world.map.degree_at[robot]):
-            ties[answer.map.turn(belief, k)] = world.map.turn(robot, k)
-    ties = mirror_of(answer.map, world.map) or extended(ties, answer.map, world.map)
-    beside = layout_like(ties, answer.map, answer.start, world.map, drawn)
-    if agreement < len(first.trail):
-        world = replace(world, ringed=first.trail[agreement])
-        answer = replace(answer, ringed=other.trail[agreement])
-    answer = replace(answer, names=names_like(ties, answer.map, world.map))
-    return replace(first, scene=world), replace(other, scene=answer), beside
-
+from allworlds.reports.plain_text import bar_lines
+from allworlds.reports.web.frame import figure, viewer
+from allworlds.words import number
 
 NEVER = 10**9
 """Stands for the step at which something is known that never is."""
@@ -75,96 +45,25 @@ def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
             part.set("class", "stub open" if explored is None else "stub open gone")
             part.set("data-since", str(seen.darts.get(int(stub), NEVER)))
             part.set("data-until", str(NEVER if explored is None else explored))
-    legend = drawn[-1]
-    legend.append(tag("span", "open: not explored yet", class_="key known-key"))
-
-
-COLUMN, BAR, HEIGHT, LEFT, TOP, FOOT = 30, 18, 180, 56, 24, 52
-"""In pixels: from column to column, the width of a bar, and the room that the bars have."""
-
-
-def plot(cells: Sequence[SizeCost], name: str) -> ET.Element:
-    """The largest cost of each size as a bar, and its bound as a line above; ``name`` is its id."""
-    top = max((max(cell.cost, cell.bound or 0) for cell in cells), default=0) or 1
-    width = LEFT + COLUMN * len(cells) + 8
-
-    def y(value: float) -> str:
-        return f"{TOP + HEIGHT * (1 - value / top):.1f}"
-
-    parts: list[ET.Element] = []
-    for value in _ticks(top):
-        parts.append(tag("path", class_="grid", d=f"M{LEFT - 4} {y(value)} H{width}"))
-        parts.append(tag("text", number(value), class_="tick", x=LEFT - 8, y=y(value)))
-    for i, cell in enumerate(cells):
-        parts += _column(cell, LEFT + COLUMN * i + COLUMN // 2, y)
-    at = LEFT
-    for edges, group in groupby(cells, key=lambda cell: cell.edges):
-        wide = COLUMN * len([*group])
-        middle = at + wide // 2
-        parts.append(tag("path", class_="brace", d=f"M{at + 4} {TOP + HEIGHT + 24} h{wide - 8}"))
-        parts.append(tag("text", str(edges), x=middle, y=TOP + HEIGHT + 38))
-        at += wide
-    parts.append(tag("text", "vertices", class_="axis", x=LEFT - 6, y=TOP + HEIGHT + 14))
-    parts.append(tag("text", "edges", class_="axis", x=LEFT - 6, y=TOP + HEIGHT + 38))
-    return tag(
-        "svg",
-        tag("title", "The largest cost of each size against its bound", id=f"{name}-title"),
-        tag("desc", " ".join(map(_in_words, cells)), id=f"{name}-desc"),
-        *parts,
-        id=name,
-        class_="plot",
-        role="img",
-        aria_labelledby=f"{name}-title {name}-desc",
-        viewBox=f"0 0 {width} {TOP + HEIGHT + FOOT}",
-        width=width,
-        height=TOP + HEIGHT + FOOT,
-        xmlns="http://www.w3.org/2000/svg",
-    )
-
-
-def _column(cell: SizeCost, middle: int, y: Callable[[float], str]) -> list[ET.Element]:
-    left, foot = middle - BAR // 2, TOP + HEIGHT
-    parts = [
-        tag("path", class_="cost", d=f"M{left} {foot} V{y(cell.cost)} h{BAR} V{foot} Z"),
-        tag("text", str(cell.vertices), x=middle, y=foot + 14),
-    ]
-    if cell.bound is not None:
-        parts.append(tag("path", class_="bound", d=f"M{left - 4} {y(cell.bound)} h{BAR + 8}"))
-    return parts
-
-
-def _ticks(top: int) -> list[int]:
-    """Round numbers from 0 to the top, four or so."""
-    step = 1
-    while top / step > 5:
-        step *= 5 if str(step).startswith("2") or (step == 1 and top > 10) else 2
-    return [*range(0, top + 1, step)]
-
-
-def _in_words(cell: SizeCost) -> str:
-    most = "" if cell.bound is None else f" of at most {number(cell.bound)}"
-    return f"{size(cell.edges, cell.vertices)}: {plural(cell.cost, 'traversal')}{most}."
+    drawn[-1].append(tag("span", "open: not explored yet", class_="key known-key"))
 
 
 LONGEST = 1500
-"""The number of steps of a longer walk that are told."""
+"""The number of steps of a longer walk that are shown."""
 
 
-def steps_of(
-    walk: ToldWalk, views: Sequence[View], name: str, follows: Sequence[str]
-) -> ET.Element:
+def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
     """The list of the first :data:`LONGEST` steps.
 
     Args:
         walk: which one.
-        views: the pictures in which it is followed.
         name: of the walk, with which the names of its steps begin.
-        follows: a name for each view, by which its picture finds the robot in a step.
+        views: the pictures, each by the name by which it finds the robot in a step.
     """
     items = [_step(walk, i, f"{name}-step-{i}") for i in range(len(walk.walked.walked[:LONGEST]))]
-    for followed, view in zip(follows, views, strict=True):
+    for follows, view in views.items():
         for item, dart in zip(items, view.trail, strict=False):
-            item.set(f"data-{followed}", str(dart))
+            item.set(f"data-{follows}", str(dart))
     return tag(
         "ol",
         *items,
@@ -175,7 +74,7 @@ def steps_of(
     )
 
 
-def _step(walk: ToldWalk, i: int, name: str) -> ET.Element:
+def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     walked, parts = walk.walked, i == walk.parting
     action = walked.transcript.steps[i - 1][0] if i else None
     item = tag(
@@ -197,67 +96,50 @@ def _step(walk: ToldWalk, i: int, name: str) -> ET.Element:
     return item
 
 
-ROOM = 700_000
-"""The characters of a page for walks that are opened one at a time; if they need more, the first
-are left out."""
-
 LONGEST_WORDS = 30
-"""A cell with a longer text may be broken into lines."""
+"""A cell of a table with a longer text may be broken into lines."""
 
 
 def element(section: Section) -> ET.Element:
     """A section with its title."""
-    shows = any(isinstance(block, ToldWalk | ToldPicture) for block in section.blocks)
-    tells = any(isinstance(block, ToldFacts) for block in section.blocks)
+    shows = any(isinstance(block, ShownWalk | MapPictures) for block in section.blocks)
+    tells = any(isinstance(block, FactList) for block in section.blocks)
     title = section.title or ("The walk" if shows else "The numbers")
     return tag(
         "section",
         tag("h2", tag("bdi", title), id=f"{section.name}-title"),
-        *_parts(section),
-        *_runs(section.runs),
+        *(part for block in section.blocks for part in _block(block, section.name)),
         id=section.name,
         class_="finding" if shows else "scope" if tells else None,
         aria_labelledby=f"{section.name}-title",
     )
 
 
-def _parts(section: Section) -> Iterator[ET.Element]:
-    pictures = [block for block in section.blocks if isinstance(block, ToldPicture)]
-    for block in section.blocks:
-        if not isinstance(block, ToldPicture):
-            yield from _block(block, section.name)
-        elif block is pictures[0]:
-            drawn = [
-                figure(picture.title, picture.scene, f"{section.name}-{i}", "")
-                for i, picture in enumerate(pictures, 1)
-            ]
-            yield tag("div", *drawn, class_="pictures")
-
-
 def _block(block: Block, name: str) -> Iterator[ET.Element]:
     match block:
-        case Words():
+        case Paragraph():
             yield tag("p", tag("bdi", block.text), class_="story")
-        case ToldFacts():
+        case FactList():
             yield tag("dl", *_facts(block.entries))
-        case ToldTable():
-            yield from _scrolled(_table(block), block.caption or "Counts") if block.rows else ()
-        case ToldWalk():
+        case Table():
+            if block.rows:  # in a box that scrolls
+                said = block.caption or "Counts"
+                shown = table_element(block)
+                yield tag("div", shown, class_="frame", tabindex="0", role="group", aria_label=said)
+        case MapPictures():
+            entries = enumerate(block.entries, 1)
+            drawn = (figure(title, scene, f"{name}-{i}", "") for i, (title, scene) in entries)
+            yield tag("div", *drawn, class_="pictures")
+        case ShownWalk():
             yield from _walk(block, name)
-        case Costs():
-            yield from _scrolled(plot(block.cells, f"{name}-plot"), "Cost against bound")
-            keys = [tag("span", "the largest cost", class_="key cost-key")]
-            if any(cell.bound is not None for cell in block.cells):
-                keys.append(tag("span", "the largest bound", class_="key bound-key"))
-            yield tag("p", *keys, class_="legend")
-        case Curve():
-            yield cost_picture(block.spent, f"{name}-cost")
+        case Bars():
+            yield _lines("\n".join(bar_lines(block, 80)), f"{name}-bars")
         case Quote():
             yield from [tag("h3", block.title.capitalize())] if block.title else []
             yield _lines(block.text, f"{name}-{block.name}")
             if block.command:
                 yield _copier("Copy the command", f"{name}-{block.name}")
-        case ToldRecord():
+        case DataRecord():
             summary = tag("summary", "The transcript, as it was recorded")
             yield tag("details", summary, _lines(block.log, f"{name}-transcript"))
             yield _copier(block.title, f"{name}-json")
@@ -271,35 +153,26 @@ def _facts(entries: Iterable[tuple[str, str]]) -> Iterator[ET.Element]:
         yield tag("dd", tag("bdi", text))
 
 
-def _scrolled(inner: ET.Element, label: str) -> Iterator[ET.Element]:
-    """A wide element inside a box that scrolls."""
-    yield tag("div", inner, class_="frame", tabindex="0", role="group", aria_label=label)
+def table_element(table: Table) -> ET.Element:
+    """A table of a page."""
 
+    def row(name: str, cells: Sequence[str], **attributes: str) -> ET.Element:
+        kinds = ["sentence" if len(cell) > LONGEST_WORDS else "words" for cell in cells]
+        shown = zip(cells, kinds, table.right, strict=True)
+        return tag(
+            "tr",
+            *(
+                tag(name, cell, class_=None if side == "r" else kind, **attributes)
+                for cell, kind, side in shown
+            ),
+        )
 
-def _table(table: ToldTable) -> ET.Element:
-    columns = ([row[i] for row in table.texts] for i in range(len(table.header)))
-    kinds = [
-        None if side == "r" else _kind(cells)
-        for side, cells in zip(table.right, columns, strict=True)
-    ]
     return tag(
         "table",
         *([tag("caption", table.caption)] if table.caption else []),
-        tag("thead", _row("th", table.header, kinds, scope="col")),
-        tag("tbody", *(_row("td", row, kinds) for row in table.texts)),
+        tag("thead", row("th", table.header, scope="col")),
+        tag("tbody", *(row("td", cells) for cells in table.texts)),
     )
-
-
-def _row(
-    name: str, cells: Sequence[str], kinds: Sequence[str | None], **attributes: str
-) -> ET.Element:
-    told = zip(cells, kinds, strict=True)
-    return tag("tr", *(tag(name, cell, class_=kind, **attributes) for cell, kind in told))
-
-
-def _kind(cells: Sequence[str]) -> str:
-    """The CSS class of a column of texts: of words, or of sentences, which may break."""
-    return "sentence" if max(map(len, cells)) > LONGEST_WORDS else "words"
 
 
 def _lines(text: str, name: str) -> ET.Element:
@@ -310,67 +183,35 @@ def _copier(label: str, of: str) -> ET.Element:
     return tag("p", tag("button", label, type="button", data_copy=of, hidden="hidden"))
 
 
-def _walk(walk: ToldWalk, name: str) -> Iterator[ET.Element]:
+def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
     """The pictures of a walk, and its steps, along which keys step in all of them."""
     if walk.walked.world.told is not None:
         yield tag("p", f"Told before the start: {walk.walked.world.told}.")
     steps = len(walk.walked.transcript.steps)
     if steps >= LONGEST:
-        yield tag("p", f"The first {number(LONGEST - 1)} of {number(steps)} steps are told.")
-    follows = ["robot", *(view.name for view in _views(walk)[1:])]
-    said = tag(
-        "p", *(part for s in walk.sentences for part in (tag("bdi", s), " ")), class_="story"
-    )
+        yield tag("p", f"The first {number(LONGEST - 1)} of {number(steps)} steps are shown.")
+    moving = [view for view in walk.views if not view.still]
+    views = {view.name if i else "robot": view for i, view in enumerate(moving)}
+    said = [part for sentence in walk.sentences for part in (tag("bdi", sentence), " ")]
     yield viewer(
-        [*_figures(walk, name, follows)],
-        steps_of(walk, _views(walk), name, follows),
+        [*_figures(walk, name, views)],
+        _steps(walk, name, views),
         f"{walk.title}.",
-        *([said] if walk.sentences else []),
+        *([tag("p", *said, class_="story")] if said else []),
     )
 
 
-def _views(walk: ToldWalk) -> list[View]:
-    """The views of a walk that have motion to show."""
-    return [view for view in walk.views if not view.still]
-
-
-def _figures(walk: ToldWalk, name: str, follows: Sequence[str]) -> Iterator[ET.Element]:
-    views = _views(walk)
+def _figures(walk: ShownWalk, name: str, views: Mapping[str, View]) -> Iterator[ET.Element]:
+    (robot, world), *others = views.items()
+    first = layout(world.scene.map, world.scene.start)
+    shown = [(robot, world, first), *((each, view, None) for each, view in others)]
+    if walk.agreement is not None and not others[0][1].known:
+        world, other, beside = drawn_beside(world, others[0][1], first, walk.agreement)
+        shown[:2] = [(robot, world, first), (others[0][0], other, beside)]
     moves = walk.walked.transcript.cost > 0
-    first = layout(views[0].scene.map, views[0].scene.start)
-    drawn = {views[0].name: first}
-    if walk.agreement is not None and not views[1].known:
-        views[0], views[1], beside = drawn_beside(views[0], views[1], first, walk.agreement)
-        drawn[views[1].name] = beside
-    for view, followed in zip(views, follows, strict=True):
-        shown = drawn.get(view.name, first if view.known else None)
-        made = figure(view.title, view.scene, f"{name}-{view.name}", followed, shown, moves=moves)
+    for follows, view, drawn in shown:
+        like = first if view.known else drawn
+        made = figure(view.title, view.scene, f"{name}-{view.name}", follows, like, moves=moves)
         if view.known:
             let_grow(made, view.scene.map, view.known)
         yield made
-
-
-def _runs(runs: Sequence[Section]) -> Iterator[ET.Element]:
-    """The last of the runs, as many as fit; the very last, the largest, is open."""
-    room, kept = ROOM, list[ET.Element]()
-    for run in reversed(runs):
-        made = _run(run)
-        room -= len(ET.tostring(made, "unicode", method="html"))
-        if room < 0:
-            break
-        kept.append(made)
-    if kept:
-        kept[0].set("open", "open")
-    if left := len(runs) - len(kept):
-        yield tag("p", f"{plural(left, 'smaller size')} left out to keep the page small.")
-    yield from reversed(kept)
-
-
-def _run(run: Section) -> ET.Element:
-    return tag(
-        "details",
-        tag("summary", tag("h3", run.title, id=f"{run.name}-title")),
-        *_parts(replace(run, runs=())),
-        class_="run",
-        id=run.name,
-    )

@@ -18,7 +18,7 @@ dart, that the second world is the first one started elsewhere.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations
+from itertools import combinations, product
 from math import prod
 from pathlib import Path
 from typing import TypeAlias
@@ -167,14 +167,8 @@ def read_dimacs(path: Path, leave_out: str = "") -> tuple[int, list[Clause]]:
 class OneWorld(Struct, frozen=True):
     """The variables of one rooted map; dart 0 is the root, vertex 0 is the root's.
 
-    Attributes:
-        size: the numbers of edges and vertices.
-        sigma, alpha: ``[x][y]``: the permutation takes x to y.
-        given: ``[t][j]``: before step t at least j numbers have been given.
-        vertex: ``[x][v]``: dart x is at vertex v; vertices are numbered by their first darts.
-        used: ``[x][v]``: some dart up to x is at vertex v.
-        first: ``[x]``: x is the first dart of its vertex.
-        degree: ``[x][k]``: the vertex of x has degree k.
+    Their meanings stand where they are made, in :func:`one_world`.  Vertices are numbered by their
+    first darts.
     """
 
     size: Size
@@ -280,9 +274,8 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
     _constant(formula, sigma, vertex, vertex)
     _in_order(formula, vertex, world.used)
     formula.add(first[0])
-    for x in range(1, darts):
-        for v in range(most):
-            formula.equivalent(first[x], -world.used[x - 1, v], -vertex[x, v])
+    for x, v in product(range(1, darts), range(most)):
+        formula.equivalent(first[x], -world.used[x - 1, v], -vertex[x, v])
     formula.section(f"at least {world.size.fewest} vertices")
     formula.add(world.used[darts - 1, world.size.fewest - 1])
 
@@ -290,26 +283,23 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
     """Require that ``step`` takes a dart with a label in ``here`` to one with it in ``there``."""
     labels = range(here.shape[1])
-    for x, row in enumerate(step.rows()):
-        for y, arrow in enumerate(row):
-            formula.clauses += [(-arrow, -here[x, v], there[y, v]) for v in labels]
+    for x, y in product(range(step.shape[0]), repeat=2):
+        formula.clauses += [(-step[x, y], -here[x, v], there[y, v]) for v in labels]
 
 
 def _in_order(formula: Formula, label: Block, used: Block) -> None:
     """Require labels to be given in the order of their first darts, as ``used`` records."""
-    darts, labels = label.shape
     formula.section(f"{label.name} is numbered in the order of first darts")
     formula.add(label[0, 0])
-    for x in range(darts):
-        for v in range(labels):
-            formula.add(-label[x, v], used[x, v])
-            if x == 0:
-                formula.add(-used[0, v], label[0, v])
-                continue
-            formula.add(-used[x - 1, v], used[x, v])
-            formula.add(-used[x, v], used[x - 1, v], label[x, v])
-            if v > 0:
-                formula.add(-label[x, v], used[x - 1, v - 1])
+    for x, v in product(*map(range, label.shape)):
+        formula.add(-label[x, v], used[x, v])
+        if x == 0:
+            formula.add(-used[0, v], label[0, v])
+            continue
+        formula.add(-used[x - 1, v], used[x, v])
+        formula.add(-used[x, v], used[x - 1, v], label[x, v])
+        if v > 0:
+            formula.add(-label[x, v], used[x - 1, v - 1])
 
 
 def _degrees(formula: Formula, world: OneWorld, name: str, asked: Question) -> None:
@@ -320,18 +310,15 @@ def _degrees(formula: Formula, world: OneWorld, name: str, asked: Question) -> N
     for x, row in enumerate(place.rows()):
         formula.exactly_one(row)
         formula.equivalent(first[x], place[x, 0])
-    for x in range(darts):
-        for y in range(darts):
-            for k in range(largest):
-                after = [place[y, k + 1]] if k + 1 < largest else []
-                formula.add(-sigma[x, y], -place[x, k], first[y], *after)
+    for x, y, k in product(range(darts), range(darts), range(largest)):
+        after = [place[y, k + 1]] if k + 1 < largest else []
+        formula.add(-sigma[x, y], -place[x, k], first[y], *after)
     formula.section("the degree is one more than the place of the last dart")
     for x, row in enumerate(degree.rows()):
         formula.exactly_one(row)
         formula.add(-degree[x, 0])
-        for y in range(darts):
-            for k in range(largest):
-                formula.add(-sigma[x, y], -first[y], -place[x, k], degree[x, k + 1])
+        for y, k in product(range(darts), range(largest)):
+            formula.add(-sigma[x, y], -first[y], -place[x, k], degree[x, k + 1])
     _constant(formula, sigma, degree, degree)
     formula.section("the degrees that were asked for")
     if asked.degree_marked is not None:
@@ -349,18 +336,13 @@ def _simple(formula: Formula, world: OneWorld, name: str) -> None:
     for row in target.rows():
         formula.exactly_one(row)
     _constant(formula, alpha, vertex, target)
-    for x in range(darts):
-        for v in range(most):
-            formula.add(-vertex[x, v], -target[x, v])
+    for x, v in product(range(darts), range(most)):
+        formula.add(-vertex[x, v], -target[x, v])
     formula.section("no two edges with the same ends")
     for x in range(darts):
-        for y in range(x):
-            for v in range(most):
-                formula.clauses += [
-                    (-vertex[x, v], -vertex[y, v], -target[x, w], -target[y, w])
-                    for w in range(most)
-                    if w != v
-                ]
+        for y, v, w in product(range(x), range(most), range(most)):
+            if w != v:
+                formula.add(-vertex[x, v], -vertex[y, v], -target[x, w], -target[y, w])
 
 
 def _planar(formula: Formula, world: OneWorld, name: str) -> None:
@@ -396,13 +378,13 @@ class Pair(Struct, frozen=True):
 
     Attributes:
         one, two: the maps, rooted at the starts.
-        pointed: for each world ``[x]``: x is a reference dart; None where there are none.
+        pointed: for each world ``[x]``: x is a reference dart; empty where there are none.
     """
 
     question: Question
     one: OneWorld
     two: OneWorld
-    pointed: tuple[Block, Block] | None
+    pointed: tuple[Block, ...]
 
 
 def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
@@ -413,17 +395,14 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
     formula = Formula(_title(question, sizes))
     one = one_world(formula, "1", sizes.one, question)
     two = one_world(formula, "2", sizes.two, question)
-    pointed = None
+    pointed: tuple[Block, ...] = ()
     if question.sensing.bearing:
+        named = ("1", one), ("2", two)
         where = question.sensing.where
-        pointed = (
-            _reference_darts(formula, "1", where, one),
-            _reference_darts(formula, "2", where, two),
-        )
+        pointed = tuple(_reference_darts(formula, name, where, world) for name, world in named)
         if not question.walk:
             formula.section("turning is free: the starts are reference darts")
-            formula.add(pointed[0][0])
-            formula.add(pointed[1][0])
+            formula.clauses += [(block[0],) for block in pointed]
     pair = Pair(question, one, two, pointed)
     _bisimulation(formula, pair)
     if one.size.edges == two.size.edges:
@@ -442,11 +421,8 @@ def world_formula(question: Question, sizes: Sizes) -> Formula:
 
 
 def _title(question: Question, sizes: Sizes) -> list[str]:
-    worlds = [
-        f"world {i}: {s.edges} edges, {s.fewest} to {s.most} vertices"
-        for i, s in enumerate(sizes, 1)
-    ]
-    return [f"{question.describes}.", *worlds]
+    worlds = (f"{s.edges} edges, {s.fewest} to {s.most} vertices" for s in sizes)
+    return [f"{question.describes}.", *(f"world {i}: {each}" for i, each in enumerate(worlds, 1))]
 
 
 def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld) -> Block:
@@ -480,16 +456,13 @@ def _bisimulation(formula: Formula, pair: Pair) -> None:
     for name, step, other in (("sigma", one.sigma, two.sigma), ("alpha", one.alpha, two.alpha)):
         image = formula.block(f"{name}_related", shape, f"x is related to a y with {name}(y) = z")
         for x in darts[0]:
-            for y in darts[1]:
-                for z in darts[1]:
-                    formula.equivalent(related[x, y], image[x, z], -other[y, z])
-            for w in darts[0]:
-                for z in darts[1]:
-                    formula.equivalent(image[x, z], related[w, z], -step[x, w])
+            for y, z in product(darts[1], darts[1]):
+                formula.equivalent(related[x, y], image[x, z], -other[y, z])
+            for w, z in product(*darts):
+                formula.equivalent(image[x, z], related[w, z], -step[x, w])
     formula.section(ALIKE)
-    for x in darts[0]:
-        for y in darts[1]:
-            _sense_the_same(formula, pair, related[x, y], x, y)
+    for x, y in product(*darts):
+        _sense_the_same(formula, pair, related[x, y], x, y)
 
 
 def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) -> None:
@@ -515,9 +488,7 @@ def _smaller_code(formula: Formula, pair: Pair) -> None:
     """
     one, two, darts = pair.one, pair.two, pair.one.size.darts
     steps = 2 * darts
-    marks = (
-        list(zip(*[block.variables for block in pair.pointed], strict=True)) if pair.pointed else []
-    )
+    marks = list(zip(*(block.variables for block in pair.pointed), strict=True))
     equal = formula.block(
         "equal", (steps + len(marks) + 1,), "the two codes agree in everything before step t"
     )
@@ -557,16 +528,13 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
     formula.add(carried[0, start])
     for parity, (step, other) in enumerate(((one.sigma, two.sigma), (one.alpha, two.alpha))):
         image = formula.block(f"image{parity}_{start}", shape, "y = step(F(x))")
-        for x in darts:
-            t = 2 * x + parity
-            for y in darts:
-                fresh = (-step[x, y], one.given[t, y + 1])
-                for z in darts:
-                    formula.add(-carried[x, y], -other[y, z], image[x, z])
-                    formula.add(*fresh, -image[x, z], carried[y, z])
-                    formula.add(-breaks[parity, x], -step[x, y], -image[x, z], -carried[y, z])
+        for x, y, z in product(darts, repeat=3):
+            fresh = (-step[x, y], one.given[2 * x + parity, y + 1])
+            formula.add(-carried[x, y], -other[y, z], image[x, z])
+            formula.add(*fresh, -image[x, z], carried[y, z])
+            formula.add(-breaks[parity, x], -step[x, y], -image[x, z], -carried[y, z])
     for x in darts:
-        if pair.pointed is None:
+        if not pair.pointed:
             formula.add(-breaks[2, x])
             continue
         for y in darts:
@@ -589,10 +557,9 @@ def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
     for motion, degree, present in question.walk:
         for step in [*[world.sigma] * abs(motion), world.alpha]:
             back = motion < 0 and step is world.sigma
-            for x in darts:
-                for y in darts:
-                    arrow = step[y, x] if back else step[x, y]
-                    formula.add(-at[i, x], -arrow, at[i + 1, y])
+            for x, y in product(darts, darts):
+                arrow = step[y, x] if back else step[x, y]
+                formula.add(-at[i, x], -arrow, at[i + 1, y])
             i += 1
         for x in darts:
             formula.add(-at[i, x], *world.has_degree(x, degree))
@@ -610,9 +577,9 @@ def _best_start(formula: Formula, world: OneWorld) -> None:
     beyond = formula.block("beyond", (darts, degrees), "alpha(x) is at a vertex of degree k")
     formula.section("turning is free: no dart of v0 leads to a larger degree than the start")
     for x in range(darts):
-        for y in range(darts):
-            for k in range(degrees):
-                formula.add(-world.alpha[x, y], -world.degree[y, k], beyond[x, k])
+        for y, k in product(range(darts), range(degrees)):
+            formula.add(-world.alpha[x, y], -world.degree[y, k], beyond[x, k])
         for k in range(degrees):
-            for j in range(k):
-                formula.add(-world.vertex[x, 0], -beyond[x, k], -beyond[0, j])
+            formula.clauses += [
+                (-world.vertex[x, 0], -beyond[x, k], -beyond[0, j]) for j in range(k)
+            ]

@@ -389,7 +389,7 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
         by_size = self._met.counts(lambda size: size)
         pair = self._met.smallest_pair() if whole else None
 
-        def told(counts: SizeCounts) -> dict[str, int]:
+        def shown(counts: SizeCounts) -> dict[str, int]:
             """Of a shard the counts that do not depend on other shards."""
             return asdict(counts) if whole else {"marked_worlds": counts.marked_worlds}
 
@@ -400,12 +400,12 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
                     edges=level.edges,
                     rooted=rooted,
                     counted=level.worlds,
-                    **told(by_edges.get(level.edges, SizeCounts())),
+                    **shown(by_edges.get(level.edges, SizeCounts())),
                 )
                 for level, rooted in self._levels
             ),
             by_vertices=tuple(
-                CensusCell(edges=edges, vertices=vertices, **told(counts))
+                CensusCell(edges=edges, vertices=vertices, **shown(counts))
                 for (edges, vertices), counts in sorted(by_size.items())
             ),
             pair=pair.worlds if pair else (),

@@ -34,9 +34,11 @@ DEFAULT_LIMIT = 1000
 """The largest class whose members are all made, unless another limit is named."""
 
 
-class MembersOptions(ClassOptions):
-    """Options that select members of an ambiguity class."""
+class ClassRequest(AskedListener, ClassOptions, kw_only=False):
+    """Request of ``ambiguity class``: a world, and how many members are listed."""
 
+    world: Annotated[World | str, WORLD]
+    _: KW_ONLY
     limit: Annotated[
         int,
         Option(
@@ -46,13 +48,6 @@ class MembersOptions(ClassOptions):
             parse=integer_of,
         ),
     ] = DEFAULT_LIMIT
-
-
-class ClassRequest(AskedListener, MembersOptions, kw_only=False):
-    """Request of ``ambiguity class``: a world, and how many members are listed."""
-
-    world: Annotated[World | str, WORLD]
-    _: KW_ONLY
     lighthouse: Annotated[GivenLighthouse, LIGHTHOUSE] = Position.kind
 
 
@@ -84,12 +79,7 @@ def is_least_rooting(map_: CombinatorialMap) -> bool:
     """
     sigma, alpha = map_.sigma, map_.alpha
     code = rooted_code(sigma, alpha, 0)
-    dart = sigma[0]
-    while dart:
-        if rooted_code(sigma, alpha, dart) < code:
-            return False
-        dart = sigma[dart]
-    return True
+    return all(code <= rooted_code(sigma, alpha, dart) for dart in map_.vertices[0])
 
 
 Permutation: TypeAlias = tuple[int, ...]
@@ -110,8 +100,11 @@ def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
     Cost: O(m) a map, and O(m) memory.
     """
     k, cycles = quotient.sheets, [*quotient.cone_indices[1:], *[2] * len(quotient.semi_edges)]
-    kinds: list[_Kind] = [lambda _, b=b: uniform_permutations(k, b) for b in cycles]
-    kinds += [lambda _: permutations(range(k))] * len(quotient.cotree)
+
+    def of_length(b: int) -> _Kind:
+        return lambda _: uniform_permutations(k, b)
+
+    kinds = [*map(of_length, cycles), *[lambda _: permutations(range(k))] * len(quotient.cotree)]
     for choice in _choices(kinds):
         yield _lift(quotient, iter(choice))
 
@@ -277,13 +270,12 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
     poses = pose_count(quotient)
     if size <= limit:
         _check_complete(quotient, found, own)
-        inside = {
+        found = {
             code: rooting
             for code, rooting in found.items()
             if universe.includes(CombinatorialMap.trusted(*code))
         }
-        size, poses = len(inside), _poses(quotient, inside)
-        found = inside
+        size, poses = len(found), _poses(quotient, found)
     others = sorted(code for code in found if code != own.code)
     listed = tuple(_placed(world, code) for code in (own.code, *others))
     made = AmbiguityClass(
@@ -349,7 +341,5 @@ def _placed(world: World, code: Code) -> World:
     if isinstance(world.lighthouse, Position):
         return World(map_, Position(0), 0)
     # A directional marker makes all darts different: the member is the world itself.
-    bearing = world.first.bearing
-    assert bearing is not None
-    assert code == rooted_code(world.map.sigma, world.map.alpha, world.start)
-    return World(map_, Directional(map_.turn(0, bearing)), 0)
+    assert world.first.bearing is not None
+    return World(map_, Directional(map_.turn(0, world.first.bearing)), 0)

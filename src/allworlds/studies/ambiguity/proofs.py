@@ -117,8 +117,8 @@ class RupChecker:
         Raises:
             ProofRefused: if unit propagation finds no conflict.
         """
+        number = self._derive(clause, self._hints(clause))
         if self.empty is None:
-            number = self._derive(clause, self._hints(clause))
             self._insert(number, clause)
             self._settle(number)
 
@@ -156,18 +156,18 @@ class RupChecker:
 
     def _settle(self, number: int) -> None:
         """Record the consequences of a clause for good, each implied literal as a unit lemma."""
-        value, clause = self._value, self._clauses[number]
-        free = [literal for literal in clause if value[literal] >= 0]
-        if not free:
-            self._contradiction(number)
-        elif len(free) == 1 and value[free[0]] == 0:
-            start = len(self._trail)
+        free = [literal for literal in self._clauses[number] if self._value[literal] >= 0]
+        if len(free) > 1 or (free and self._value[free[0]] > 0):
+            return
+        conflict, start = number, len(self._trail)
+        if free:
             self._assign(free[0], number)
             conflict = self._propagate(start)
-            for literal in self._trail[start:]:
-                self._name_unit(literal)
-            if conflict:
-                self._contradiction(conflict)
+        for literal in self._trail[start:]:
+            self._name_unit(literal)
+        if conflict:
+            others = [self._reason[abs(literal)] for literal in self._clauses[conflict]]
+            self._derive((), [*others, conflict])
 
     def _name_unit(self, literal: Literal) -> None:
         reason = self._reason[abs(literal)]
@@ -176,11 +176,6 @@ class RupChecker:
             others = [self._reason[abs(other)] for other in clause if other != literal]
             self._reason[abs(literal)] = number = self._derive((literal,), [*others, reason])
             self._insert(number, (literal,))
-
-    def _contradiction(self, number: int) -> None:
-        others = [self._reason[abs(literal)] for literal in self._clauses[number]]
-        if number not in self.lemmas or self.lemmas[number][0]:
-            self._derive((), [*others, number])
 
     def _hints(self, clause: Clause) -> list[int]:
         """The clauses whose propagation refutes the clause's negation, in their order."""

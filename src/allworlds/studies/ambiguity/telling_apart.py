@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import KW_ONLY
-from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 from msgspec import UNSET, UnsetType
 
@@ -32,19 +33,6 @@ class TwinsRequest(Request, kw_only=False):
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
 """``different``: two maps, or two places of the lighthouse."""
-
-
-class Separation(NamedTuple):
-    """Motions after which two worlds show different percepts, for the first time.
-
-    Attributes:
-        motions: the shortest, and of these the lexicographically first.
-        percepts: for each world what is sensed at the start and after each motion; equal but
-            for the last.
-    """
-
-    motions: tuple[int, ...]
-    percepts: tuple[tuple[Percept, ...], tuple[Percept, ...]]
 
 
 class ComparedWorlds(Report):
@@ -113,9 +101,9 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
         proof = {"bisimulation": (first, second)}
         wrong = flaw((a, b), (first, second))
     else:
-        walk = separation(a, b)
-        proof = walk._asdict()
-        wrong = replayed(a, b, walk)
+        motions = separation(a, b)
+        proof = {"motions": motions, "percepts": (sensed(a, motions), sensed(b, motions))}
+        wrong = replayed(a, b, motions)
     if wrong:
         raise Disagreement(f"the proof about {a} and {b} is wrong: {wrong}")
     start = None if a.told != b.told else same_world_from(a, b)
@@ -123,7 +111,7 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
     return ComparedWorlds(worlds=(a, b), relation="same" if start == b.start else relation, **proof)
 
 
-def separation(a: World, b: World) -> Separation:
+def separation(a: World, b: World) -> tuple[int, ...]:
     """The first motions, by length and then in ascending order, that tell the worlds apart.
 
     There must be some.  Breadth-first over pairs of darts, motions ``0..degree-1``.
@@ -137,7 +125,7 @@ def separation(a: World, b: World) -> Separation:
             while at:
                 _, _, at, k = queue[at]
                 motions.insert(0, k)
-            return Separation(tuple(motions), (sensed(a, motions), sensed(b, motions)))
+            return tuple(motions)
         for k in range(a.percepts[x].degree):
             reached = (a.map.alpha[a.map.turn(x, k)], b.map.alpha[b.map.turn(y, k)])
             if reached not in seen:
@@ -146,16 +134,12 @@ def separation(a: World, b: World) -> Separation:
     raise Disagreement(f"no motion tells {a} from {b}, but their quotients differ")
 
 
-def replayed(a: World, b: World, walk: Separation) -> str | None:
-    """Why walking the motions again does not tell the worlds apart; None if it does."""
-    seen = (sensed(a, walk.motions), sensed(b, walk.motions))
-    if seen != walk.percepts:
-        return "the walk shows other percepts"
-    if seen[0][-1] == seen[1][-1]:
+def replayed(a: World, b: World, motions: Sequence[int]) -> str | None:
+    """Why the percepts do not differ after the last motion for the first time; None if they do."""
+    one, other = sensed(a, motions), sensed(b, motions)
+    if one[-1] == other[-1]:
         return "the last percepts are equal"
-    if seen[0][:-1] != seen[1][:-1]:
-        return "a part of the motions is enough"
-    return None
+    return None if one[:-1] == other[:-1] else "a part of the motions is enough"
 
 
 def standing() -> str:

@@ -118,8 +118,7 @@ class SearchResult(EndedReport):
         Classes | None, about("for each of them the class of each dart; null unless `sat`")
     ] = None
     certificate: Annotated[
-        Path | None,
-        about("the path of the certificate; null: see [answers](ambiguity.md#answers)"),
+        Path | None, about("the path of the certificate; null: see [answers](ambiguity.md#answers)")
     ] = None
     vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
     lighthouse: Annotated[str, one_of(*SEARCHED), about("its kind")] = computed(
@@ -437,7 +436,7 @@ class _TwinsSearch(Struct):
     def _prove(self) -> bool:
         """Add LRAT proofs from python-sat's DRAT, checked here; return whether each level has one.
 
-        Each reason why one is missing is told once, with the formulas that have no certificate.
+        Each reason why one is missing stands in one notice, with its formulas.
         """
         missing: dict[str, list[str]] = {}
         for number, searched in enumerate(self.done):

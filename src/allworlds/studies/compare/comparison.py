@@ -33,6 +33,7 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending, Stopped
 from allworlds.studies.check.report import GateCell, count_gate
+from allworlds.studies.check.tally_sweep import rules_known, subject_of_record
 from allworlds.studies.compare.entrants import (
     CompareRequest,
     Contest,
@@ -41,7 +42,6 @@ from allworlds.studies.compare.entrants import (
     Entrant,
     InWorld,
     UnitOfOne,
-    entrants_known,
     entrants_of,
 )
 from allworlds.studies.compare.growth import GrowingWorlds, Growth, Member, form_of
@@ -209,35 +209,36 @@ class SameWorlds(Contest[Comparison]):
         cls, identity: Identity, portion: Portion, listener: Listener
     ) -> SameWorlds | GrowingWorlds:
         request = cls.asked_then(identity, portion, listener)
-        return _contest(entrants_known(request, identity.explorer["explorers"]), request)
+        entrants = tuple(
+            Entrant(subject_of_record(one), rules_known(request, one))
+            for one in identity.explorer["explorers"]
+        )
+        return _contest(entrants, request)
 
     @override
     def levels(self) -> Iterator[SweptLevel]:
-        if self._map:
-            size = sum(len(self._placed(one)) for one in self.entrants)
-            yield SweptLevel(self._map.edge_count, size, self._units(self._map.edge_count))
-            return
-        for edges in self.bounds.levels:
-            size = level_size(self.bounds, edges) * len(self.entrants)
+        for edges in self.bounds.levels[-1 if self._map else 0 :]:
+            if self._map:
+                size = sum(len(self._placed(one, self._map)) for one in self.entrants)
+            else:
+                size = level_size(self.bounds, edges) * len(self.entrants)
             yield SweptLevel(edges, size, self._units(edges))
 
     def _units(self, edges: int) -> Iterator[UnitOfOne]:
         for number, one in enumerate(self.entrants):
-            for unit in self._units_of(one, edges):
+            units: Iterable[UnitOfRuns] = ()
+            if self._map is None:
+                units = one.scope(self.bounds, self.portion).units(edges)
+            elif not isinstance(self.portion, Shard) or self.portion.index == 0:
+                given = self._placed(one, self._map)
+                units = [GivenWorlds(given)] if given else ()
+            for unit in units:
                 yield UnitOfOne(number, unit)
 
-    def _units_of(self, one: Entrant, edges: int) -> Iterable[UnitOfRuns]:
-        if self._map is None:
-            return one.scope(self.bounds, self.portion).units(edges)
-        mine = not isinstance(self.portion, Shard) or self.portion.index == 0
-        given = self._placed(one)
-        return [GivenWorlds(given)] if given and mine else []
-
-    def _placed(self, one: Entrant) -> tuple[tuple[World, int], ...]:
+    def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
         """The one world, with every place of an entrant's lighthouse."""
-        assert self._map is not None
-        places = enumerate(one.rules.kind.places(self._map, 0))
-        return tuple((World(self._map, lighthouse, 0), place) for place, lighthouse in places)
+        places = enumerate(one.rules.kind.places(map_, 0))
+        return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 
     @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:

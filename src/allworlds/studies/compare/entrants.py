@@ -45,14 +45,7 @@ from allworlds.engines.swept_report import (
     tried_places,
 )
 from allworlds.engines.tally import RunCounter, Tally
-from allworlds.engines.units import (
-    WHOLE,
-    AskedShard,
-    PartialResult,
-    Portion,
-    SweptLevel,
-    Transport,
-)
+from allworlds.engines.units import WHOLE, AskedShard, PartialResult, Portion, SweptLevel, Transport
 from allworlds.explorers.asked import ExplorersWords
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
@@ -64,13 +57,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import FORMS
 from allworlds.outcome import Completed, Ending, Verdict
 from allworlds.studies.check.requests import ManyWorlds, SharedFile
-from allworlds.studies.check.tally_sweep import (
-    Confirmation,
-    record_of,
-    rules_known,
-    rules_record,
-    subject_of_record,
-)
+from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
 from allworlds.world.asked_lighthouse import LighthouseOptions
 from allworlds.world.named import HOLES
 from allworlds.world.own_condition import WhereOptions
@@ -262,11 +249,7 @@ class UnitOfOne(Struct, frozen=True):
 
 
 class CostsOfAll(Struct):
-    """Costs of the runs of each entrant, which add up in any order.
-
-    Attributes:
-        of: by the number of the entrant.
-    """
+    """Costs of the runs of each entrant, by its number. They add up in any order."""
 
     of: dict[int, CostTally] = field(default_factory=dict)
 
@@ -286,11 +269,7 @@ class CostsOfAll(Struct):
 
 
 class SideBySide:
-    """The transports of all entrants as one; each entrant uses its own.
-
-    Args:
-        transports: by the number of the entrant; contexts as long as this one is.
-    """
+    """The transports of all entrants, by their numbers, as one."""
 
     def __init__(self, transports: Sequence[Transport[Any]]) -> None:
         self._transports, self._stack = transports, ExitStack()
@@ -321,12 +300,7 @@ Answer = TypeVar("Answer")
 
 
 class Entrant(Struct, frozen=True):
-    """An explorer with the rules that its runs are judged by.
-
-    Attributes:
-        subject: the explorer.
-        rules: how it is played and judged.
-    """
+    """An explorer with the rules by which its runs are played and judged."""
 
     subject: Subject
     rules: Rules
@@ -360,13 +334,6 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
     return tuple(entrants)
 
 
-def entrants_known(
-    request: CompareRequest, told: Iterable[Mapping[str, Any]]
-) -> tuple[Entrant, ...]:
-    """The entrants of an identity, without loading their code."""
-    return tuple(Entrant(subject_of_record(one), rules_known(request, one)) for one in told)
-
-
 class ComparedName(Document):
     """An explorer by its name."""
 
@@ -397,7 +364,15 @@ class ContestReport(SweptReport):
     )
     exit_code: SweptExit = EXIT_CODE
     explorers: Annotated[Some[Compared], about("in the order in which they were named")] = computed(
-        lambda report: tuple(report.compared_one(one) for one in report.entrants)
+        lambda report: tuple(
+            Compared(
+                name=one.name,
+                **one.rules.told,
+                places=tried_places(one.rules.lighthouse, report.extent),
+                shared_file=one.rules.shared_file,
+            )
+            for one in report.entrants
+        )
     )
     scope: Annotated[ContestScope, about("the worlds in which they were run")] = computed(
         lambda report: told_scope(ContestScope, report.request, shard=str(report.portion))
@@ -436,15 +411,6 @@ class ContestReport(SweptReport):
         found = self if by is None else replace(self, by=by_named(by))
         return super(ContestReport, found).records()
 
-    def compared_one(self, one: Entrant) -> Compared:
-        """The part of the document that tells of an explorer."""
-        return Compared(
-            name=one.name,
-            **one.rules.told,
-            places=tried_places(one.rules.lighthouse, self.extent),
-            shared_file=one.rules.shared_file,
-        )
-
 
 class Contest(Sweep[CostsOfAll, Answer]):
     """The sweep of several entrants through the same worlds.
@@ -480,17 +446,12 @@ class Contest(Sweep[CostsOfAll, Answer]):
     @override
     def ready(self) -> ReadyEngine:
         limits, cluster, notice = self.request.limits, self.request.cluster, self.listener.notice
-        scopes = [one.scope(self.bounds) for one in self.entrants]
-        jobs = [
-            Job(scope, one.subject, limits, 1, self.deadline, notice, cluster)
-            for one, scope in zip(self.entrants, scopes, strict=True)
+        engines = [CostEngine(one.scope(self.bounds), 1) for one in self.entrants]
+        transports = [
+            players_for(Job(engine.scope, one.subject, limits, 1, self.deadline, notice, cluster))
+            for one, engine in zip(self.entrants, engines, strict=True)
         ]
-        engines = [CostEngine(scope, 1) for scope in scopes]
-        return ReadyEngine(SideBySide([players_for(job) for job in jobs]), engines)
-
-    @override
-    def empty(self) -> CostsOfAll:
-        return CostsOfAll()
+        return ReadyEngine(SideBySide(transports), engines)
 
     @override
     def read(self, kept: Any) -> CostsOfAll:
@@ -505,9 +466,10 @@ class Contest(Sweep[CostsOfAll, Answer]):
 
     @override
     def leave(self, level: SweptLevel, total: CostsOfAll) -> None:
-        """Store the findings: the smallest of each entrant, in each group of levels."""
+        """Store the findings: the smallest of each entrant, in each family that grows."""
+        family = getattr(level.of, "number", 0)
         for number, tally in total.of.items():
-            known = self._found.setdefault((self.group(level), number), CostTally(keep=1))
+            known = self._found.setdefault((family, number), CostTally(keep=1))
             for found in tally.findings:
                 known.find(found)
 
@@ -524,16 +486,11 @@ class Contest(Sweep[CostsOfAll, Answer]):
             "by": self.request.by,
         }
 
-    def group(self, level: SweptLevel) -> int:  # noqa: ARG002  # all are one
-        """The number of the group to which a level belongs."""
-        return 0
-
     @override
     def conclude(self, ending: Ending) -> Ending:
         """Confirm the findings of all entrants."""
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits
-            scope = one.scope(self.bounds)
-            settled = Confirmation(one.subject, limits, scope, self.deadline, self.records)
-            self.findings += settled.confirmed(tally.findings)
+            job = one.subject, limits, one.scope(self.bounds), self.deadline, self.records
+            self.findings += Confirmation(*job).confirmed(tally.findings)
         return Completed() if ending.final and self.findings else ending

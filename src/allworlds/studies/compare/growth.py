@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from math import fsum
 from random import Random
 from typing import Annotated, TypeAlias
@@ -37,7 +38,6 @@ from allworlds.studies.compare.entrants import (
     Contest,
     ContestReport,
     CostsOfAll,
-    CostTally,
     Entrant,
     InWorld,
     UnitOfOne,
@@ -165,13 +165,13 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
     if known is None:
         raise InputError(f"family {show(family)} is not one of {FORMS}")
     growing, number = known
-    ladder = []
-    for text in dict.fromkeys(_largest(growing, number, to >> k) for k in reversed(range(SIZES))):
-        if text:
-            ladder.append([Member(text, growing.holes, seed + i) for i in range(worlds)])
-            # A degree that no member can have is told before anything is walked.
-            ladder[-1][0].map()
-    return ladder
+    largest = dict.fromkeys(_largest(growing, number, to >> k) for k in reversed(range(SIZES)))
+    sizes = [
+        [Member(text, growing.holes, seed + i) for i in range(worlds)] for text in largest if text
+    ]
+    for first, *_ in sizes:
+        first.map()  # a degree that no member can have is refused before anything is walked
+    return sizes
 
 
 def _largest(growing: Growing, degree: int, edges: int) -> str:
@@ -297,13 +297,11 @@ class Growth(ContestReport):
         Cost: each world is built once again.
         """
         every = *self.rows, *self.begun
-        built = {
-            one.name: one.map() for one in {m.name: m for r in every for m in r.members}.values()
-        }
+        built = cache(lambda name: member_named(name).map())
         for number, row in enumerate(every):
             for one in row.members:
                 yield InWorld(
-                    built[one.name],
+                    built(one.name),
                     one.name,
                     row.explorer,
                     dict(zip(one.ran, one.costs, strict=True)),
@@ -348,7 +346,6 @@ class _Size(Struct, frozen=True):
 
     Attributes:
         number: of the family.
-        family: its name.
         edges: of a member before holes are made.
         seeds: the number of members that were drawn.
         maps: those of the different members that are walked in.
@@ -382,10 +379,10 @@ class GrowingWorlds(Contest[Growth]):
     def __init__(self, entrants: Sequence[Entrant], request: CompareRequest, to: int) -> None:
         _ensure_grows(entrants, request)
         defaults = {"worlds": WORLDS, "places": PLACES, "seed": SEED}
-        asked = {name: getattr(request, name) for name in defaults}
-        numbers = {"to": to} | {
-            name: defaults[name] if given is None else given for name, given in asked.items()
-        }
+        numbers = {"to": to}
+        for name, default in defaults.items():
+            given = getattr(request, name)
+            numbers[name] = default if given is None else given
         for option, least in (("to", LEAST), ("worlds", 1), ("places", 1), ("seed", 0)):
             if an_integer(option, numbers[option]) < least:
                 raise InputError(f"{option} = {show(numbers[option])} is less than {least}")
@@ -443,12 +440,6 @@ class GrowingWorlds(Contest[Growth]):
         return len(places), {i: places[i] for i in drawn}
 
     @override
-    def group(self, level: SweptLevel) -> int:
-        """The number of the family to which a level belongs."""
-        size: _Size = level.of
-        return size.number
-
-    @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> None:
         self._rows += self._rows_of(level.of, total)
         for one in self.entrants:
@@ -474,10 +465,22 @@ class GrowingWorlds(Contest[Growth]):
     def _rows_of(self, size: _Size, total: CostsOfAll) -> Iterator[GrowRow]:
         """The row of each entrant that was run in every chosen place of one of the members."""
         for number, one in enumerate(self.entrants):
-            members = [*self._members(one, size, total.one(number))]
+            costs, members = total.one(number).costs, dict[CombinatorialMap, GrownWorld]()
+            for member, map_ in size.maps.items():
+                places, ran = self._chosen(one, member, map_)
+                known = costs.get(key_of(map_), {})
+                if ran and ran.keys() <= known.keys():
+                    members[map_] = GrownWorld(
+                        name=member.name,
+                        edges=map_.edge_count,
+                        places=places,
+                        ran=tuple(ran),
+                        costs=tuple(known[i] for i in ran),
+                        bound=one.rules.the_bound.of(map_, 0),
+                    )
             if members:
                 all_run = len(size.maps) == size.drawn_from
-                first = next(map_ for m, map_ in size.maps.items() if m.name == members[0].name)
+                first = next(iter(members))
                 yield GrowRow(
                     family=size.family,
                     edges=first.edge_count,
@@ -485,23 +488,8 @@ class GrowingWorlds(Contest[Growth]):
                     explorer=one.name,
                     seeds=size.seeds,
                     drawn_from=size.drawn_from,
-                    exact=all_run and all(len(m.ran) == m.places for m in members),
-                    members=tuple(members),
-                )
-
-    def _members(self, one: Entrant, size: _Size, tally: CostTally) -> Iterator[GrownWorld]:
-        """The members of a size in which the entrant was run in every chosen place."""
-        for member, map_ in size.maps.items():
-            places, ran = self._chosen(one, member, map_)
-            costs = tally.costs.get(key_of(map_), {})
-            if ran and ran.keys() <= costs.keys():
-                yield GrownWorld(
-                    name=member.name,
-                    edges=map_.edge_count,
-                    places=places,
-                    ran=tuple(ran),
-                    costs=tuple(costs[i] for i in ran),
-                    bound=one.rules.the_bound.of(map_, 0),
+                    exact=all_run and all(len(m.ran) == m.places for m in members.values()),
+                    members=tuple(members.values()),
                 )
 
 

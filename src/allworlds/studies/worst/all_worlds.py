@@ -148,8 +148,7 @@ class WorstRow(Document):
     world: Annotated[World, about("the least one that attains `worst`")]
     choices: Annotated[tuple[Natural, ...], about("choices that attain it there")]
     replayed: Annotated[
-        Natural | None,
-        about("their cost in the Python engine; null: a law was broken"),
+        Natural | None, about("their cost in the Python engine; null: a law was broken")
     ]
     counted: Aside[int | None]
 

@@ -36,7 +36,7 @@ SAME = """
 import sys
 from allworlds import check
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.reports.format_table import file_of
+from allworlds.reports.formats import file_of
 from html_tree import read
 wrong = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")
 report = check(wrong.explorer(), edges=3)

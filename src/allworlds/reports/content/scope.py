@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from allworlds.document.struct import replace
 from allworlds.engines.swept_report import SweptReport, tried_places
@@ -38,7 +38,7 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
     return f"of the class {extent.map_class}{where} with {' and '.join(limits)}"
 
 
-def maps_words(report: OfWorlds) -> str:
+def maps_in_words(report: OfWorlds) -> str:
     """The maps that a report is about, or the shard of them."""
     shard = f", shard {report.portion}" if isinstance(report.portion, Shard) else ""
     return f"every rooted map {of_the_class(report.extent)}{shard}"
@@ -50,54 +50,49 @@ def finished(report: SweptReport, last: int) -> str:
     return of_the_class(extent if report.complete else replace(extent, edges=last))
 
 
-def places_told(places: str) -> list[tuple[str, str]]:
+def places_facts(places: str) -> list[tuple[str, str]]:
     """A fact about the places of the lighthouse; none where every one was tried."""
     return [("places", places)] if places else []
 
 
-def explorers_told(report: ContestReport) -> list[tuple[str, str]]:
+def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
     """A fact about each explorer of a comparison, with its rules and its places."""
     words = []
     for one in report.entrants:
         rules = one.rules
         how = f"lighthouse {rules.lighthouse}, policy {rules.policy}, bound {rules.the_bound}"
         words.append(("explorer", f"{one.name}: {how}"))
-        words += places_told(tried_places(rules.lighthouse, report.extent))
-        words += trust_told(rules.shared_file)
+        words += places_facts(tried_places(rules.lighthouse, report.extent))
+        words += trust_facts(rules.shared_file)
     return words
 
 
-def trust_told(file: str) -> list[tuple[str, str]]:
+def trust_facts(file: str) -> list[tuple[str, str]]:
     """A fact about the explorer's file, if code that judges it is loaded from it."""
-    told = f"{file} holds the explorer, and code that judges it: see docs/trust.md"
-    return [("trust", told)] if file else []
+    said = f"{file} holds the explorer, and code that judges it: see docs/trust.md"
+    return [("trust", said)] if file else []
 
 
-def options_told(report: OfWorlds, told: Iterable[str]) -> list[tuple[str, str]]:
-    """A fact about the options that were given, but those of these fields; none if there are none.
-
-    Args:
-        report: of the request with these options.
-        told: the fields of which other words tell.
-    """
-    given = given_again(type(report.request), report.request, but=told)
+def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]:
+    """A fact about the options that were given, but for the fields of which other words tell."""
+    given = given_again(type(report.request), report.request, but=said)
     return [("options", " ".join(given))] if given else []
 
 
-def gate_told(report: OfWorlds, what: str, source: str, *, rows: bool) -> list[tuple[str, str]]:
-    """A fact about the count gate, where it agrees.
+def gate_facts(report: Any, what: str, *, rows: bool) -> list[tuple[str, str]]:
+    """A fact about the count gate of a report about worlds, where it agrees.
 
     Args:
-        report: of a whole job or of a shard.
+        report: of a whole job or of a shard, with the source of its counts.
         what: was counted, in the plural.
-        source: the independent source of the counts; empty if there is none.
         rows: whether there is anything to compare.
     """
-    if not source:
-        where = report.extent.where
-        return [("gate", f"absent: no source counts the maps that are {where}")]
-    if not report.whole:
-        return [("gate", f"of the shard {report.portion} alone; the merge of all shards compares")]
-    if not rows:
-        return [("gate", "no level was finished, so nothing was compared")]
-    return [("gate", f"no {what} was forgotten: {counted(source)}")]
+    if not report.source:
+        said = f"absent: no source counts the maps that are {report.extent.where}"
+    elif not report.whole:
+        said = f"of the shard {report.portion} alone; the merge of all shards compares"
+    elif rows:
+        said = f"no {what} was forgotten: {counted(report.source)}"
+    else:
+        said = "no level was finished, so nothing was compared"
+    return [("gate", said)]

@@ -1,22 +1,13 @@
-"""Text in HTML, and what is rendered to it."""
+"""Elements of HTML and SVG, and their text."""
 
 from __future__ import annotations
 
 import json
 import re
-from functools import cache
-from inspect import getdoc
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TypeAlias
 from xml.etree import ElementTree as ET
 
-from allworlds.lazy import loaded
-from allworlds.verbs import BY_NAME, VERBS
-from allworlds.words import escaped, harmless, harmless_json
-
-if TYPE_CHECKING:
-    from allworlds.document.report import Report
-    from allworlds.reports.telling import ToldResult
-
+from allworlds.words import escaped, harmless_json
 
 Child: TypeAlias = ET.Element | str
 """Possible children of an element."""
@@ -81,39 +72,3 @@ def legal(text: str) -> str:
 def document(root: ET.Element) -> str:
     """The text of a page."""
     return "<!DOCTYPE html>\n" + ET.tostring(root, "unicode", method="html") + "\n"
-
-
-def told(verb: str, result: Any) -> ToldResult:
-    """The telling of a verb's result."""
-    telling: ToldResult = loaded(BY_NAME[verb].telling)(result)
-    return telling
-
-
-@cache
-def verb_of(kind: type[Report]) -> str:
-    """The verb whose report this is: its docstring begins with the name, or its folder has it."""
-    named = re.match(r"Report of '([a-z ]+)", getdoc(kind) or "")
-    words = named[1].strip() if named else kind.__module__.split(".")[2]
-    return next(verb.name for verb in VERBS if f" {verb.name}".endswith(f" {words}"))
-
-
-def text(verb: str, result: Any, width: int) -> str:
-    """The whole text of a verb's result, with so many columns."""
-    from allworlds.reports.plain_text import text
-
-    return harmless(text(told(verb, result), width))
-
-
-def brief(verb: str, result: Any, width: int) -> str:
-    """The line that ``--quiet`` leaves."""
-    from allworlds.reports.plain_text import brief
-
-    return harmless(brief(told(verb, result), width))
-
-
-def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
-    """A finding with its picture, as in the text of ``check``."""
-    from allworlds.reports.plain_text import text_of
-    from allworlds.reports.tellings.finding import finding_section
-
-    return harmless(text_of([finding_section(finding, number)], width))

@@ -1,13 +1,14 @@
-"""Tellings: the content of a result in parts that every form of a report can show.
+"""Parts of which the content of every report is made, and rows for programs.
 
-A module of ``tellings`` makes the telling of a verb's result.  ``plain_text`` and the ``formats``
-show any telling, and know the parts below alone; those of findings and costs read the result, too.
+A module of ``content`` makes the content of a verb's report.  ``plain_text``, ``web`` and the
+formats show any content, and know the parts below alone.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
+from itertools import zip_longest
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from msgspec import Struct, field
 
@@ -15,22 +16,45 @@ from allworlds.document.struct import replace
 from allworlds.words import number
 
 if TYPE_CHECKING:
-    from allworlds.judging.explanations.story import Spending, Walked
+    from allworlds.judging.explanations.story import Walked
     from allworlds.maps.combinatorial import Dart
     from allworlds.outcome import Result
     from allworlds.protocol.actions import Percept
     from allworlds.reports.drawing.scene import Scene
-    from allworlds.reports.rows import CsvRows
+
+Value: TypeAlias = int | float | str | bool | None
+"""A value of a row; None where there is none."""
 
 
-class Shown(Struct, frozen=True):
-    """A value of a table with a text of its own, flushed right like a number."""
+class CsvRows(Struct, frozen=True):
+    """Rows for programs.
 
-    value: int | float | str
+    Attributes:
+        columns: the type of each column, ``int``, ``float``, ``str`` or ``bool``, by its name.
+        rows: a value for each column.
+    """
+
+    columns: Mapping[str, type]
+    rows: Sequence[Sequence[Value]]
+
+    @classmethod
+    def of(cls, results: Iterable[Any], **columns: type) -> CsvRows:
+        """A row for each result, whose columns are attributes of these names."""
+        return cls(columns, [[getattr(result, name) for name in columns] for result in results])
+
+    @property
+    def records(self) -> list[dict[str, Value]]:
+        """The rows, each by the names of its columns."""
+        return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
+
+
+class RightText(Struct, frozen=True):
+    """A text in a table that is flushed right like a number."""
+
     text: str
 
 
-Cell: TypeAlias = int | str | Shown | None
+Cell: TypeAlias = float | str | RightText | None
 """A cell of a table; None where there is no value."""
 
 
@@ -53,19 +77,19 @@ class Headline(Struct, frozen=True):
         return " ".join(f"{self.word}: {self.text}".split())
 
 
-class Words(Struct, frozen=True):
+class Paragraph(Struct, frozen=True):
     """A paragraph of plain text."""
 
     text: str
 
 
-class ToldFacts(Struct, frozen=True):
+class FactList(Struct, frozen=True):
     """Named sentences; one without a name goes on with the fact before."""
 
     entries: Sequence[tuple[str, str]]
 
 
-class ToldTable(Struct, frozen=True):
+class Table(Struct, frozen=True):
     """A table.
 
     Attributes:
@@ -96,19 +120,20 @@ def _text(cell: Cell) -> str:
     match cell:
         case None:
             return "-"
-        case Shown():
+        case RightText():
             return cell.text
         case str():
             return cell
-        case _:
+        case int():
             return number(cell)
+        case _:
+            return f"{cell:,.2f}"
 
 
-class ToldPicture(Struct, frozen=True):
-    """A picture of a map, with a caption."""
+class MapPictures(Struct, frozen=True):
+    """Pictures of maps, each with its caption, side by side."""
 
-    title: str
-    scene: Scene
+    entries: Sequence[tuple[str, Scene]]
 
 
 class ShownMap(Struct, frozen=True):
@@ -157,7 +182,7 @@ class Elsewhere(Struct, frozen=True):
     percepts: Sequence[Percept]
 
 
-class ToldWalk(Struct, frozen=True):
+class ShownWalk(Struct, frozen=True):
     """A walk, step by step, with the pictures in which it can be followed.
 
     Attributes:
@@ -182,10 +207,10 @@ class ToldWalk(Struct, frozen=True):
     tour: bool = False
 
     @property
-    def table(self) -> ToldTable:
+    def table(self) -> Table:
         """A row for each step."""
-        walked, told = self.walked, self.elsewhere
-        header = ["step", "motion", "arrives at", "sensed", *(["", told.where] if told else [])]
+        walked, elsewhere = self.walked, self.elsewhere
+        header = ["step", "motion", "arrives at", "sensed"]
         motions = ["start", *map(str, walked.transcript.actions)]
         rows: list[list[Cell]] = [
             [i, motion, walked.place(dart), str(percept)]
@@ -193,38 +218,23 @@ class ToldWalk(Struct, frozen=True):
                 zip(motions, walked.walked, walked.sensed, strict=True)
             )
         ]
-        for row, here, there in zip(
-            rows, walked.sensed, told.percepts if told else (), strict=False
-        ):
-            row += ["=" if here == there else "≠", str(there)]
-        return ToldTable(header, rows)
+        if elsewhere:
+            header += ["", elsewhere.where]
+            for row, here, there in zip(rows, walked.sensed, elsewhere.percepts, strict=True):
+                row += ["=" if here == there else "≠", str(there)]
+        return Table(header, rows)
 
 
-class SizeCost(NamedTuple):
-    """The cost of runs in the worlds of one size.
+class Bars(Struct, frozen=True):
+    """Numbers of traversals as bars.
 
     Attributes:
-        edges, vertices: the size.
-        cost: the largest cost.
-        bound: the largest bound; None without a bound.
+        header: what has them.
+        entries: a name for each number; that of a bound is ``bound``.
     """
 
-    edges: int
-    vertices: int
-    cost: int
-    bound: int | None
-
-
-class Costs(Struct, frozen=True):
-    """A column for each size: the largest cost beside the bound."""
-
-    cells: Sequence[SizeCost]
-
-
-class Curve(Struct, frozen=True):
-    """Traversals against the edges that they found."""
-
-    spent: Spending
+    header: str
+    entries: Sequence[tuple[str, int]]
 
 
 class Quote(Struct, frozen=True):
@@ -245,7 +255,7 @@ class Quote(Struct, frozen=True):
     prefix: str = ""
 
 
-class ToldRecord(Struct, frozen=True):
+class DataRecord(Struct, frozen=True):
     """Data for programs, beside the text for people.
 
     Attributes:
@@ -260,7 +270,7 @@ class ToldRecord(Struct, frozen=True):
 
 
 Block: TypeAlias = (
-    Words | ToldFacts | ToldTable | ToldPicture | ToldWalk | Costs | Curve | Quote | ToldRecord
+    Paragraph | FactList | Table | MapPictures | ShownWalk | Bars | Quote | DataRecord
 )
 """A part of a section."""
 
@@ -272,16 +282,14 @@ class Section(Struct, frozen=True):
         name: a word, which no other section of the telling has.
         title: what it is about; empty where the blocks follow the headline without one.
         blocks: what stands in it.
-        runs: sections that are opened one at a time; the last matters most.
     """
 
     name: str
     title: str
     blocks: Sequence[Block]
-    runs: Sequence[Section] = ()
 
 
-class ToldCase(Struct, frozen=True):
+class SuiteCase(Struct, frozen=True):
     """One of the cases that were tried, as test runners count them."""
 
     name: str
@@ -297,10 +305,10 @@ class Suite(Struct, frozen=True):
     verb: str
     name: str
     properties: Mapping[str, object]
-    cases: Sequence[ToldCase]
+    cases: Sequence[SuiteCase]
 
 
-class ToldResult(Struct, frozen=True):
+class ReportContent(Struct, frozen=True):
     """Everything that a result says.
 
     Attributes:
@@ -331,9 +339,9 @@ class ToldResult(Struct, frozen=True):
     short: Sequence[tuple[str, str]] = ()
 
 
-def fact(name: str, text: str) -> ToldFacts:
+def fact(name: str, text: str) -> FactList:
     """Facts with one named sentence."""
-    return ToldFacts([(name, text)])
+    return FactList([(name, text)])
 
 
 def so_far(report: Any, headline: Headline | None) -> Headline | None:
@@ -351,3 +359,41 @@ def so_far(report: Any, headline: Headline | None) -> Headline | None:
     if headline.verdict in ("refuted", "error"):
         return replace(headline, text=f"{headline.text}; {why}, and the rest was not tried")
     return Headline("INCONCLUSIVE", f"{why}; finished before: {headline.text}")
+
+
+_SENSED = ("degree", "marks", "bearing")
+
+
+def rows_of_walk(walk: ShownWalk) -> CsvRows:
+    """A row for each step.
+
+    The number is that of a motion, or what was written; vertex and dart are those of the world at
+    which the robot has arrived. Where a walk is compared, columns ``other_...`` hold what is sensed
+    elsewhere.
+    """
+    walked, others = walk.walked, walk.elsewhere.percepts if walk.elsewhere else ()
+    columns = {"step": int, "action": str, "number": int, "vertex": int, "dart": int}
+    columns |= dict.fromkeys(_SENSED, int)
+    if walk.elsewhere:
+        columns |= {f"other_{name}": int for name in _SENSED}
+    rows = []
+    actions = ["start", *map(str, walked.transcript.actions)]
+    for step, (action, dart, percept, other) in enumerate(
+        zip_longest(actions, walked.walked, walked.sensed, others)
+    ):
+        word, _, argument = action.partition(" ")
+        row = [step, word, int(argument) if argument else None, walked.map.vertex_of[dart], dart]
+        row += [getattr(percept, name) for name in _SENSED]
+        if walk.elsewhere:
+            row += [getattr(other, name, None) for name in _SENSED]
+        rows.append(row)
+    return CsvRows(columns, rows)
+
+
+def rows_of(content: ReportContent) -> CsvRows:
+    """The rows for programs, by default those of the first walk; no columns if there is none."""
+    if content.rows:
+        return content.rows()
+    blocks = (block for section in content.sections for block in section.blocks)
+    walk = next((block for block in blocks if isinstance(block, ShownWalk)), None)
+    return rows_of_walk(walk) if walk else CsvRows({}, [])

@@ -1,4 +1,4 @@
-"""A result of which nobody has written a telling is shown by every form all the same."""
+"""A result of which nobody has written content for is shown by every form all the same."""
 
 from typing import Annotated
 
@@ -7,9 +7,9 @@ import pytest
 from allworlds.document.report import Report
 from allworlds.document.struct import Document, Natural, about
 from allworlds.outcome import Verdict
-from allworlds.reports.format_table import FORMATS
-from allworlds.reports.plain_text import brief, text
-from allworlds.reports.tellings.plain import plain_telling
+from allworlds.reports.content.plain import plain_content
+from allworlds.reports.formats import FORMATS
+from allworlds.reports.plain_text import content_line, content_text
 from allworlds.verbs import ROWS
 
 
@@ -41,21 +41,21 @@ share      0.5
 
 
 def test_keys_are_facts_and_lists_of_objects_are_tables():
-    told = plain_telling(Leaves(kind="maps", rows=ROWS_OF_TWO))
-    assert text(told, 80).strip() == TEXT.strip()
-    assert brief(told, 80) == "rows"
+    told = plain_content(Leaves(kind="maps", rows=ROWS_OF_TWO))
+    assert content_text(told, 80).strip() == TEXT.strip()
+    assert content_line(told, 80) == "rows"
 
 
 def test_a_verdict_stands_first_and_alone_if_asked_for():
-    told = plain_telling(Judged(kind="maps", rows=ROWS_OF_TWO))
-    assert text(told, 80).startswith("REFUTED")
-    assert brief(told, 80).strip(": \n") == "REFUTED"
+    told = plain_content(Judged(kind="maps", rows=ROWS_OF_TWO))
+    assert content_text(told, 80).startswith("REFUTED")
+    assert content_line(told, 80).strip(": \n") == "REFUTED"
 
 
 @pytest.mark.parametrize(
     "form", [name for name, form in FORMATS.items() if ROWS in form.shows and name != "parquet"]
 )
 def test_every_form_of_rows_shows_it(form):
-    made = FORMATS[form].of_telling(plain_telling(Leaves(kind="maps", rows=ROWS_OF_TWO)))
+    made = FORMATS[form].of_content(plain_content(Leaves(kind="maps", rows=ROWS_OF_TWO)))
     assert "leaves" in made
     assert "200" in made

@@ -2,12 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
+from allworlds.document.struct import replace
 from allworlds.maps.canonical import Mismatch, isomorphism
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.drawing.layout import Layout, layout
 from allworlds.reports.drawing.scene import Names
+from allworlds.reports.parts import View
+
+
+def drawn_beside(
+    first: View, other: View, drawn: Layout, agreement: int
+) -> tuple[View, View, Layout]:
+    """Both views with their first difference ringed, the other in the numbers of the first.
+
+    Args:
+        first: what is to be seen in one map, and the trail there.
+        other: the same of the other one.
+        drawn: how the first is laid out.
+        agreement: the number of steps, the start included, in which both go along alike.
+    """
+    world, answer = first.scene, other.scene
+    ties: dict[Dart, Dart] = {}
+    for robot, belief in zip(first.trail[:agreement], other.trail[:agreement], strict=True):
+        for k in range(world.map.degree_at[robot]):
+            ties[answer.map.turn(belief, k)] = world.map.turn(robot, k)
+    ties = mirror_of(answer.map, world.map) or extended(ties, answer.map, world.map)
+    beside = layout_like(ties, answer.map, answer.start, world.map, drawn)
+    if agreement < len(first.trail):
+        world = replace(world, ringed=first.trail[agreement])
+        answer = replace(answer, ringed=other.trail[agreement])
+    answer = replace(answer, names=names_like(ties, answer.map, world.map))
+    return replace(first, scene=world), replace(other, scene=answer), beside
 
 
 def extended(
@@ -73,49 +100,21 @@ def layout_like(
     other: CombinatorialMap,
     drawn: Layout,
 ) -> Layout:
-    """Draw a map like another one if it is that map or its mirror image; else turn it likewise.
+    """Draw a map like another one if it is that map or its mirror image; else by itself.
 
     Args:
         ties: darts with those of the other map that they belong to.
         map_: what is to be drawn.
-        root: the dart at which its drawing begins.
+        root: the dart at which its drawing begins, where it is drawn by itself.
         other: the map that is drawn already.
         drawn: as which.
     """
     whole = len(ties) == len(map_.sigma) == len(other.sigma)
-    if whole and all(ties[map_.alpha[d]] == other.alpha[e] for d, e in ties.items()):
-        if all(ties[map_.sigma[d]] == other.sigma[e] for d, e in ties.items()):
-            return _carried(ties, map_, drawn)
-        if all(other.sigma[ties[map_.sigma[d]]] == e for d, e in ties.items()):
-            return _mirrored(_carried(ties, map_, drawn))
-    return _turned(layout(map_, root), sorted(ties.items()), drawn)
-
-
-def _carried(ties: Mapping[Dart, Dart], map_: CombinatorialMap, drawn: Layout) -> Layout:
-    ways = tuple(drawn.ways[ties[d]] for d in map_.darts)
+    if not whole or any(ties[map_.alpha[d]] != other.alpha[e] for d, e in ties.items()):
+        return layout(map_, root)
+    ways = tuple(drawn.ways[ties[dart]] for dart in map_.darts)
+    if any(ties[map_.sigma[d]] != other.sigma[e] for d, e in ties.items()):
+        if any(other.sigma[ties[map_.sigma[d]]] != e for d, e in ties.items()):
+            return layout(map_, root)
+        ways = tuple(tuple(-point.conjugate() for point in way) for way in ways)
     return Layout(tuple(ways[vertex[0]][0] for vertex in map_.vertices), ways)
-
-
-def _mirrored(drawn: Layout) -> Layout:
-    return Layout(
-        tuple(-point.conjugate() for point in drawn.vertices),
-        tuple(tuple(-point.conjugate() for point in way) for way in drawn.ways),
-    )
-
-
-def _turned(own: Layout, pairs: Sequence[tuple[Dart, Dart]], drawn: Layout) -> Layout:
-    """The drawing turned and moved so that tied darts lie as near to each other as possible.
-
-    The best turn has the angle of the sum of products of places, taken from their middles.
-    """
-    if not pairs:
-        return own
-    ours = [p for d, _ in pairs for p in (own.ways[d][0], own.stub(d))]
-    theirs = [p for _, e in pairs for p in (drawn.ways[e][0], drawn.stub(e))]
-    middle, goal = sum(ours) / len(ours), sum(theirs) / len(theirs)
-    product = sum((q - goal) * (p - middle).conjugate() for p, q in zip(ours, theirs, strict=True))
-    turn = product / abs(product) if abs(product) > 1e-9 else 1
-    return Layout(
-        tuple((p - middle) * turn + goal for p in own.vertices),
-        tuple(tuple((p - middle) * turn + goal for p in way) for way in own.ways),
-    )

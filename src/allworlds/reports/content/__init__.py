@@ -1,0 +1,1 @@
+"""The content of the report of each verb; the table of the verbs names its function."""

@@ -1,0 +1,427 @@
+"""Content of a check."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+from allworlds.engines.scope import Given, Sample
+from allworlds.engines.single import SingleRun
+from allworlds.engines.swept_report import tried_places
+from allworlds.engines.tally import Row
+from allworlds.engines.units import Shard
+from allworlds.maps.count_source import source_of
+from allworlds.outcome import Disagreed, Verdict
+from allworlds.reports.content.scope import (
+    SAID,
+    of_the_class,
+    option_facts,
+    places_facts,
+    trust_facts,
+)
+from allworlds.reports.content.single_run import (
+    cost_words,
+    finding_section,
+    nothing_checked,
+    run_section,
+)
+from allworlds.reports.parts import (
+    Bars,
+    Block,
+    Cell,
+    CsvRows,
+    FactList,
+    Headline,
+    Paragraph,
+    ReportContent,
+    RightText,
+    Section,
+    Suite,
+    SuiteCase,
+    Table,
+    fact,
+)
+from allworlds.studies.check.exhaustive import Guess, TimeEstimate
+from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
+from allworlds.studies.check.tally_sweep import UserCorpus
+from allworlds.version import __version__
+from allworlds.words import about, counted, duration, listed, number, plural, size
+
+
+def check_content(report: CheckReport | TimeEstimate) -> ReportContent:
+    """The verdict, the findings, the scope and the counts; or the estimated duration.
+
+    On the page of a check that holds also the most expensive runs.
+    """
+    if isinstance(report, TimeEstimate):
+        return _estimate(report)
+    verb = "fuzz" if isinstance(report.asked.coverage, Sample) else "check"
+    findings = _findings(report, range(len(report.findings)))
+    seen = Section("seen", "What was checked", [FactList(scope_words(report)), size_table(report)])
+    costs = [
+        (row.edges, row.vertices, row.max_cost, row.bound) for row in report.rows if row.episodes
+    ]
+    return ReportContent(
+        f"allworlds {verb}",
+        report.explorer,
+        report,
+        verdict_of(report),
+        [*findings, seen],
+        more=lambda: (
+            [] if findings else most_expensive_sections(costs, most_expensive_runs(report))
+        ),
+        rows=lambda: _rows(report),
+        suite=lambda: _suite(report, verb),
+        apart=frozenset({"findings"}),
+        short=_in_short(report),
+    )
+
+
+def _in_short(report: CheckReport) -> list[tuple[str, str]]:
+    """The scope of the verdict, in facts of a line each."""
+    scope, cells = report.asked, report.cells
+    extent = of_the_class(scope.extent).removeprefix("of the ")
+    short = {
+        "scope": f"{extent}, {scope.rules.lighthouse} lighthouse, {_which(report)}",
+        "witnesses": f"{plural(len(report.tally.witnesses), 'kind')} of events seen",
+    }
+    if cells and all(cell.agrees for cell in cells):
+        sizes = f"{plural(len(cells), 'size')} finished"
+        if report.complete:
+            sizes = f"all {plural(len(cells), 'size')} complete"
+        short["gate"] = f"{sizes}; their number equals an independent count"
+    words = [(name, short.get(name, said)) for name, said in scope_words(report)]
+    if report.tally.rows and not report.findings:
+        rows = sorted(report.tally.rows.items())
+        (edges, vertices), most = max(rows, key=lambda row: row[1].max_cost)
+        bound = "" if most.bound is None else f" of at most {number(most.bound)}"
+        cost = f"{plural(most.max_cost, 'traversal')}{bound}, with {size(edges, vertices)}"
+        words.append(("worst cost", cost))
+    return words
+
+
+def _rows(report: CheckReport) -> CsvRows:
+    """A row for each number of edges and of vertices, of a sample too."""
+    played = {"worlds": int, "runs": int, "episodes": int}
+    costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
+    if report.asked.schedules == "all":
+        costs["best_cost"] = int
+    return CsvRows.of(report.rows, edges=int, vertices=int, **played, **costs)
+
+
+def size_table(report: CheckReport) -> Table:
+    """Counts for each number of edges and vertices.
+
+    Of a sample, which has a few worlds of very many sizes, for each number of edges.
+    """
+    every = report.asked.schedules == "all"
+    header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
+    if every:
+        header[4:4], header[6:6] = ["schedules"], ["best cost"]
+    sampled = isinstance(report.asked.coverage, Sample)
+    groups: dict[tuple[int, int], tuple[list[int], Row]] = {}
+    for (edges, vertices), row in sorted(report.tally.rows.items()):
+        met, total = groups.setdefault((edges, 0 if sampled else vertices), ([], Row()))
+        met.append(vertices)
+        total.add(row)
+    rows: list[list[Cell]] = []
+    for (edges, _), (met, row) in groups.items():
+        between: Cell = met[0] if len(met) == 1 else RightText(f"{met[0]}-{met[-1]}")
+        played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
+        best = [row.best_cost] if every else []
+        rows.append([edges, between, *played, *best, row.max_cost, row.bound])
+    return Table(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
+
+
+def verdict_of(report: CheckReport) -> Headline:
+    """The verdict and its explanation."""
+    done = (
+        f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
+        f"{plural(report.tally.traversals, 'traversal')}"
+    )
+    where = "drawn worlds" if isinstance(report.asked.coverage, Sample) else "finished levels"
+    if report.verdict in (Verdict.HOLDS, Verdict.NOT_REFUTED) and not report.runs:
+        said = f"{done} fall to this shard, which is finished and has nothing to check"
+        return Headline("EMPTY", said, "vacuous")
+    match report.verdict:
+        case Verdict.HOLDS | Verdict.NOT_REFUTED:
+            text = f"{done}: no law is broken{_in_shard(report)}"
+        case Verdict.REFUTED:
+            first = report.findings[0]
+            text = f"law {first.law} is broken; {done} in {where}"
+        case Verdict.INCONCLUSIVE:
+            text = f"{report.ending.reason}; in {where} no law is broken ({done})"
+        case Verdict.VACUOUS:
+            text = _why_vacuous(report)
+        case Verdict.ERROR:
+            text = report.ending.reason
+    return Headline(report.verdict.value.upper(), text, report.verdict.value)
+
+
+def _in_shard(report: CheckReport) -> str:
+    """A remark that this is only a shard; empty for a whole check."""
+    shard = report.asked.portion
+    if not isinstance(shard, Shard):
+        return ""
+    return f" in shard {shard}; the verdict on the whole needs the merge of all shards"
+
+
+def scope_words(report: CheckReport) -> list[tuple[str, str]]:
+    """The scope of the verdict as named texts. A text without a name continues the one before."""
+    scope, rules = report.asked, report.asked.rules
+    least = scope.coverage.min_edges if isinstance(scope.coverage, Sample) else 1
+    shard = f", shard {scope.portion}" if isinstance(scope.portion, Shard) else ""
+    what = (
+        f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
+        f"{of_the_class(scope.extent, least)}{shard}; {_schedules(report)}"
+    )
+    words = [("explorer", f"{report.explorer}, {report.engine} engine"), ("scope", what)]
+    words += places_facts(tried_places(rules.lighthouse, scope.extent))
+    words += option_facts(report, CHECK_SAID)
+    if not report.complete and not isinstance(scope.coverage, Sample):
+        finished = ", ".join(map(str, report.levels)) or "none"
+        why = "" if report.ending.final else f"{report.ending.reason}; "
+        words.append(("", f"NOT complete: {why}finished levels (edges): {finished}"))
+    if not rules.task.is_map:
+        words.append(("task", f"{rules.task.name}: {rules.task.asks}"))
+    words += trust_facts(report.scope.shared_file)
+    if report.symmetry:
+        words.append(("symmetry", report.symmetry))
+    witnesses = report.tally.witnesses
+    seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
+    met = f"events seen: {seen}" if seen else "no event was seen"
+    words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
+    if report.missing_witnesses:
+        words.append(("MISSING", f"never met: {', '.join(report.missing_witnesses)}"))
+    if report.past:
+        past = report.past
+        words.append(("corpus", f"{past.directory}: {_corpus(past)}"))
+    if report.tally.left_out:
+        left = plural(report.tally.left_out, "world")
+        words.append(("left out", f"{left} without a place for the lighthouse"))
+    words += [("remark", remark) for remark in report.remarks]
+    return words
+
+
+CHECK_SAID = (*SAID, "task", "laws", "schedules", "min_edges", "runs", "max_findings", "engine")
+"""The fields of the request of which the scope, and other facts, tell."""
+
+
+def _which(report: CheckReport) -> str:
+    if isinstance(report.asked.coverage, Sample | Given):
+        return "one start and marker"
+    some = tried_places(report.asked.rules.lighthouse, report.extent)
+    return "every start and the places told below" if some else "every start and marker"
+
+
+def _maps(report: CheckReport) -> str:
+    sample = report.asked.coverage
+    if isinstance(sample, Given):
+        return f"each of {plural(len(sample.worlds), 'given world')}"
+    if not isinstance(sample, Sample):
+        return "every map"
+    return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
+
+
+def _corpus(past: UserCorpus) -> str:
+    found = {
+        "reproduced": past.reproduced,
+        "still refuted, but beyond the scope": past.beyond,
+        "fixed and kept": past.fixed,
+        "stale and not tried": past.stale,
+        "written": past.written,
+    }
+    counts = (f"{len(names)} {what} ({', '.join(names)})" for what, names in found.items() if names)
+    return "; ".join(counts) or "no finding"
+
+
+def _schedules(report: CheckReport) -> str:
+    if report.asked.schedules == "all":
+        return "every sequence of choices"
+    return f"free choices as policy {report.asked.rules.policy} takes them, one schedule a run"
+
+
+def _laws(report: CheckReport) -> str:
+    rules = report.asked.rules
+    published, checked = report.tally.checkpoints, report.checked_laws
+    if not report.runs:
+        return "no run was made, so no law was checked"
+    if not checked:
+        return nothing_checked(rules)
+    bound = f"bound ({rules.the_bound.name})"
+    laws = ", ".join(bound if law == "bound" else law for law in checked)
+    if published:
+        return f"{laws}; {plural(published, 'checkpoint')}"
+    left = [law for law in rules.applying if law not in checked]
+    return laws + (
+        f"; not checked, because the explorer shows no checkpoint: {listed(left)}" if left else ""
+    )
+
+
+def _gate(report: CheckReport) -> str:
+    if isinstance(report.asked.coverage, Shard):
+        return "deferred to the merge of all shards"
+    if isinstance(report.asked.coverage, Sample):
+        return "absent: a sample is not to be counted"
+    if isinstance(report.asked.coverage, Given):
+        return "absent: the worlds were given"
+    extent = report.asked.extent
+    if extent.where is not None and source_of(extent) is None:
+        return f"absent: no source counts the maps that are {extent.where.name}"
+    if not report.cells:
+        return "the scope holds no world" if report.levels else "no level was finished"
+    wrong = [_mismatch(cell) for cell in report.cells if not cell.agrees]
+    if wrong:
+        return f"MISMATCH: {wrong[0]}"
+    cells = plural(len(report.cells), "cell")
+    return f"no world was forgotten: in {cells} (edges, vertices) {counted(report.cells[0].source)}"
+
+
+def _why_vacuous(report: CheckReport) -> str:
+    """The reason why a complete check says nothing."""
+    if not report.runs:
+        return "the scope holds no run"
+    if not report.checked_laws:
+        return nothing_checked(report.asked.rules)
+    return "a witness is missing"
+
+
+def _suite(report: CheckReport, verb: str) -> Suite:
+    """The cases of a check, or of a sample, with the verdict and the scope."""
+    document: Mapping[str, Any] = report.to_json()
+    named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
+    properties = {"version": __version__, **{name: document[name] for name in named}}
+    properties |= {f"scope.{name}": value for name, value in document["scope"].items()}
+    return Suite(verb, report.explorer, properties, [*_cases(report)])
+
+
+def _cases(report: CheckReport) -> Iterator[SuiteCase]:
+    """A case for each number of edges, of past findings before and of witnesses after; or one.
+
+    A level is passed; failed, with its findings; an error where the count gate or two engines
+    disagree; skipped, with the reason, where it was not finished.  A sample is one case.
+    """
+    if isinstance(report.asked.coverage, Sample):
+        yield _sample(report, report.asked.coverage)
+        return
+    past, new = list[int](), list[int]()
+    for i, finding in enumerate(report.findings):
+        (past if report.past and report.past.holds(finding) else new).append(i)
+    if report.past:
+        yield _failure(report, "past findings", past) if past else SuiteCase("past findings")
+    every = "every given world" if isinstance(report.asked.coverage, Given) else "every world"
+    for edges in report.asked.sizes:
+        name = f"{every} with {plural(edges, 'edge')}"
+        found = [i for i in new if report.findings[i].key[0] == edges]
+        wrong = [
+            _mismatch(cell) for cell in report.cells if cell.edges == edges and not cell.agrees
+        ]
+        if wrong:
+            said = [Section("gate", "", [Paragraph("\n".join(wrong))]), *_findings(report, found)]
+            yield SuiteCase(name, "error", "count-gate", wrong[0], said)
+        elif found:
+            yield _failure(report, name, found)
+        elif edges in report.levels:
+            yield SuiteCase(name)
+        else:
+            why = report.ending.reason or "the level was not finished"
+            yield SuiteCase(name, "skipped", message=why)
+    if isinstance(report.ending, Disagreed) and all(cell.agrees for cell in report.cells):
+        said = [Section("engines", "", [Paragraph(report.ending.reason)])]
+        yield SuiteCase("engines", "error", "engines-disagree", "two engines disagree", said)
+    if report.complete and report.asked.whole:
+        missing = ""
+        if not report.checked_laws:
+            missing = _why_vacuous(report)
+        elif report.missing_witnesses:
+            missing = f"never seen: {', '.join(report.missing_witnesses)}"
+        result: Any = ("failure", "vacuous", missing) if missing else ()
+        yield SuiteCase("witnesses", *result)
+
+
+def _sample(report: CheckReport, sample: Sample) -> SuiteCase:
+    edges = plural(report.asked.extent.levels[-1], "edge")
+    least = "up to" if sample.min_edges == 1 else f"{sample.min_edges} to"
+    name = f"{plural(sample.runs, 'random world')} with {least} {edges}"
+    if report.findings:
+        return _failure(report, name, range(len(report.findings)))
+    if report.verdict is Verdict.NOT_REFUTED:
+        return SuiteCase(name)
+    return SuiteCase(name, "skipped", message=report.ending.reason or "no world was tried")
+
+
+def _failure(report: CheckReport, name: str, found: Sequence[int]) -> SuiteCase:
+    law = report.findings[found[0]].law
+    return SuiteCase(name, "failure", law, f"law '{law}' is broken", _findings(report, found))
+
+
+def _findings(report: CheckReport, found: Iterable[int]) -> list[Section]:
+    """Sections for the findings at these places, each with its origin."""
+    sections = []
+    for i in found:
+        past = report.past and report.past.holds(report.findings[i])
+        origin = "from the corpus" if past else ""
+        sections.append(finding_section(report.findings[i], i + 1, origin))
+    return sections
+
+
+def _mismatch(cell: GateCell) -> str:
+    return (
+        f"of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were enumerated, but "
+        f"{cell.source} counts {cell.counted}"
+    )
+
+
+def _estimate(guess: TimeEstimate) -> ReportContent:
+    """Estimated duration of the check, and of those with more edges if it is known."""
+    if guess.seconds is None or guess.rate is None:
+        text = "no world of the last level was finished in time: this takes very long"
+        head = Headline("estimate", text, "inconclusive")
+        return ReportContent("allworlds check", guess.explorer, guess, head, [])
+    most = "" if guess.counted else "at most "
+    worlds = f"{most}{about(guess.worlds)} world{'' if guess.worlds == 1 else 's'}"
+    text = f"{most}{duration(guess.seconds)} for {worlds}: a guess"
+    of = f"{plural(guess.sampled, 'world')} of the last level, {number(round(guess.rate))} a second"
+    blocks: list[Block] = [fact("sample", of)]
+    if guess.larger:
+        names = ("worlds", "takes") if guess.counted else ("worlds <=", "takes <=")
+        header = ("edges", names[0], "engine", "sampled", "a second", names[1])
+        every: list[TimeEstimate | Guess] = [guess, *guess.larger]
+        rows = [
+            (
+                one.edges,
+                RightText(about(one.worlds)),
+                one.engine,
+                one.sampled or RightText("none"),
+                round(one.rate),
+                RightText(duration(one.seconds)),
+            )
+            for one in every
+            if one.rate is not None and one.seconds is not None
+        ]
+        blocks.append(Table(header, rows))
+    head = Headline("estimate", text, "inconclusive")
+    seen = Section("sample", "", blocks)
+    return ReportContent("allworlds check", guess.explorer, guess, head, [seen])
+
+
+def most_expensive_sections(
+    costs: Iterable[tuple[int, int, int, int | None]], runs: Iterable[SingleRun]
+) -> Iterator[Section]:
+    """Cost against bound of each size, then the most expensive run; empty if there are no costs.
+
+    Args:
+        costs: edges, vertices, the largest cost, and the bound if there is one.
+        runs: those of these costs.
+    """
+    bars = []
+    for edges, vertices, cost, bound in costs:
+        bars.append((size(edges, vertices), cost))
+        bars += [] if bound is None else [("bound", bound)]
+    if bars:
+        yield Section("costs", "Cost against bound", [Bars("size", bars)])
+    if most := max(runs, key=lambda run: run.outcome.cost, default=None):
+        map_ = most.world.map
+        where = size(map_.edge_count, map_.vertex_count)
+        title = f"The most expensive run: {where}, {cost_words(most)}"
+        yield run_section(most, "most-expensive", title)

@@ -1,0 +1,279 @@
+"""Content of comparisons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from allworlds.engines.swept_report import By
+from allworlds.explorers.sources import short_names
+from allworlds.reports.content.scope import SAID, explorer_facts, maps_in_words, option_facts
+from allworlds.reports.content.single_run import finding_section, run_section
+from allworlds.reports.parts import (
+    Block,
+    Cell,
+    CsvRows,
+    FactList,
+    Headline,
+    ReportContent,
+    RightText,
+    Section,
+    Table,
+    Value,
+)
+from allworlds.studies.compare.comparison import Comparison
+from allworlds.studies.compare.entrants import InWorld
+from allworlds.studies.compare.growth import CostRatio, GrowRow, Growth
+from allworlds.studies.compare.intervals import LEVEL
+from allworlds.words import number, plural, size
+from allworlds.world.named import code_of
+
+
+def compare_content(report: Comparison | Growth) -> ReportContent:
+    """The verdict, the findings, the rows, and the world of the largest difference.
+
+    On a page of equal sizes also a walk of each explorer in the world that differs most.
+    """
+    findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
+    verdict = report.verdict.value
+    blocks: list[Block]
+    if isinstance(report, Growth):
+        ratios = [_ratios(report)] if report.ratios else []
+        blocks = [_growth_table(report), *ratios, FactList(_growth_facts(report))]
+    else:
+        cells = _by_size(report, short_names(report.names))
+        table = Table([*SIZES], cells, "Compared worlds", keys=4)
+        blocks = [table, FactList(_facts(report))]
+    return ReportContent(
+        "allworlds compare",
+        ", ".join(report.names),
+        report,
+        Headline(verdict.upper(), _verdict(report), verdict),
+        [*findings, Section("seen", "What was compared", blocks)],
+        more=lambda: () if isinstance(report, Growth) else _walks(report),
+        rows=lambda: _growth_rows(report) if isinstance(report, Growth) else _rows(report),
+        apart=frozenset({"findings"}),
+    )
+
+
+COLUMNS = (
+    {"family": str, "edges": int, "vertices": int, "explorer": str}
+    | dict.fromkeys(("seeds", "drawn_from", "worlds", "places", "runs"), int)
+    | {"exact": bool, "mean": float, "least": int, "worst": int, "bound": int}
+)
+ENDS = {"low": float, "high": float, "ratio": float, "ratio_low": float, "ratio_high": float}
+
+
+def _growth_rows(report: Growth) -> CsvRows:
+    """A row for each family, size and explorer, for each world, or for each run."""
+    if report.by != "size":
+        return rows_of_worlds(report.in_worlds(), report.names[0], report.by or "run")
+    ratios = {(one.family, one.edges, one.explorer): one for one in report.ratios}
+    rows = []
+    for row in report.rows:
+        ratio = ratios.get((row.family, row.edges, row.explorer))
+        ends = row.interval or (None, None)
+        beside = ratio.interval or (None, None) if ratio else (None, None)
+        own = [getattr(row, name) for name in COLUMNS]
+        rows.append([*own, *ends, ratio.ratio if ratio else None, *beside])
+    return CsvRows(COLUMNS | ENDS, rows)
+
+
+def _growth_table(report: Growth) -> Table:
+    header = ["family", "edges", "vertices", "explorer", "worlds", "runs", "mean", "interval"]
+    rows = [
+        [
+            *(row.family, row.edges, row.vertices, row.explorer, row.worlds),
+            RightText(f"{number(row.runs)} of {number(row.places)}"),
+            RightText(f"{row.mean:,.1f}"),
+            *(_interval(row, ",.1f"), row.worst, row.bound),
+        ]
+        for row in report.rows
+    ]
+    return Table([*header, "worst", "bound"], rows, "Costs, in traversals", keys=4)
+
+
+def _ratios(report: Growth) -> Table:
+    (first, *_) = short_names(report.names)
+    rows: list[list[Cell]] = [
+        [
+            *(one.family, one.edges, one.explorer, one.worlds),
+            *(RightText(f"{one.ratio:.3f}"), _interval(one, ".3f")),
+        ]
+        for one in report.ratios
+    ]
+    header = ["family", "edges", "explorer", "worlds", f"cost / {first}", "interval"]
+    return Table(header, rows, "Ratios in the same worlds", keys=3)
+
+
+def _interval(found: GrowRow | CostRatio, form: str) -> Cell:
+    if found.exact:
+        return "exact"
+    if found.interval is None:
+        return None
+    low, high = (format(end, form) for end in found.interval)
+    return RightText(f"{low}..{high}")
+
+
+def _growth_facts(report: Growth) -> list[tuple[str, str]]:
+    shard = "" if report.whole else f", shard {report.portion}"
+    asked = report.request
+    scope = (
+        f"families {', '.join(report.families)} up to {plural(asked.to, 'edge')}, "
+        f"{plural(asked.worlds, 'seed')} of each size from seed {asked.seed} on, at most "
+        f"{plural(asked.places, 'place')} of the lighthouse in each world{shard}"
+    )
+    words = [*explorer_facts(report), ("scope", scope), *option_facts(report, GROWTH_SAID)]
+    if report.rows:
+        drawn = max(row.seeds for row in report.rows)
+        words += [
+            ("worlds", f"different rooted maps of {plural(drawn, 'seed')}; isomorphic ones once"),
+            ("runs", "of all places of the lighthouse in them; worst: of these runs"),
+            ("mean", "over the worlds, in each over its runs; ratios: geometric mean"),
+            ("interval", f"{LEVEL:.0%}, by a bootstrap over the worlds; -: too few worlds"),
+        ]
+        if any(row.exact for row in report.rows):
+            words.append(("exact", "every world that seeds draw was run, in every place"))
+        member = report.rows[-1].members[-1].name
+        words.append(("again", f"allworlds run {report.names[0]} --family {member}"))
+    if report.begun:
+        begun = len({one.name for row in report.begun for one in row.members})
+        words.append(
+            ("begun", f"{plural(begun, 'world')} of an unfinished size, in the rows alone")
+        )
+    if report.left_out:
+        left = plural(report.left_out, "world")
+        words.append(("left out", f"{left} without a place for the lighthouse"))
+    return words
+
+
+GROWTH_SAID = (*SAID, "to", "worlds", "places")
+"""The fields of the request of which the facts tell."""
+
+
+def _walks(report: Comparison) -> Iterator[Section]:
+    """A walk of each explorer in the world that differs most."""
+    for i, run in enumerate(report.walks(), 1):
+        cost = plural(run.outcome.cost, "traversal")
+        title = f"In the world that differs most: {run.explorer}, {cost}"
+        yield run_section(run, f"walk-{i}", title)
+
+
+SIZES = (
+    {"edges": int, "vertices": int, "worlds": int, "explorer": str}
+    | {"mean": float, "worst": int, "ratio": float}
+    | dict.fromkeys(("less", "equal", "more"), int)
+)
+
+
+def _rows(report: Comparison) -> CsvRows:
+    """A row for each size and explorer, or as is asked for."""
+    if report.by in ("world", "run"):
+        return rows_of_worlds(report.worlds_kept, report.names[0], report.by)
+    return CsvRows(SIZES, _by_size(report, report.names))
+
+
+def _by_size(report: Comparison, names: Sequence[str]) -> list[list[Value]]:
+    """A row for each size and explorer under these names, the first compared with the others."""
+    return [
+        [
+            *(row.edges, row.vertices, row.worlds, shown),
+            *(row.mean[name], row.worst[name], row.ratio[name]),
+            *(which.get(name) for which in (row.less, row.equal, row.more)),
+        ]
+        for row in report.rows
+        for name, shown in zip(report.names, names, strict=True)
+    ]
+
+
+def _facts(report: Comparison) -> list[tuple[str, str]]:
+    """Named facts beside the table."""
+    scope = f"one world: {report.member.described}" if report.member else maps_in_words(report)
+    words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
+    meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
+    words.append(("costs", meant))
+    first = short_names(report.names)[0]
+    exact = "; exact" if report.whole else ""
+    ratio = f"of the means in each map, to that of {first}: the geometric mean over the maps{exact}"
+    words.append(("ratio", ratio))
+    if report.rows:
+        words += [("in all", _in_all(report, name)) for name in report.names[1:]]
+    most = report.differ_most
+    if most is not None:
+        costs = ", ".join(f"{name} {cost:,.2f}" for name, cost in most.costs.items())
+        map_ = most.world.map
+        where = size(map_.edge_count, map_.vertex_count)
+        said = f"most in a world with {where}, which the document has: {costs}"
+        words.append(("difference", said))
+    return words
+
+
+def _verdict(report: Comparison | Growth) -> str:
+    said = f"no law is broken in {plural(sum(row.runs for row in report.rows), 'run')}"
+    if report.findings:
+        return "a run has broken a law"
+    if isinstance(report, Comparison) and not report.all_counted:
+        return "the enumeration and its count disagree"
+    if not report.complete:
+        part = "sizes" if isinstance(report, Growth) else "levels"
+        return f"{report.stopped or 'interrupted'}; {said} of finished {part}"
+    if not report.rows:
+        return "there is no world in which every explorer has a place"
+    return said
+
+
+def _in_all(report: Comparison, name: str) -> str:
+    first = report.names[0]
+    less, equal, more = (
+        sum(getattr(row, which)[name] for row in report.rows) for which in ("less", "equal", "more")
+    )
+    return (
+        f"{first} walks less than {name} in {plural(less, 'world')}, as much in {number(equal)}, "
+        f"more in {number(more)}"
+    )
+
+
+NAMES = {"code": str, "family": str, "holes": str, "seed": int, "edges": int, "vertices": int}
+RUN = {**NAMES, "explorer": str, "place": int, "cost": int, "bound": int, "finished": bool}
+WORLD = {**NAMES, "drawn_from": int, "explorer": str, "runs": int, "places": int} | {
+    "mean": float,
+    "worst": int,
+    "bound": int,
+    "ratio": float,
+    "finished": bool,
+}
+
+
+def _names(one: InWorld) -> list[Value]:
+    """The words by which ``run`` finds the world, and its size."""
+    family, _, seed = one.member.partition(" --seed ")
+    family, _, holes = family.partition(" --holes ")
+    words = [family or None, holes or None, int(seed) if seed else None]
+    return [code_of(one.map), *words, one.map.edge_count, one.map.vertex_count]
+
+
+def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
+    """A row for each world and explorer, or for each run.
+
+    Where the job ended early, rows of a size that was begun are not ``finished``.
+
+    Args:
+        worlds: in the order of the rows.
+        first: the explorer with which the others are compared.
+        by: which rows.
+    """
+    if by == "run":
+        runs = [
+            [*_names(one), one.explorer, place, cost, one.bound, one.finished]
+            for one in worlds
+            for place, cost in one.costs.items()
+        ]
+        return CsvRows(RUN, runs)
+    every, rows = [*worlds], []
+    beside = {(one.map, one.member): one.mean for one in every if one.explorer == first}
+    for one in every:
+        with_this = beside.get((one.map, one.member))
+        ratio = round(one.mean / with_this, 6) if with_this else None
+        played = [one.drawn_from, one.explorer, len(one.costs), one.places]
+        costs = [round(one.mean, 6), max(one.costs.values()), one.bound]
+        rows.append([*_names(one), *played, *costs, ratio, one.finished])
+    return CsvRows(WORLD, rows)

@@ -1,0 +1,159 @@
+"""Content of ``ledger``: each claim, expected beside found."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+
+from allworlds.outcome import Exit
+from allworlds.reports.drawing.scene import scene_of
+from allworlds.reports.parts import (
+    Block,
+    CsvRows,
+    FactList,
+    Headline,
+    MapPictures,
+    Paragraph,
+    ReportContent,
+    Section,
+    Suite,
+    SuiteCase,
+    Table,
+    so_far,
+)
+from allworlds.studies.ledger.checked_claims import CheckedClaim, LedgerReport
+from allworlds.words import number, plural
+
+LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"
+
+SIGNS = {"as-expected": "=", "unexpected": "≠", "vacuous": "?", "not-checked": "-"}
+"""Before each claim: whether it is what is expected."""
+
+VERDICTS = {
+    Exit.HOLDS: "holds",
+    Exit.REFUTED: "refuted",
+    Exit.VACUOUS: "vacuous",
+    Exit.INTERNAL: "error",
+}
+"""The verdict by the exit code; inconclusive by any other."""
+
+
+def ledger_content(report: LedgerReport) -> ReportContent:
+    """A row for each claim; for a single claim, and on a page for each, also the details."""
+    facts = [
+        ("DIFFERS", f"{one.id}: {'; '.join(one.differences)}")
+        for one in report.claims
+        if one.standing in ("unexpected", "vacuous")
+    ]
+    facts += [("REQUIRED", f"{name} was not checked") for name in report.missed]
+    ledger: list[Block] = [FactList(facts)] if facts else []
+    header = ["", "claim", "found", "sentence"]
+    rows = [[SIGNS[one.standing], one.id, one.verdict, one.statement] for one in report.claims]
+    ledger += [Table(header, rows, "Every claim", keys=2), Paragraph(LEGEND)]
+    sections = [_section(one) for one in report.claims]
+    alone = sections if len(sections) == 1 else []
+    return ReportContent(
+        "allworlds ledger",
+        f"budget {report.budget}",
+        report,
+        _headline(report),
+        [Section("ledger", "The ledger", ledger), *alone],
+        more=lambda: [] if alone else sections,
+        rows=lambda: _rows(report),
+        suite=lambda: _suite(report),
+    )
+
+
+def _rows(report: LedgerReport) -> CsvRows:
+    names = ("section", "claim", "sentence", "method", "expected", "found", "standing")
+    rows = [
+        [one.section, one.id, one.statement, one.method, one.expected, one.verdict, one.standing]
+        for one in report.claims
+    ]
+    return CsvRows(dict.fromkeys(names, str), rows)
+
+
+def _heading(section: str) -> str:
+    """``Section IV``; a section that is no number is its own heading."""
+    return f"Section {section}" if re.fullmatch(r"[IVXLC]+|[0-9.]+|[A-Z]", section) else section
+
+
+def _headline(report: LedgerReport) -> Headline | None:
+    """The verdict, and the number of claims with each outcome."""
+    if not report.claims:
+        return so_far(report, None)
+    standings = Counter(one.standing for one in report.claims)
+    held = sum((one.standing, one.verdict) == ("as-expected", "holds") for one in report.claims)
+    refuted = standings["as-expected"] - held
+    errors = sum(one.verdict == "error" for one in report.claims)
+    # The reasons why claims were not checked, each with the number of its claims.
+    reasons = Counter(one.told for one in report.claims if one.standing == "not-checked")
+    needed = "; ".join(f"{number(count)}: {reason}" for reason, count in reasons.items())
+    if len(reasons) == 1:
+        (needed,) = reasons
+    outcomes = (
+        (held, "holds" if held == 1 else "hold"),
+        (refuted, f"{'is' if refuted == 1 else 'are'} refuted, as expected"),
+        (standings["unexpected"] - errors, "not as expected"),
+        (errors, "ended in an error of this program"),
+        (standings["vacuous"], "vacuous"),
+        (standings["not-checked"], f"not checked ({needed})"),
+    )
+    counts = ", ".join(f"{number(count)} {outcome}" for count, outcome in outcomes if count)
+    verdict = VERDICTS.get(report.exit_code, "inconclusive")
+    said = f"{plural(len(report.claims), 'claim')}: {counts}"
+    return so_far(report, Headline(verdict.upper(), said, verdict))
+
+
+def _section(one: CheckedClaim) -> Section:
+    """One claim, with the worlds that show it."""
+    facts = [("verdict", f"{one.verdict}, {one.standing.replace('-', ' ')}"), *_details(one)]
+    if one.differences:
+        facts.append(("differs", "; ".join(one.differences)))
+    captioned = zip(one.captions, one.worlds, strict=True)
+    pictures = [(caption.capitalize(), scene_of(world)) for caption, world in captioned]
+    drawn = [MapPictures(pictures)] if pictures else []
+    blocks: list[Block] = [Paragraph(one.statement), *drawn, FactList(facts)]
+    return Section(one.id, f"{_heading(one.section)}: {one.id}", blocks)
+
+
+def _suite(report: LedgerReport) -> Suite:
+    """A case for each claim: passed as expected, failed otherwise, skipped if not checked."""
+    properties = {
+        "budget": report.budget,
+        "exit_code": int(report.exit_code),
+        "complete": report.complete,
+    }
+    cases = [_case(one, required=one.id in report.missed) for one in report.claims]
+    return Suite("ledger", "ledger", properties, cases)
+
+
+def _case(one: CheckedClaim, *, required: bool) -> SuiteCase:
+    name = f"{_heading(one.section)}: {one.id}: {one.statement}"
+    details = [Section(one.id, "", [FactList(_details(one))])]
+    if one.standing == "as-expected":
+        return SuiteCase(name)
+    if one.standing != "not-checked":
+        return SuiteCase(name, "failure", one.standing, "; ".join(one.differences), details)
+    if required:
+        return SuiteCase(name, "failure", "required", one.told, details)
+    return SuiteCase(name, "skipped", message=one.told)
+
+
+def _details(one: CheckedClaim) -> list[tuple[str, str]]:
+    """Further named facts about a claim."""
+    facts = [(name, getattr(one, name)) for name in ("method", "scope", "expected", "source")]
+    if one.standing == "not-checked":
+        return [*facts, ("reason", one.told)]
+    seen = (("witnesses", _listed(one.witnesses)), ("figures", _listed(one.figures)))
+    return [*facts, *((name, text) for name, text in (*seen, ("seen", one.told)) if text)]
+
+
+def _listed(values: Mapping[str, object]) -> str:
+    def text(value: object) -> str:
+        if isinstance(value, list):
+            return "[" + ", ".join(map(str, value)) + "]"
+        return number(value) if isinstance(value, int) else str(value)
+
+    return ", ".join(f"{name} {text(value)}" for name, value in values.items())

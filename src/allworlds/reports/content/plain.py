@@ -1,0 +1,134 @@
+"""Content that is named facts alone: of jobs, of new projects, and of any other result."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from allworlds.document.report import Report
+from allworlds.engines.units import WHOLE
+from allworlds.inputs.checks import show
+from allworlds.judging.tasks import MAP
+from allworlds.reports.formats import content_of, verb_of
+from allworlds.reports.parts import (
+    Block,
+    Cell,
+    CsvRows,
+    FactList,
+    Headline,
+    Paragraph,
+    Quote,
+    ReportContent,
+    Section,
+    Table,
+)
+from allworlds.studies.init import Header, LedgerSkeleton, Skeleton
+from allworlds.studies.status import Standing
+from allworlds.words import duration, number, plural, size
+
+ASIDE = ("schema", "made_by", "verdict", "exit_code")
+"""Keys that stand in the headline, or are of no use to people."""
+
+
+def plain_content(report: Report) -> ReportContent:
+    """A fact for each key of the document, and a table for each list of objects."""
+    facts: list[tuple[str, str]] = []
+    tables: list[Block] = []
+    rows = CsvRows({}, [])
+    for key, value in report.to_json().items():
+        if key in ASIDE or value is None:
+            continue
+        if isinstance(value, list) and value and all(isinstance(row, dict) for row in value):
+            header = [*value[0]]
+            cells = [[_cell(row.get(name)) for name in header] for row in value]
+            tables.append(Table(header, cells, key))
+            rows = rows if rows.columns else _rows(header, value)
+        else:
+            facts.append((key, str(_cell(value))))
+    verdict = str(getattr(report, "verdict", ""))
+    headline = Headline(verdict.upper(), "", verdict) if verdict else None
+    section = Section("seen", "", [*tables, *([FactList(facts)] if facts else [])])
+    return ReportContent(type(report).__name__, "", report, headline, [section], rows=lambda: rows)
+
+
+def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> CsvRows:
+    """A row for each object; columns that hold anything but numbers are texts."""
+    columns = {}
+    for name in names:
+        kinds = {type(one.get(name)) for one in objects} - {type(None)}
+        columns[name] = kinds.pop() if kinds in ({int}, {float}) else str
+    rows = [
+        [
+            value if value is None or isinstance(value, kind) else show(value)
+            for value, kind in ((one.get(name), kind) for name, kind in columns.items())
+        ]
+        for one in objects
+    ]
+    return CsvRows(columns, rows)
+
+
+def _cell(value: Any) -> Cell:
+    return value if value is None or type(value) in (int, str) else show(value)
+
+
+def merge_content(merged: Report) -> ReportContent:
+    """The telling of the verb whose shards were merged."""
+    return content_of(verb_of(type(merged)), merged)
+
+
+def status_content(standing: Standing) -> ReportContent:
+    """Progress, rate, and results so far."""
+    units, worlds, worst = standing.units, standing.worlds, standing.worst
+    so_far = "" if standing.state == "finished" else " so far"
+    most = "" if standing.counted else "at most "
+    some = most + ("" if standing.shard == str(WHOLE) else "about ")
+    facts = [
+        ("state", standing.state),
+        ("job", _job(standing)),
+        ("options", " ".join(standing.options or ())),
+        ("units", f"{number(units.done)} of {number(units.all)}"),
+        ("worlds", f"{number(worlds.done)} of {some}{number(worlds.all)}"),
+    ]
+    if standing.rate is not None:
+        facts.append(("rate", f"{plural(round(standing.rate), 'world')} a second"))
+    if standing.left_s:
+        facts.append(("left", f"{most}{duration(standing.left_s)}, at this rate: a guess"))
+    if worst:
+        where = size(worst.edges, worst.vertices)
+        facts.append(("worst", f"{plural(worst.cost, 'traversal')}{so_far}, with {where}"))
+    if standing.findings:
+        facts.append(("findings", f"{number(standing.findings)}{so_far}"))
+    seen = Section("seen", "", [FactList([(name, said) for name, said in facts if said])])
+    return ReportContent("allworlds status", standing.verb, standing, None, [seen])
+
+
+def _job(standing: Standing) -> str:
+    """The verb, the explorer and the worlds."""
+    asked = standing.parameters
+    names = ("class", "where", "edges", "vertices", "family", "to", "lighthouse", "task")
+    given = {name: asked[name] for name in names if asked.get(name)}
+    if given.get("task") == MAP:
+        del given["task"]
+    scope = [
+        f"{name} {', '.join(value) if isinstance(value, list | tuple) else value}"
+        for name, value in given.items()
+    ]
+    shard = "" if standing.shard == str(WHOLE) else f"; shard {standing.shard}"
+    return f"{f'{standing.verb} {standing.explorer}'.strip()}: {', '.join(scope)}{shard}"
+
+
+def init_content(begun: Skeleton | LedgerSkeleton | Header) -> ReportContent:
+    """The header line by line; or the written files, and the next commands."""
+    if isinstance(begun, Header):
+        subject, name = "header", "header"
+        blocks: list[Block] = [Quote("header", "", begun.header.rstrip("\n"))]
+    else:
+        facts = [("written", ", ".join(begun.files))]
+        subject, name, last = "ledger", "next", list[Block]()
+        if isinstance(begun, Skeleton):
+            subject = begun.explorer
+            facts += [("needs", ", ".join(begun.language.needs))] if begun.language.needs else []
+            wrong = "is wrong so far: the check draws the smallest world that refutes it."
+            last = [Paragraph(f"{begun.explorer} {wrong}")]
+        blocks = [FactList(facts), Quote("next", "next", begun.check, command=True), *last]
+    return ReportContent("allworlds init", subject, begun, None, [Section(name, "", blocks)])

@@ -1,0 +1,344 @@
+"""Content of one run, and sections and sentences about a finding."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from allworlds.document.struct import replace
+from allworlds.engines.single import SingleRun
+from allworlds.explorers.loading import is_program
+from allworlds.judging.episode import Answered, Over, Said, Undecided
+from allworlds.judging.explanations.story import Belief, Spending, Story, Walked
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import Rules
+from allworlds.judging.findings.walks import believed_walk, find_parting, true_trail
+from allworlds.judging.laws.laws import BrokenInvariant, embed
+from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.protocol.playing import BUILT, NO_MAP
+from allworlds.reports.drawing.scene import walk_in_answer, walk_in_world
+from allworlds.reports.parts import (
+    Bars,
+    Block,
+    CsvRows,
+    DataRecord,
+    Elsewhere,
+    FactList,
+    Headline,
+    Paragraph,
+    Quote,
+    ReportContent,
+    Section,
+    ShownMap,
+    ShownWalk,
+    Table,
+    View,
+    fact,
+    rows_of_walk,
+)
+from allworlds.studies.replay import Replay
+from allworlds.studies.run import WorldNames
+from allworlds.words import listed, number, plural, size
+from allworlds.world.world import World
+
+if TYPE_CHECKING:
+    from allworlds.studies.explain import Explanation
+
+
+def known(run: SingleRun) -> ShownMap | None:
+    """The map from a run's checkpoints; None if there is none, or if S is not embedded."""
+    episode, world = run.outcome.episode, run.world
+    if not episode.checkpoints:
+        return None
+    trail = true_trail(world, episode.transcript)
+    seen = ShownMap({}, {})
+    for step, checkpoint in episode.checkpoints:
+        place = embed(world.map, trail[step], checkpoint)
+        if isinstance(place, BrokenInvariant):
+            return None
+        for dart, other in enumerate(checkpoint.alpha):
+            seen.darts.setdefault(place[dart], step)
+            if other != dart:
+                seen.edges.setdefault(place[dart], step)
+    return seen
+
+
+def run_content(run: SingleRun | WorldNames) -> ReportContent:
+    """One run, with its finding if it breaks a law; or the list of worlds."""
+    if isinstance(run, WorldNames):
+        named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
+        section = Section("names", "", [FactList([(kind, ", ".join(of)) for kind, of in named])])
+        rows = [[kind, one] for kind, of in named for one in of]
+        made = CsvRows({"kind": str, "name": str}, rows)
+        return ReportContent("allworlds run", "names", run, None, [section], rows=lambda: made)
+    headline = Headline(run.verdict.value.upper(), _said(run), run.verdict.value)
+    whole = _section(run)
+    shown = whole if run.shows_walk or run.finding else replace(whole, blocks=whole.blocks[1:])
+    return ReportContent(
+        "allworlds run",
+        run.explorer,
+        run,
+        headline,
+        [shown],
+        rows=lambda: _rows(whole),
+        apart=frozenset({"finding"}),
+    )
+
+
+def _rows(section: Section) -> CsvRows:
+    """The steps of the walk of a section."""
+    return rows_of_walk(next(each for each in section.blocks if isinstance(each, ShownWalk)))
+
+
+def _said(run: SingleRun) -> str:
+    """The result in a sentence: the first thing that is wrong, or that nothing is."""
+    if run.finding:
+        return f"law {run.finding.law} is broken"
+    if not run.checked_laws:
+        return f"{nothing_checked(run.rules)}; {cost_words(run)}"
+    return f"{cost_words(run)}: no law is broken"
+
+
+def replay_content(replay: Replay) -> ReportContent:
+    """The run of today. If it breaks no law, only a page shows it, with the recorded run."""
+    recorded, run = replay.recorded, replay.again
+    again = run.finding
+    if again and again.law == recorded.law:
+        said = Headline("REPRODUCED", f"law '{again.law}' is broken again", "refuted")
+    elif again:
+        text = f"law '{again.law}' is broken now, where '{recorded.law}' was recorded"
+        said = Headline("REPRODUCED", text, "refuted")
+    elif replay.outcome == "not-reproduced":
+        text = f"{run.explorer} did the same each time; only a check can show that it is mended"
+        said = Headline("NOT REPRODUCED", text, "inconclusive")
+    else:
+        text = f"{run.explorer} now keeps every law in the recorded world"
+        said = Headline("FIXED", text, "holds")
+    section = _section(run)
+    return ReportContent(
+        "allworlds replay",
+        run.explorer,
+        replay,
+        said,
+        [section] if again else [],
+        more=lambda: (
+            [] if again else [section, finding_section(recorded, title="The recorded finding")]
+        ),
+        rows=lambda: _rows(section),
+        apart=frozenset({"run"}),
+    )
+
+
+def cost_words(run: SingleRun) -> str:
+    """The cost of the run, and the bound on it."""
+    bound = "" if run.outcome.bound is None else f" of at most {number(run.outcome.bound)}"
+    return f"{plural(run.outcome.cost, 'traversal')}{bound}"
+
+
+def _section(run: SingleRun) -> Section:
+    """A run; where it breaks no law its walk is the first block."""
+    if run.finding:
+        return finding_section(run.finding, checked=False)
+    section = run_section(run, "walk-1")
+    laws = fact("laws", ", ".join(run.checked_laws) or nothing_checked(run.rules))
+    return replace(section, blocks=[*section.blocks, *printed(run.outcome.output), laws])
+
+
+def run_section(run: SingleRun, name: str, title: str = "") -> Section:
+    """A run that breaks no law: its pictures and its walk, and an answer that is no map."""
+    world, episode = run.world, run.outcome.episode
+    transcript, ending = episode.transcript, episode.ending
+    walked = Walked(world, transcript)
+    views = [View("world", "The world", walk_in_world(world, transcript), walked.walked)]
+    agreement, blocks = None, list[Block]()
+    seen = known(run)
+    if seen is not None:
+        title_of_s = "What the explorer knows (S)"
+        views.append(replace(views[0], name="known", title=title_of_s, known=seen))
+    if isinstance(ending, Answered):
+        belief = believed_walk(world, ending.estimate, transcript)
+        answer = answer_view(world, ending.estimate, transcript, belief.trail)
+        views.append(replace(answer, still=seen is not None))
+        agreement = belief.agreement
+    if isinstance(ending, Undecided):
+        blocks += _quotient(ending.quotient)
+    if isinstance(ending, Said):
+        blocks.append(fact("answer", json.dumps(ending.value)))
+    if isinstance(ending, Over):
+        blocks.append(fact("over", f"all is done: {run.rules.task.asks}"))
+    walk = ShownWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
+    return Section(name, title, [walk, *blocks])
+
+
+def _quotient(answer: Ambiguous) -> list[Block]:
+    """An answer that names no map: the quotient that all worlds with equal percepts share."""
+    header = ["dart", "sigma", "alpha", "degree", "marks", ""]
+    columns = (range(len(answer.sigma)), answer.sigma, answer.alpha, answer.degree, answer.marks)
+    rows = [[*row, "here" if row[0] == answer.here else ""] for row in zip(*columns, strict=True)]
+    said = "The answer: several worlds look alike, and this is their quotient."
+    return [Paragraph(said), Table(header, rows)]
+
+
+LONGEST_LIST = 60
+"""The choices of a longer list are shown from both ends."""
+
+LONGEST_BARS = 12
+"""Of more edges not each has a bar of its own."""
+
+
+def headline_of(finding: Finding) -> str:
+    """One line: the explorer, the broken law and the world's size."""
+    map_ = finding.world.map
+    of_size = size(map_.edge_count, map_.vertex_count)
+    return f"{finding.explorer} breaks the law '{finding.law}' in a world with {of_size}"
+
+
+def finding_section(
+    finding: Finding,
+    number: int = 1,
+    origin: str = "",
+    *,
+    title: str = "",
+    checked: bool = True,
+) -> Section:
+    """Everything about a finding, as one section.
+
+    Args:
+        finding: which one.
+        number: which of those that are told.
+        origin: where it comes from; empty where a check has come upon it by itself.
+        title: in place of its number, its explorer and its law.
+        checked: it comes from a check, which has confirmed it, or tried to.
+    """
+    from allworlds.studies.explain import explain  # which a check that holds does not need
+
+    story, explanation = Story(finding), explain(finding)
+    title = title or f"Finding {number}: {headline_of(finding)}"
+    transcript = finding.transcript
+    log = [f"start: {transcript.first}", *(f"{a}: {p}" for a, p in transcript.steps)]
+    said = "Copy the finding as JSON, for replay and explain"
+    blocks = [
+        _law(finding),
+        _walk(story, explanation, f"The walk of finding {number}"),
+        *([_bars(explanation.spent)] if explanation.spent else []),
+        FactList([*_remarks(finding, origin, checked=checked)]),
+        Quote("command", "reproduce", finding.reproduce, command=True),
+        *_detail(finding),
+        *printed(finding.output, finding.detail),
+        DataRecord(said, finding.to_json(), "\n".join(log)),
+    ]
+    return Section(f"finding-{number}", title, blocks)
+
+
+def _bars(spent: Spending) -> Bars:
+    """The traversals up to each edge that was found, then all of them and the bound."""
+    found = [(f"edge {i}", traversals) for i, traversals in enumerate(spent.found, 1)]
+    step = len(found) // LONGEST_BARS + 1
+    return Bars("found", [*found[::step], ("all", spent.cost), ("bound", spent.bound)])
+
+
+def _detail(finding: Finding) -> list[Block]:
+    """The detail of the finding, under what it is."""
+    detail = finding.detail
+    if finding.law == "no-estimate":
+        # The explanation has told the line of the call.
+        detail = "" if detail.startswith(BUILT) else detail.partition(f"\n\n{BUILT}")[0]
+        title = "the permutations that were tried"
+    elif finding.law == "nondeterministic":
+        title = "the two plays, from where they differ"
+    else:
+        title = "output on stderr" if is_program(finding.explorer) else "traceback"
+    return [Quote("detail", title, detail)] if detail else []
+
+
+def printed(output: str, shown: str = "") -> list[Block]:
+    """The output of the explorer, unless it is shown already."""
+    if not output or output.rstrip() in shown:
+        return []
+    return [Quote("output", "printed by the explorer", output, prefix="| ")]
+
+
+def nothing_checked(rules: Rules) -> str:
+    """The reason why runs have checked nothing: their laws are about checkpoints alone."""
+    laws = listed(rules.judged)
+    return f"nothing was checked: the explorer shows no checkpoint, as needed for {laws}"
+
+
+def _law(finding: Finding) -> FactList:
+    """The law, and what was expected and seen, where that is no map."""
+    wrong = {
+        "map": "the answer is not the same map as the world",
+        "pose": "the answer is the same map, but 'here' is not the robot's dart",
+    }.get(finding.law, "")
+    if wrong and isinstance(finding.seen, Estimate):
+        return fact("law", f"{finding.law}: {wrong}")
+    if str(finding.seen).startswith(NO_MAP):
+        return fact("law", f"{finding.law}: the explorer's sigma and alpha are no map")
+    expected, seen = (
+        plural(value, "traversal") if isinstance(value, int) else str(value)
+        for value in (finding.expected, finding.seen)
+    )
+    if isinstance(finding.expected, int):
+        expected = f"at most {expected}"
+    return FactList([("law", finding.law), ("expected", expected), ("seen", seen)])
+
+
+def _walk(story: Story, explanation: Explanation, title: str) -> ShownWalk:
+    world, transcript = story.world, story.transcript
+    views = [View("world", "The world", walk_in_world(world, transcript), story.walked)]
+    elsewhere, agreement = None, None
+    if explanation.answer:
+        belief = Belief(story)
+        views.append(answer_view(world, belief.answer, transcript, belief.walk.trail))
+        elsewhere = Elsewhere("expected by the answer", belief.walk.expected)
+        agreement = belief.walk.agreement
+    elif other := explanation.other:
+        trail, scene = true_trail(other, transcript), walk_in_world(other, transcript)
+        views.append(View("answer", "Another world, with the same percepts", scene, trail))
+        # The steps in which both worlds look alike to an observer who sees everything.
+        parting = find_parting(story.map, story.walked, other.map, trail, [True] * len(trail))
+        agreement = parting.step if parting else len(trail)
+    return ShownWalk(
+        title, story, views, explanation.sentences, elsewhere, agreement, explanation.step
+    )
+
+
+def answer_view(world: World, answer: Estimate, transcript: Any, trail: Any) -> View:
+    """The picture of an answer, with the walk as it would be there."""
+    scene = walk_in_answer(world, answer, transcript)
+    note = "R: the robot's place according to the answer"
+    return View("answer", "The answer", scene, trail, note)
+
+
+def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[str, str]]:
+    if finding.choices:  # of many the first and the last
+        taken = [*map(str, finding.choices)]
+        if len(taken) > LONGEST_LIST:
+            half = LONGEST_LIST // 2
+            between = f"... ({number(len(taken) - 2 * half)} more) ..."
+            taken = [*taken[:half], between, *taken[-half:]]
+        yield "choices", ", ".join(taken)
+    if checked:
+        confirmed = "no"
+        if finding.confirmed:
+            confirmed = "yes: a new process, given only the percepts, repeated the run"
+        smaller = "a smaller one may refute"
+        if finding.minimal:
+            among = finding.rules.among
+            scope = f"the scope (--where {among.name})" if among else "the scope"
+            smaller = f"no smaller world of {scope} refutes"
+        yield "confirmed", f"{confirmed}; {smaller}"
+    if origin:
+        yield "origin", origin
+
+
+def explain_content(explanation: Explanation) -> ReportContent:
+    """The broken law, the story in sentences, and the walk in the world and in the answer."""
+    finding = explanation.finding
+    title = headline_of(finding)
+    if explanation.findings > 1:
+        which = f"finding {explanation.number} of {explanation.findings}"
+        title = f"{title} ({which}; --finding K tells another)"
+    section = finding_section(finding, explanation.number, title=title)
+    return ReportContent("allworlds explain", explanation.explorer, explanation, None, [section])

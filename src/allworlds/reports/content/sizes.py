@@ -1,0 +1,147 @@
+"""Content of ``count`` and ``worst``: numbers by size, beside their source."""
+
+from __future__ import annotations
+
+from allworlds.reports.content.check import most_expensive_sections
+from allworlds.reports.content.scope import finished, gate_facts, maps_in_words
+from allworlds.reports.parts import (
+    Cell,
+    CsvRows,
+    FactList,
+    Headline,
+    ReportContent,
+    RightText,
+    Section,
+    Table,
+    Value,
+    so_far,
+)
+from allworlds.studies.count import Census
+from allworlds.studies.worst.all_worlds import WorstReport
+from allworlds.words import number, plural, size
+from allworlds.world.named import code_of
+
+
+def count_content(census: Census) -> ReportContent:
+    """A row for each number of edges, and the source with which the counts were compared."""
+    rows = [
+        [
+            row.edges,
+            row.rooted,
+            row.unrooted,
+            " ".join(f"{n}:{count}" for n, count in row.by_vertices.items()),
+        ]
+        for row in census.rows
+    ]
+    table = Table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "Maps by size")
+    facts = [("scope", maps_in_words(census))]
+    if census.agrees:
+        facts += gate_facts(census, "map", rows=bool(rows))
+    columns = {"edges": int, "vertices": int, "genus": int, "rooted": int, "unrooted": int}
+    return ReportContent(
+        "allworlds count",
+        f"class {census.extent.map_class}",
+        census,
+        _counted(census),
+        [Section("seen", "", [table, FactList(facts)])],
+        rows=lambda: CsvRows(
+            columns, [[row.edges, *cell] for row in census.rows for cell in row.cells]
+        ),
+    )
+
+
+def _counted(census: Census) -> Headline | None:
+    if not census.agrees:
+        wrong = [
+            f"with {plural(row.edges, 'edge')} {row.by_vertices} were enumerated, but "
+            f"{census.source} counts {row.counted}"
+            for row in census.rows
+            if not row.agrees
+        ]
+        return Headline("MISMATCH", "; ".join(wrong), "error")
+    if census.complete and census.whole and census.empty:
+        return Headline("VACUOUS", "there is no such map", "vacuous")
+    done = None
+    if census.rows:
+        total = plural(sum(row.rooted for row in census.rows), "rooted map")
+        done = Headline("COUNTED", f"{total} {finished(census, census.rows[-1].edges)}")
+    return so_far(census, done)
+
+
+def worst_content(report: WorstReport) -> ReportContent:
+    """The worst and the best cost of each size.
+
+    On a page also cost against bound, and the walk that attains each row's worst cost.
+    """
+    header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
+    table: list[list[Cell]] = []
+    rows: list[list[Value]] = []
+    for row in report.rows:
+        numbers = [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound]
+        table.append([*numbers, RightText(f"{row.worst / (row.bound or 1):.3f}")])
+        map_, start = row.world.map, row.world.start
+        place = row.world.lighthouse.number(map_, start)
+        rows.append([*numbers, code_of(map_, start), place, ",".join(map(str, row.choices))])
+    kinds = dict.fromkeys(header[:-1], int) | {"code": str, "place": int, "choices": str}
+    shown = Table(header, table, "Worst and best cost of each size", keys=2)
+    costs = [(row.edges, row.vertices, row.worst, row.bound) for row in report.rows]
+    return ReportContent(
+        "allworlds worst",
+        report.explorer,
+        report,
+        _worst(report),
+        [Section("seen", "What was searched", [shown, FactList(_facts(report))])],
+        more=lambda: most_expensive_sections(costs, report.walks()),
+        rows=lambda: CsvRows(kinds, rows),
+    )
+
+
+def _worst(report: WorstReport) -> Headline | None:
+    if not report.agrees:
+        return Headline("MISMATCH", _mismatch(report), "error")
+    if report.complete and not report.rows:
+        return Headline("VACUOUS", "there is no run", "vacuous")
+    done = None
+    if report.rows:
+        most = max(report.rows, key=lambda row: row.worst)
+        said = f"{plural(most.worst, 'traversal')}, with {size(most.edges, most.vertices)}"
+        done = Headline("WORST", said)
+    return so_far(report, done)
+
+
+def _facts(report: WorstReport) -> list[tuple[str, str]]:
+    """The scope of the numbers, and the sources they were compared with, as named texts."""
+    ways = {"shortest": "a shortest path", "simple": "any simple path"}
+    scope = (
+        f"every schedule of algorithm1 in {maps_in_words(report)}, from every vertex; transit on "
+        f"{ways[report.request.transit]}"
+    )
+    costs = (
+        "worst: the most expensive schedule of the most expensive world; best: the cheapest "
+        "schedule of each world, of these the largest cost"
+    )
+    tests = sum(row.tests for row in report.rows)
+    wrong = sum(row.wrong_tests for row in report.rows)
+    tested = "no hypothesis was false, so no test of one was walked"
+    if tests:
+        verdict = f"{number(wrong)} CONFIRMED" if wrong else "all rejected"
+        tested = f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}"
+    words = [("scope", scope), ("costs", costs), ("tests", tested)]
+    if report.agrees:
+        words += gate_facts(report, "world", rows=bool(report.rows))
+        if report.rows:
+            words.append(("replay", "every worst cost was attained by the python engine"))
+    return words
+
+
+def _mismatch(report: WorstReport) -> str:
+    if report.disagreement:
+        return report.disagreement
+    row = next(row for row in report.rows if not row.agrees)
+    where = size(row.edges, row.vertices)
+    if row.counted not in (None, row.worlds):
+        return (
+            f"of maps with {where} {row.worlds} were enumerated, but "
+            f"{report.source} counts {row.counted}"
+        )
+    return f"with {where} the worst cost is {row.worst}, but the python engine walks {row.replayed}"
