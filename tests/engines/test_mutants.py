@@ -16,13 +16,16 @@ from allworlds.maps.enumeration import prefixes
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
+LEVEL_OF = compiled.level_of
+
+
 @pytest.fixture(autouse=True)
 def fresh_comparison():
     AGREED.clear()
-    compiled.level_of.cache_clear()
+    LEVEL_OF.cache_clear()
     yield
     AGREED.clear()
-    compiled.level_of.cache_clear()
+    LEVEL_OF.cache_clear()
 
 
 def asked(edges, **given):

@@ -274,7 +274,7 @@ def wrongs(reference, document):
 WRONG_VALUES = [
     ("check holds", {"schema": 1}, ""),
     ("check holds", {"verdict": "verified"}, ""),
-    ("check holds", {"exit_code": 2}, ""),
+    ("check holds", {"exit_code": 6}, ""),
     ("check holds", {"worlds": -1}, ""),
     ("check holds", {"witnesses": {"loop": "many"}}, ""),
     ("check holds", {"verdict": "refuted", "exit_code": 1}, "refuted is what has a finding"),

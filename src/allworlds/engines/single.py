@@ -11,9 +11,7 @@ from typing_extensions import override
 from allworlds import log as entries
 from allworlds.document.report import Report
 from allworlds.document.struct import (
-    EXIT_CODE,
     Aside,
-    ExitCode,
     Natural,
     Text,
     about,
@@ -47,7 +45,7 @@ from allworlds.judging.findings.finding import Finding, canonical_world, place_o
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import checked_laws
 from allworlds.maps.classes import Extent, MapClass
-from allworlds.outcome import Exit, Facts, Verdict
+from allworlds.outcome import Facts, Verdict
 from allworlds.protocol.actions import action_numbered, number_of
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.protocol.transcript import Transcript
@@ -60,40 +58,59 @@ class SingleRun(Report):
     One judged run.
     """
 
-    verdict: Annotated[
-        Verdict,
-        about("about this run alone"),
-        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS),
-    ] = computed(lambda run: run.facts.verdict)
-    exit_code: Annotated[ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.VACUOUS)] = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     world: Annotated[World, about("as it was given")]
-    options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
-        lambda run: run.rules.recorded
-    )
-    choices: Annotated[tuple[Natural, ...], about("the index taken at each choice")] = computed(
-        lambda run: run.outcome.choices
-    )
-    cost: Annotated[Natural, about("traversals")] = computed(lambda run: run.outcome.cost)
-    bound: Annotated[int | None, about("of the traversals; null without one")] = computed(
-        lambda run: run.outcome.bound
-    )
-    estimate: Annotated[Estimate | None, about("the answer; null where there is none")] = computed(
-        lambda run: run.ending.estimate if isinstance(run.ending, Answered) else None
-    )
-    transcript: Annotated[Transcript | UnsetType, about("the log; not with `--no-walk`")] = (
-        computed(lambda run: run.outcome.episode.transcript if run.shows_walk else UNSET)
-    )
     finding: Annotated[Finding | None, about("null: no law is broken")]
-    ambiguous: Annotated[
-        Ambiguous | UnsetType, about("the answer that names no map, where there is one")
-    ] = computed(lambda run: run.ending.quotient if isinstance(run.ending, Undecided) else UNSET)
-    output: Annotated[Text | UnsetType, about("what the explorer printed, if anything")] = computed(
-        lambda run: run.outcome.output or UNSET
-    )
     rules: Aside[Rules]
     outcome: Aside[Outcome]
     shows_walk: Aside[bool] = True
+
+    @computed
+    def verdict(
+        self,
+    ) -> Annotated[Verdict, one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS)]:
+        """About this run alone."""
+        return self.facts.verdict
+
+    @computed
+    def options(self) -> RecordedRules:
+        """How it was played and judged."""
+        return self.rules.recorded
+
+    @computed
+    def choices(self) -> tuple[Natural, ...]:
+        """The index taken at each choice."""
+        return self.outcome.choices
+
+    @computed
+    def cost(self) -> Natural:
+        """Traversals."""
+        return self.outcome.cost
+
+    @computed
+    def bound(self) -> int | None:
+        """Of the traversals; null without one."""
+        return self.outcome.bound
+
+    @computed
+    def estimate(self) -> Estimate | None:
+        """The answer; null where there is none."""
+        return self.ending.estimate if isinstance(self.ending, Answered) else None
+
+    @computed
+    def transcript(self) -> Transcript | UnsetType:
+        """The log; not with ``--no-walk``."""
+        return self.outcome.episode.transcript if self.shows_walk else UNSET
+
+    @computed
+    def ambiguous(self) -> Ambiguous | UnsetType:
+        """The answer that names no map, where there is one."""
+        return self.ending.quotient if isinstance(self.ending, Undecided) else UNSET
+
+    @computed
+    def output(self) -> Text | UnsetType:
+        """What the explorer printed, if anything."""
+        return self.outcome.output or UNSET
 
     @property
     def facts(self) -> Facts:

@@ -165,7 +165,7 @@ class Shapes:
             return
         needed = {field.name for field in fields(kind) if field.required}
         for key in keys_of(kind):
-            tp = hints[key.attribute]
+            tp = key.type
             bare = get_args(tp)[0] if get_origin(tp) is Annotated else tp
             sometimes = key.if_any or UnsetType in members(bare)
             must = not sometimes and (self.written or key.attribute in needed)

@@ -23,8 +23,6 @@ class Explanation(Report):
     Vertices and darts are those of the world, in the numbering of the finding.
     """
 
-    explorer: Annotated[str, about("its name")] = computed(lambda made: made.finding.explorer)
-    law: Annotated[LawName, about("the broken one")] = computed(lambda made: made.finding.law)
     step: Annotated[
         Natural | None,
         about(
@@ -33,9 +31,6 @@ class Explanation(Report):
         ),
     ]
     sentences: Annotated[Some[Text], about("in plain words")]
-    world: Annotated[World, about("that of the finding")] = computed(
-        lambda made: made.finding.world
-    )
     robot: Annotated[Dart, about("where the robot is at the end")]
     answer: Annotated[Estimate | None, about("the wrong answer; null where the finding holds none")]
     other: Annotated[
@@ -52,6 +47,21 @@ class Explanation(Report):
     number: Annotated[Positive, about("the number of the finding in its report; 1: the first")]
     findings: Annotated[Positive, about("how many findings the report holds")]
     finding: Aside[Finding]
+
+    @computed
+    def explorer(self) -> str:
+        """Its name."""
+        return self.finding.explorer
+
+    @computed
+    def law(self) -> LawName:
+        """The broken one."""
+        return self.finding.law
+
+    @computed
+    def world(self) -> World:
+        """That of the finding."""
+        return self.finding.world
 
 
 class ExplainRequest(Request, kw_only=False):

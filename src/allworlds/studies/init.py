@@ -27,15 +27,21 @@ class Skeleton(Report):
     files: Annotated[
         tuple[Text, ...], about("that were written, relative to the directory, sorted")
     ]
-    explorer: Annotated[Text, about("the file of the explorer, to be completed")] = computed(
-        lambda skeleton: skeleton.language.explorer
-    )
-    check: Annotated[Text, about("a shell command that checks it")] = computed(
-        lambda made: f"cd {shlex.quote(str(made.directory))} && {made.language.check}"
-    )
-    test: Annotated[Text, about("a shell command that runs its test, in the directory")] = computed(
-        lambda skeleton: skeleton.language.test
-    )
+
+    @computed
+    def explorer(self) -> Text:
+        """The file of the explorer, to be completed."""
+        return self.language.explorer
+
+    @computed
+    def check(self) -> Text:
+        """A shell command that checks it."""
+        return f"cd {shlex.quote(str(self.directory))} && {self.language.check}"
+
+    @computed
+    def test(self) -> Text:
+        """A shell command that runs its test, in the directory."""
+        return self.language.test
 
     @property
     def language(self) -> Language:
@@ -51,12 +57,14 @@ class LedgerSkeleton(Report):
 
     directory: Annotated[Path, about("as it was named")]
     files: Annotated[tuple[Text, ...], about("that were written, sorted")]
-    check: Annotated[Text, about("a shell command that checks the claims")] = computed(
-        lambda made: f"allworlds ledger {shlex.quote(str(made.directory))}"
-    )
+
+    @computed
+    def check(self) -> Text:
+        """A shell command that checks the claims."""
+        return f"allworlds ledger {shlex.quote(str(self.directory))}"
 
 
-class Header(Report):
+class Header(Report, kw_only=True):
     """Report of 'init --header'.
 
     The C header.

@@ -21,17 +21,14 @@ from typing_extensions import override
 
 from allworlds.document.reading import taken
 from allworlds.document.struct import (
-    EXIT_CODE,
     Aside,
     Document,
-    ExitCode,
     Natural,
     Positive,
     Text,
     about,
     computed,
     key,
-    one_of,
 )
 from allworlds.engines.effort import AskedListener, AskedWorkers
 from allworlds.engines.progress import Listener
@@ -39,7 +36,7 @@ from allworlds.engines.swept_report import RowsReport
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.inputs.checks import InputError, a_path, read_text, show
 from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Option, Taken, answers
-from allworlds.outcome import Disagreement, Exit, Verdict, until_interrupted
+from allworlds.outcome import Disagreement, Verdict, until_interrupted
 from allworlds.protocol.importing import attribute_of, module_of_text, text_of
 from allworlds.studies.check.report import CheckReport
 from allworlds.world.world import World
@@ -135,7 +132,7 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
 # ---------------------------------------------------------------- ledger.toml
 
 
-class ClaimScope(Document):
+class ClaimScope(Document, kw_only=True):
     """The scope of a claim under a budget, and the numbers that must be found there.
 
     The bounds are the keywords of its function.
@@ -255,49 +252,6 @@ Outcome: TypeAlias = Found | NotChecked | ProgramFault | InternalError
 """The outcome of a claim, as the ledger keeps it."""
 
 
-def _verdict(one: CheckedClaim) -> Seen:
-    """The verdict in a word; ``vacuous`` if a witness is missing or zero."""
-    if one.error:
-        return "error"
-    if one.truth is None:
-        return "not-checked"
-    if one.disagreement:
-        return "refuted"
-    seen = one.witnesses
-    met = seen and all(seen.values()) and seen.keys() >= one.expected_witnesses.keys()
-    return one.truth if met else "vacuous"
-
-
-def _standing(one: CheckedClaim) -> Standing:
-    """Whether the claim passes, as a word."""
-    if one.verdict in ("not-checked", "vacuous"):
-        return one.verdict
-    return "unexpected" if _differences(one) else "as-expected"
-
-
-def _differences(one: CheckedClaim) -> tuple[str, ...]:
-    """Each difference from the expected outcome. An unchecked claim has none."""
-    if one.error:
-        return (f"an error of this program: {one.error}",)
-    if one.truth is None:
-        return ()
-    if one.disagreement:
-        return (f"a disagreement within this program: {one.disagreement}",)
-    differ = []
-    if one.verdict != one.expected:
-        differ.append(f"verdict: {one.expected} expected, {one.verdict} found")
-    for expected, seen in (
-        (one.expected_witnesses, one.witnesses),
-        (one.expected_figures, one.figures),
-    ):
-        differ += [
-            f"{name}: {expected.get(name)} expected, {seen.get(name)} found"
-            for name in sorted({*expected, *seen})
-            if expected.get(name) != seen.get(name)
-        ]
-    return tuple(differ)
-
-
 class CheckedClaim(Sentence):
     """A sentence that can be checked, with the expected outcome and the one found.
 
@@ -306,24 +260,12 @@ class CheckedClaim(Sentence):
     refutes a claim, whatever is expected of it; an ``error`` of this program leaves it open.
     """
 
-    verdict: Annotated[
-        Seen,
-        about(
-            "the verdict found; `vacuous`: a witness never occurred; `error`: this program failed"
-        ),
-    ] = computed(_verdict)
-    standing: Annotated[
-        Standing, about("whether verdict, witnesses and figures are as expected")
-    ] = computed(_standing)
     witnesses: Annotated[
         dict[str, Natural], about("how often each case occurred that the sentence is about")
     ]
     expected_witnesses: Annotated[dict[str, Positive], about("how often it must occur")]
     figures: Annotated[dict[str, Shown], about("the numbers that the sentence names, as found")]
     expected_figures: Annotated[dict[str, Shown], about("the expected numbers")]
-    differences: Annotated[
-        tuple[str, ...], about("the differences from the expected outcome, in words")
-    ] = computed(_differences)
     told: Annotated[
         str, about("the refutation, an explanation, why it was not checked, or a traceback")
     ]
@@ -334,6 +276,49 @@ class CheckedClaim(Sentence):
     error: Aside[str]
     seconds: Aside[float]
 
+    @computed
+    def verdict(self) -> Seen:
+        """The verdict found; ``vacuous``: a witness is missing; ``error``: this program failed."""
+        if self.error:
+            return "error"
+        if self.truth is None:
+            return "not-checked"
+        if self.disagreement:
+            return "refuted"
+        seen = self.witnesses
+        met = seen and all(seen.values()) and seen.keys() >= self.expected_witnesses.keys()
+        return self.truth if met else "vacuous"
+
+    @computed
+    def standing(self) -> Standing:
+        """Whether verdict, witnesses and figures are as expected."""
+        if self.verdict in ("not-checked", "vacuous"):
+            return self.verdict
+        return "unexpected" if self.differences else "as-expected"
+
+    @computed
+    def differences(self) -> tuple[str, ...]:
+        """The differences from the expected outcome, in words."""
+        if self.error:
+            return (f"an error of this program: {self.error}",)
+        if self.truth is None:
+            return ()
+        if self.disagreement:
+            return (f"a disagreement within this program: {self.disagreement}",)
+        differ = []
+        if self.verdict != self.expected:
+            differ.append(f"verdict: {self.expected} expected, {self.verdict} found")
+        for expected, seen in (
+            (self.expected_witnesses, self.witnesses),
+            (self.expected_figures, self.figures),
+        ):
+            differ += [
+                f"{name}: {expected.get(name)} expected, {seen.get(name)} found"
+                for name in sorted({*expected, *seen})
+                if expected.get(name) != seen.get(name)
+            ]
+        return tuple(differ)
+
 
 class LedgerReport(RowsReport):
     """Report of 'ledger'.
@@ -341,13 +326,6 @@ class LedgerReport(RowsReport):
     The ledger, as far as it was made.
     """
 
-    exit_code: Annotated[
-        ExitCode,
-        one_of(
-            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
-            Exit.INTERRUPTED,
-        ),
-    ] = EXIT_CODE
     budget: Annotated[Budget, about("how much was done")]
     required: Annotated[tuple[str, ...], about("the claims that had to be checked")]
     claims: Annotated[tuple[CheckedClaim, ...], about("in the order of the file")]

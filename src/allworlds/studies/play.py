@@ -73,7 +73,7 @@ Player: TypeAlias = Callable[[Percept, str], Action | None]
 it returns the next action; None ends the game."""
 
 
-class Play(Report):
+class Play(Report, kw_only=True):
     """Report of 'play'.
 
     A world and a walk in it.
@@ -82,9 +82,11 @@ class Play(Report):
     path: Annotated[str | None, about("the page for playing; null: played in the terminal")] = None
     world: World
     transcript: Annotated[Transcript, about("the actions and percepts; for a page only the start")]
-    costs: Annotated[tuple[CostBeside, ...], about("of others in the same world")] = computed(
-        lambda played: tuple(_costs(played.world))
-    )
+
+    @computed
+    def costs(self) -> tuple[CostBeside, ...]:
+        """Of others in the same world."""
+        return tuple(_costs(self.world))
 
     @property
     def not_compared(self) -> str:

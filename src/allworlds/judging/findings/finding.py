@@ -53,7 +53,7 @@ EXPECTED, SEEN = (read_by(Value, partial(_value, name)) for name in ("expected",
 """How the values of two keys are read."""
 
 
-class Finding(Document, Paged, forbid_unknown_fields=False):
+class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
     A refuting run, as it is written: enough to replay it with nothing else. Where one is read,
@@ -90,9 +90,6 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
         bool, about("a fresh process did the same, from the recorded percepts alone")
     ] = False
     minimal: Annotated[bool, about("no smaller world of the scope refutes")] = False
-    reproduce: Annotated[str, about("a shell command that runs it again")] = computed(
-        lambda finding: finding.command
-    )
     step: Annotated[
         IfAny[Natural | None],
         about(
@@ -124,6 +121,11 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     at: Aside[int | None] = None
     under: Aside[Rules | None] = None
     machine: Aside[bool] = False
+
+    @computed
+    def reproduce(self) -> str:
+        """A shell command that runs it again."""
+        return self.command
 
     @cached_property
     def rules(self) -> Rules:

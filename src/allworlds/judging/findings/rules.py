@@ -8,7 +8,15 @@ from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
-from allworlds.document.struct import Different, Document, IfAny, Positive, Text, about
+from allworlds.document.struct import (
+    Different,
+    Document,
+    IfAny,
+    Positive,
+    Text,
+    about,
+    with_options,
+)
 from allworlds.explorers.loading import Subject, is_library, own_bound
 from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
 from allworlds.inputs.requests import (
@@ -353,7 +361,8 @@ class Rules(RuleOptions, kw_only=False):
         )
 
 
-class RecordedRules(Document, of=RuleOptions, forbid_unknown_fields=False):
+@with_options(RuleOptions)
+class RecordedRules(Document, forbid_unknown_fields=False):
     """Options of a run.
 
     How it was played and judged. An option that is left out where it is read has its default.

@@ -22,13 +22,13 @@ from allworlds.document.struct import (
     WhichShard,
     about,
     computed,
+    with_options,
 )
 from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import here_or
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import (
-    GATE,
     SweptReport,
     ToldGate,
     TriedPlaces,
@@ -262,7 +262,7 @@ LargestClass: TypeAlias = Annotated[
 ]
 
 
-class CensusRow(Document):
+class CensusRow(Document, kw_only=True):
     """The marked maps with one number of edges.
 
     ``rooted`` is the number of rooted maps found, ``counted`` the number according to the
@@ -293,7 +293,8 @@ class CensusCell(Document):
     largest_class: LargestClass = None
 
 
-class CensusScope(Document, of=CensusRequest):
+@with_options(CensusRequest)
+class CensusScope(Document):
     """The scope of a census."""
 
     places: TriedPlaces
@@ -306,10 +307,6 @@ class AmbiguityCensus(SweptReport):
     Every level of a class of maps; twins are looked for inside the class only.
     """
 
-    scope: Annotated[CensusScope, about("what was classified")] = computed(
-        lambda c: told_scope(CensusScope, c.request, places=c.places, shard=str(c.portion))
-    )
-    gate: ToldGate = GATE
     rows: Annotated[tuple[CensusRow, ...], about("one a number of edges, ascending")]
     by_vertices: Annotated[
         tuple[CensusCell, ...], about("one for each (edges, vertices) with a world, ascending")
@@ -321,6 +318,16 @@ class AmbiguityCensus(SweptReport):
         IfAny[tuple[tuple[Natural, ...], ...]],
         about("of that pair: for each world the class of each dart"),
     ] = ()
+
+    @computed
+    def scope(self) -> CensusScope:
+        """What was classified."""
+        return told_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
+
+    @computed
+    def gate(self) -> ToldGate:
+        """Count gate, if there is anything to compare."""
+        return self.compared
 
     @property
     def places(self) -> str:
