@@ -3,9 +3,9 @@
     python benchmarks/mutants.py --number 200 --seed 1 [--wing judging ...] [--in DIR] [--out FILE]
 
 A mutant is one small change of one line: another comparison, operator or constant, a bound or a
-statement less, None for a result.  Texts, annotations, declarations of classes, assertions and what
-numba compiles stay as they are.  Lines are drawn uniformly, then one change of each; the same seed
-on the same source draws the same mutants.
+statement less, None for a result.  Texts, annotations, declarations of classes, assertions (as
+strict=True) and what numba compiles stay as they are.  Lines are drawn uniformly, then one change
+of each; the same seed on the same source draws the same mutants.
 
 All happens in a copy of the project, which holds all mutants at once, each behind the question
 whether it is active.  The quick tests run once without any, and tell which tests meet the place of
@@ -132,7 +132,7 @@ def _is_text(node: ast.expr) -> bool:
 def inner(node: ast.AST) -> Iterator[ast.AST]:
     """Yield the parts of a node in which a mutant may be."""
     match node:
-        case ast.JoinedStr() | ast.Raise() | ast.Assert():
+        case ast.JoinedStr() | ast.Raise() | ast.Assert() | ast.keyword(arg="strict"):
             pass
         case ast.If(test=ast.Name(id="TYPE_CHECKING"), orelse=orelse):
             yield from orelse

@@ -25,10 +25,10 @@ from pathlib import Path
 from typing import Any
 
 import allworlds.explorers.shared_library
+from allworlds.engines.compiled_engine import load_native
 from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
 from allworlds.engines.examiner import Examiner
 from allworlds.engines.judge import PythonJudge, Work
-from allworlds.engines.kernel.batches import load_native
 from allworlds.engines.kernel.library_player import LibraryPlayer
 from allworlds.engines.kernel.records import LONGEST_STRETCH, RUN_TOLD
 from allworlds.engines.players import Logs

@@ -37,7 +37,7 @@ from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import prefixes
 from allworlds.version import __version__, host
 from allworlds.world import Directional, World

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.reports.schemas import NAMES, pages, schemas
 from allworlds.verbs import VERBS
-from allworlds.world.lighthouses.kinds import lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 
 if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
@@ -237,7 +237,7 @@ def explorers_table() -> str:
     """The built-in explorers, a row each."""
     rows = [
         f"| `{name}` | `{own.lighthouse}` "
-        f"| `{own.bound or lighthouse_named(own.lighthouse).default_bound}` | {own.about} |"
+        f"| `{own.bound or lighthouse_kind(own.lighthouse).as_class.default_bound}` | {own.about} |"
         for name, own in BUILT_IN.items()
     ]
     return "\n".join(["| name | lighthouse | bound | what it is |", "|---|---|---|---|", *rows])

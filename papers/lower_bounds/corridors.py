@@ -10,8 +10,7 @@ from collections.abc import Iterable
 from typing import NamedTuple, TypeAlias
 
 from allworlds import CombinatorialMap
-from allworlds.maps import family
-from allworlds.maps.families import CorridorShape, usual_degree
+from allworlds.maps import CorridorShape, family, usual_degree
 
 Dart: TypeAlias = int
 

@@ -51,9 +51,9 @@ if TYPE_CHECKING:
     from allworlds.studies.compare.comparison import compare as compare
     from allworlds.studies.count import count as count
     from allworlds.studies.explain import explain as explain
-    from allworlds.studies.fuzz.drive import fuzz as fuzz
+    from allworlds.studies.fuzz import fuzz as fuzz
     from allworlds.studies.init import init as init
-    from allworlds.studies.ledger.checked_claims import ledger as ledger
+    from allworlds.studies.ledger import ledger as ledger
     from allworlds.studies.merge import merge as merge
     from allworlds.studies.play import play as play
     from allworlds.studies.replay import replay as replay
@@ -62,7 +62,7 @@ if TYPE_CHECKING:
     from allworlds.studies.worst.all_worlds import worst as worst
     from allworlds.version import __version__ as __version__
     from allworlds.world.lighthouses.base import Lighthouse as Lighthouse
-    from allworlds.world.own_condition import worlds as worlds
+    from allworlds.world.selection import worlds as worlds
     from allworlds.world.world import World as World
 else:
     open_door(__name__)

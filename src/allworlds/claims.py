@@ -11,7 +11,7 @@ from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.builtin.folding import FoldedLog
 from allworlds.reports.drawing.layout import layout
 from allworlds.studies.compare.intervals import mean_interval
-from allworlds.studies.ledger.claim import (
+from allworlds.studies.ledger import (
     Found,
     Means,
     NotChecked,

@@ -57,9 +57,3 @@ def _homes(package: str) -> list[dict[str, tuple[str, str]]]:
         for block in ast.parse(source).body
         if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
     ]
-
-
-def loaded(home: str) -> Any:
-    """Return what ``module:name`` below ``allworlds`` names; its module is loaded."""
-    module, _, name = home.partition(":")
-    return getattr(import_module(f"allworlds.{module}"), name)

@@ -128,20 +128,16 @@ class Read:
         actions: by their numbers.
         shown: the checkpoints, each with the number of actions before it.
         choices, widths: the index of each choice, and the number of its options (0: not known).
-        end: how it ends: a byte, and what belongs to it; an empty tuple if the log is cut off.
+        end: how it ends: a byte, and what belongs to it.
     """
 
     __slots__ = ("actions", "choices", "end", "shown", "widths")
 
-    def __init__(self, log: bytes, *, whole: bool = True) -> None:
+    def __init__(self, log: bytes) -> None:
         """Read a log.
 
-        Args:
-            log: its bytes.
-            whole: whether it must have an end.
-
         Raises:
-            ValueError: if it is none.
+            ValueError: if these bytes are none, or it has no end.
         """
         self.actions: list[int] = []
         self.shown: list[tuple[int, tuple[int, ...], tuple[int, ...], int]] = []
@@ -151,8 +147,7 @@ class Read:
         try:
             self._read(log)
         except IndexError:
-            if whole:
-                raise ValueError("the log has no end") from None
+            raise ValueError("the log has no end") from None
 
     def _read(self, log: bytes) -> None:
         at, actions = 0, self.actions

@@ -38,12 +38,11 @@ from allworlds.reports.formats import brief
 from allworlds.reports.plain_text import finding_in_words
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
-from allworlds.studies.fuzz.drive import MapsRequest, fuzz, refuted_in
+from allworlds.studies.fuzz import MapsRequest, fuzz, refuted_in
 from allworlds.words import plural
-from allworlds.world.asked_lighthouse import flaws_of
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
-from allworlds.world.own_condition import a_condition
+from allworlds.world.selection import a_condition, flaws_of
 
 __all__ = [
     "AtLevel",

@@ -13,7 +13,7 @@ from typing import Any
 
 ROWS, CASES, FINDINGS = "rows or a walk", "cases", "findings"
 PAGE = "a page of its own"
-"""Parts that the telling of a result can have."""
+"""Parts that a report can have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,9 +24,7 @@ class Verb:
         name: the words on the command line.
         document: the name of its document's schema.
         summary: one line of the help.
-        telling: the function that makes the telling of its result, as ``module:name``; by default
-            the keys and rows of its document.
-        has: what its tellings have; it can be written to each file that shows such.
+        has: what its reports have; it can be written to each file that shows such.
         swept: it goes through units, which a run directory keeps.
         python: the name of its function below ``allworlds``, if it is another one.
         panel: the heading of the help under which it stands; that of its group, if it has one.
@@ -37,7 +35,6 @@ class Verb:
     name: str
     document: str
     summary: str
-    telling: str = "reports.content.plain:plain_content"
     has: tuple[str, ...] = (ROWS,)
     swept: bool = False
     python: str = ""
@@ -71,7 +68,6 @@ VERBS = (
         "check",
         "check",
         "Run an explorer in every world of a class, for a verdict: the main job.",
-        telling="reports.content.check:check_content",
         swept=True,
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
@@ -80,14 +76,12 @@ VERBS = (
         "run",
         "run",
         "Run an explorer in one world, step by step.",
-        telling="reports.content.single_run:run_content",
         panel=EVERYDAY,
     ),
     Verb(
         "fuzz",
         "check",
         "Run an explorer in random worlds beyond the exhaustive bound.",
-        telling="reports.content.check:check_content",
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
         swept=True,
@@ -101,21 +95,18 @@ VERBS = (
         "replay",
         "replay",
         "Run a finding again: is it reproduced or fixed?",
-        telling="reports.content.single_run:replay_content",
         panel=EVERYDAY,
     ),
     Verb(
         "explain",
         "explain",
         "Explain a finding in plain words.",
-        telling="reports.content.single_run:explain_content",
         panel=EVERYDAY,
     ),
     Verb(
         "init",
         "init",
         "Write a skeleton of an explorer, in one of four languages.",
-        telling="reports.content.plain:init_content",
         panel=EVERYDAY,
         has=(),
         example="my-explorer --lang javascript",
@@ -129,7 +120,6 @@ VERBS = (
         "play",
         "play",
         "Be the robot, in a web page or in the terminal.",
-        telling="reports.web.play:play_content",
         panel=EVERYDAY,
         has=(PAGE,),
     ),
@@ -137,7 +127,6 @@ VERBS = (
         "merge",
         "merge",
         "Join the shards of a job into one report.",
-        telling="reports.content.plain:merge_content",
         panel=LONG_RUNS,
         example="shard-0 shard-1",
         help=(
@@ -150,7 +139,6 @@ VERBS = (
         "status",
         "status",
         "Show the progress of a run directory.",
-        telling="reports.content.plain:status_content",
         panel=LONG_RUNS,
         has=(),
         example="shard-0",
@@ -163,7 +151,6 @@ VERBS = (
         "compare",
         "compare",
         "Compare explorers in the same worlds, or in worlds that grow.",
-        telling="reports.content.compare:compare_content",
         panel=COSTS,
         swept=True,
         example="algorithm1 dudek91 --edges 4",
@@ -179,7 +166,6 @@ VERBS = (
         "worst",
         "worst",
         "Find the worst and best cost of Algorithm 1, over every schedule.",
-        telling="reports.content.sizes:worst_content",
         swept=True,
         panel=COSTS,
         example="--edges 5",
@@ -194,7 +180,6 @@ VERBS = (
         "count",
         "count",
         "Count the maps of a class, in two independent ways.",
-        telling="reports.content.sizes:count_content",
         panel=WORLDS,
         swept=True,
         example="--edges 6",
@@ -207,7 +192,6 @@ VERBS = (
         "ambiguity twins",
         "twins",
         "Decide whether any motion tells two worlds apart.",
-        telling="reports.content.ambiguity:twins_content",
         example="fig1-left fig1-right",
         help=(
             "Can any motion tell two worlds apart? The answer comes with the shortest motions that "
@@ -219,7 +203,6 @@ VERBS = (
         "ambiguity-class",
         "List every world that no motion tells from a given one.",
         python="ambiguity.class_of",
-        telling="reports.content.ambiguity:class_content",
         example="k4 --class simple",
         help=("Build every world that no motion tells from WORLD, and say why."),
     ),
@@ -227,7 +210,6 @@ VERBS = (
         "ambiguity census",
         "ambiguity-census",
         "Classify the worlds of a class that no motion tells apart.",
-        telling="reports.content.ambiguity:census_content",
         swept=True,
         example="--edges 5",
         help=(
@@ -239,7 +221,6 @@ VERBS = (
         "ambiguity search",
         "search",
         "Search for worlds that no motion tells apart, by SMT.",
-        telling="reports.content.ambiguity:search_content",
         example="--lighthouse position --class simple --edges 6 --vertices 4",
         help=(
             "Find two different worlds that no motion tells apart, or show that there are none. "
@@ -250,7 +231,6 @@ VERBS = (
         "ledger",
         "ledger",
         "Check the sentences of a paper, each by its own function.",
-        telling="reports.content.ledger:ledger_content",
         panel=PAPERS,
         has=(ROWS, CASES),
         example="papers/minimal_information --only fig1",

@@ -10,7 +10,7 @@ from allworlds.cli.made_by import beginning
 from allworlds.cli.output import emit, output_of
 from allworlds.reports.formats import file_of
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
 

@@ -115,7 +115,7 @@ def test_what_has_one_answer_has_none(cli, monkeypatch, words):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("allworlds.world.named.world_named", interrupted)
+    monkeypatch.setattr("allworlds.world.named._world_of_text", interrupted)
     assert cli(*words.split()) == (130, "", "allworlds: interrupted\n")
 
 

@@ -7,7 +7,6 @@ import pytest
 from allworlds.engines.compiled_engine import (
     AGREED,
     level_of,
-    rotation,
 )
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.judging.findings.rules import Rules
@@ -54,7 +53,3 @@ def test_a_limit_of_vertices_leaves_the_other_worlds_as_they_are():
         walked = level(walk, 5, limit=limit)
         assert walked[0] == {n: row for n, row in whole.items() if n <= limit}
         assert level(judge, 5, limit=limit) == walked
-
-
-def test_darts_of_a_vertex_are_clockwise():
-    assert rotation([1, 3, 2]) == [0, 2, 3, 1, 5, 4]

@@ -15,8 +15,8 @@ from allworlds.engines.kernel.laws import (
     look_at,
 )
 from allworlds.engines.kernel.records import ANSWER, JUDGED, WORLD, new
+from allworlds.judging.laws.finished_run import Case
 from allworlds.judging.laws.law_table import LAWS
-from allworlds.judging.laws.laws import Case
 from allworlds.maps import random_map, rooted_maps
 from allworlds.protocol.answers import Checkpoint
 from allworlds.studies.run import run

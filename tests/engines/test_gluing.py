@@ -4,7 +4,7 @@ from allworlds.engines.kernel.gluing import by_vertices_and_faces
 from allworlds.engines.units import units_of_level
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.any_genus import rooted_of_genus
+from allworlds.maps.counting import rooted_of_genus
 from allworlds.maps.enumeration import prefixes
 from allworlds.studies import count as counter
 from allworlds.studies.count import (

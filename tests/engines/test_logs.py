@@ -2,13 +2,15 @@
 
 import pytest
 
-from allworlds.document.struct import replace
 from allworlds.engines.comparison import difference_of
-from allworlds.engines.kernel.batches import UnitJudge, any_level
+from allworlds.engines.compiled_engine import level_of
+from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.records import Stretch
 from allworlds.engines.players import Logs
 from allworlds.judging.episode import Log
+from allworlds.judging.findings.rules import Rules
 from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN
+from allworlds.maps.classes import Extent, MapClass
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -26,8 +28,9 @@ PLAIN = bytes((0,)) + EDGE + ANSWER
 
 def judged(log):
     """The judge of the one run, its rows, and whether the log could be judged."""
-    level = replace(any_level(), budgets=(9, 9, 9), laws=("map", "pose"))
-    first, second = (Stretch(level.edges) for _ in range(2))
+    rules = Rules(step_budget=9, laws=("map", "pose"), bound="none")
+    level = level_of("", rules, Extent(MapClass.MAPS, 1), 1)
+    first, second = (Stretch.of(level.edges) for _ in range(2))
     judge = UnitJudge(level, (-1,), 1, first, second)
     batch = judge.lay_out(10)
     assert batch.runs == 1

@@ -16,13 +16,16 @@ from allworlds.maps.enumeration import prefixes
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
+LEVEL_OF = compiled.level_of
+
+
 @pytest.fixture(autouse=True)
 def fresh_comparison():
     AGREED.clear()
-    compiled.level_of.cache_clear()
+    LEVEL_OF.cache_clear()
     yield
     AGREED.clear()
-    compiled.level_of.cache_clear()
+    LEVEL_OF.cache_clear()
 
 
 def asked(edges, **given):
@@ -65,12 +68,12 @@ def test_a_judge_that_is_wrong_is_found_out_before_the_first_level(monkeypatch):
 
     def forgetful(*arguments, **options):
         rows = honest(*arguments, **options)
-        return replace(rows, listed=rows.listed[:-1])
+        return replace(rows, met=rows.met[:-1])
 
     monkeypatch.setattr("allworlds.engines.kernel.engine.judge", forgetful)
     report = check(edges=2, engine="kernel")
     assert report.exit_code == 70
-    assert "the kernel: no run" in report.ending.reason
+    assert "the kernel and the python engine count differently in the unit" in report.ending.reason
 
 
 def test_what_the_judge_blames_is_asked_of_the_python_engine(monkeypatch):

@@ -11,7 +11,7 @@ from allworlds.protocol.actions import Drop, Move, Pick
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Position, World
-from allworlds.world.lighthouses.kinds import lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 from small import EDGE, LOOP, all_maps
 
 
@@ -19,7 +19,7 @@ def explored(name, map_, start=0):
     """The answer of a built-in explorer, the robot's dart, and its actions, played by hand."""
     own = BUILT_IN[name]
     events = []
-    place = next(lighthouse_named(own.lighthouse).places(map_, start))
+    place = next(lighthouse_kind(own.lighthouse).as_class.places(map_, start))
     world = World(map_, place, start)
     walk, reply = own.explore(world.first, notice=events.append), None
     state, actions = world.initial, []

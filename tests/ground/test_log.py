@@ -71,7 +71,6 @@ def test_a_log_that_is_cut_off_has_no_end(entries, end):
             continue  # a fault of compiled code has no words
         with pytest.raises(ValueError, match=r"no end|no entry|behind its end"):
             Read(cut)
-    assert Read(whole[:begun], whole=False).end == ()
 
 
 @pytest.mark.parametrize(

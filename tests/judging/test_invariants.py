@@ -5,7 +5,7 @@ from random import Random
 import pytest
 
 from allworlds.document.struct import replace
-from allworlds.judging.laws.laws import Case, Violation, invariant_1, invariant_2, variant
+from allworlds.judging.laws.finished_run import Case, Violation, invariant_1, invariant_2, variant
 from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Drop, Move, Percept
 from allworlds.protocol.answers import Checkpoint, Estimate

@@ -1,7 +1,6 @@
 import pytest
 
-from allworlds.judging.laws.law_table import LAWS, PRECEDENCE, judge
-from allworlds.judging.laws.laws import (
+from allworlds.judging.laws.finished_run import (
     Case,
     Violation,
     bound_law,
@@ -9,6 +8,7 @@ from allworlds.judging.laws.laws import (
     map_law,
     pose_law,
 )
+from allworlds.judging.laws.law_table import LAWS, PRECEDENCE, judge
 from allworlds.maps import CombinatorialMap, rooted_maps
 from allworlds.protocol.actions import Drop, Move, Percept
 from allworlds.protocol.answers import Estimate

@@ -3,8 +3,8 @@
 import pytest
 
 from allworlds.document.struct import replace
+from allworlds.judging.laws.finished_run import Case
 from allworlds.judging.laws.law_table import PRECEDENCE, judge
-from allworlds.judging.laws.laws import Case
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.protocol.transcript import Transcript

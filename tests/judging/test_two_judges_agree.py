@@ -10,7 +10,7 @@ from random import Random
 import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.judging.laws.laws import Case
+from allworlds.judging.laws.finished_run import Case
 from allworlds.maps import CombinatorialMap, rooted_maps, unrooted_code
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.answers import Checkpoint, Estimate

@@ -6,7 +6,7 @@ from hypothesis.strategies import tuples
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import play
-from allworlds.judging.laws.laws import Case, bound_law
+from allworlds.judging.laws.finished_run import Case, bound_law
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.choices import Choices

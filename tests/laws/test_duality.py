@@ -6,7 +6,7 @@ import pytest
 from hypothesis import find, given, settings
 
 from allworlds.maps import MapClass, automorphisms, rooted_maps, unrooted_code
-from allworlds.maps.counting.any_genus import rooted_maps as counted_maps, rooted_of_genus
+from allworlds.maps.counting import rooted_maps as counted_maps, rooted_of_genus
 from allworlds.strategies import maps, planar_maps
 from bruteforce import unrooted_maps
 

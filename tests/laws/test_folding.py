@@ -9,8 +9,8 @@ from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document.struct import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import play
+from allworlds.judging.laws.finished_run import Case
 from allworlds.judging.laws.folding import Contradiction, fold
-from allworlds.judging.laws.laws import Case
 from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate

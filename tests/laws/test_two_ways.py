@@ -8,7 +8,7 @@ from hypothesis import find, given, settings
 from hypothesis.strategies import composite, data, integers, permutations, sampled_from
 
 import bruteforce
-from allworlds.judging.laws.laws import Case
+from allworlds.judging.laws.finished_run import Case
 from allworlds.maps import MapClass, moved, rooted_code, rooted_maps
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.answers import Estimate

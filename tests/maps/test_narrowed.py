@@ -6,12 +6,12 @@ import pytest
 
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.classes import condition_named
-from allworlds.maps.counting.any_genus import (
+from allworlds.maps.counting import (
+    NARROWED,
     catalan,
     rooted_of_genus_by_contraction,
     vertex_counts,
 )
-from allworlds.maps.counting.sources import NARROWED
 
 NAMES = [
     *("cubic", "regular:2", "regular:4", "eulerian", "trees", "girth:1", "girth:2", "girth:3"),

@@ -26,23 +26,22 @@ from allworlds.explorers.languages import LANGUAGES
 from allworlds.explorers.loading import load
 from allworlds.inputs.requests import fields_of
 from allworlds.judging.explanations.by_law import TELLERS
-from allworlds.judging.findings.rules import AskedRules, RecordedRules, Rules
+from allworlds.judging.findings.rules import RecordedRules, RuleOptions, Rules
 from allworlds.judging.laws.bounds import bound_named
 from allworlds.judging.laws.law_table import LAWS, PRECEDENCE
 from allworlds.judging.tasks import task_named
-from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.maps.families import FAMILIES
 from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol.choices import POLICIES, SEEDED, Schedule
 from allworlds.reports import schemas
-from allworlds.reports.formats import FORMATS, formats_of, text
+from allworlds.reports.formats import FORMATS, _maker as maker, formats_of, text
 from allworlds.studies.ambiguity.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growth import GROWING
-from allworlds.studies.fuzz.sample import GENERATORS, batches
+from allworlds.studies.fuzz import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, VERBS
 from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses
@@ -118,14 +117,13 @@ def test_the_help_has_at_most_fourteen_entries_each_under_a_panel_that_issues_na
 
 
 @pytest.mark.parametrize("name", BY_NAME)
-def test_a_verb_has_its_module_of_the_command_line_its_telling_and_its_document(name):
+def test_a_verb_has_its_command_its_content_and_its_document(name):
     verb = BY_NAME[name]
     module = f"allworlds.cli.{verb.group or name}"
     defined = vars(import_module(module)) if find_spec(module) else ()
     own = name.replace(verb.group, "").strip() in {each.rstrip("_") for each in defined}
     assert own != bool(verb.help and verb.example)
-    (told,) = inspect.signature(loaded(verb.telling)).parameters
-    assert told
+    assert len(inspect.signature(maker(name)).parameters) == 1
     if verb.name != "merge":  # whose result hands on that of another verb
         told = get_type_hints(function_of(verb))["return"]
         first, *others = get_args(told) or (told,)
@@ -188,7 +186,7 @@ def test_the_command_line_takes_what_the_function_takes(name):
     assert taken - shown == ONLY_PYTHON.get(name, set())
 
 
-RULES = {field.name for field in fields_of(AskedRules)}
+RULES = {field.name for field in fields_of(RuleOptions)}
 
 
 def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
@@ -272,7 +270,7 @@ def test_a_format_is_in_the_help_of_every_verb_that_has_what_it_shows_and_told_o
 
 
 def test_no_report_is_left_out_of_its_table():
-    homes = {verb.telling.partition(":")[0].split(".")[1] for verb in VERBS}
+    homes = {maker(verb.name).__module__.split(".")[2] for verb in VERBS}
     sources = "".join(path.read_text(encoding="utf-8") for path in PACKAGE.rglob("*.py"))
     for module in iter_modules(reports.__path__):
         assert module.name in homes or f"reports.{module.name}" in sources
@@ -429,7 +427,7 @@ def test_what_is_said_of_a_new_thing_is_so(row):
 def test_every_table_says_where_a_new_entry_goes():
     told = {name for new, *_ in PLACES for name in re.findall(r"`(\w+)`", new)}
     assert {"BUILT_IN", "LIGHTHOUSES", "LAWS", "VERBS", "FORMATS", "ENGINES", "POLICIES"} <= told
-    assert {"AskedRules", "Limits", "MapClass", "Transport"} <= told
+    assert {"RuleOptions", "Limits", "MapClass", "Transport"} <= told
 
 
 # ---------------------------------------------------------------- policies, explorers, exit codes

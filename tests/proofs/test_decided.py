@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.studies.ledger.claim import Means, claims_in
+from allworlds.studies.ledger import Means, claims_in
 
 ROOT = Path(__file__).parents[2]
 PAPERS = sorted(ROOT.glob("papers/*/ledger.toml"))

@@ -30,7 +30,7 @@ def models_of_one_world(checkers, map_class, edges, **asked):
     size = module.size_of(asked, edges)
     if size is None:
         return []
-    tables = module.world_named(clauses, "", size, asked)
+    tables = module.a_world(clauses, "", size, asked)
     with solvers.Solver("g4", bootstrap_with=literals(clauses)) as solver:
         found = []
         for model in solver.enum_models():

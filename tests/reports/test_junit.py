@@ -13,7 +13,7 @@ from allworlds.reports.formats import file_of
 from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import GateCell
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 
 
 def junit(report):

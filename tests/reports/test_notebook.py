@@ -1,7 +1,6 @@
 """Notebooks and ``print``: drawings with their own style, and texts of the command line."""
 
 import re
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree as ET
@@ -10,7 +9,6 @@ import pytest
 
 import allworlds
 from allworlds import maps
-from allworlds.engines import progress
 from allworlds.inputs.checks import InputError
 from allworlds.reports.drawing import svg as drawn_by
 from allworlds.reports.drawing.svg import draw
@@ -136,31 +134,3 @@ def test_a_page_in_a_frame_cannot_end_it():
     shown = finding._repr_html_()
     assert shown.count("</iframe>") == 1
     assert "<script" not in shown
-
-
-@pytest.fixture
-def bars(monkeypatch):
-    """The bars that are shown in a notebook, and each of their updates."""
-    shown = []
-    handle = SimpleNamespace(update=shown.append)
-
-    def display(bar, display_id):
-        assert display_id
-        shown.append(("new", bar))
-        return handle
-
-    ipython = SimpleNamespace(
-        get_ipython=lambda: SimpleNamespace(kernel=1), display=SimpleNamespace(display=display)
-    )
-    monkeypatch.setitem(sys.modules, "IPython", ipython)
-    return shown
-
-
-def test_a_job_shows_a_bar_in_a_notebook_and_nothing_elsewhere(bars, monkeypatch):
-    allworlds.check("algorithm1", edges=2)
-    (_, first), *_, last = bars
-    assert repr(first) == "edges 1: 0 of 2 worlds"
-    assert repr(last) == "edges 2: 10 of 10 worlds"
-    assert '<progress value="10" max="10">' in last._repr_html_()
-    monkeypatch.delitem(sys.modules, "IPython")
-    assert isinstance(progress.usual_listener(), progress.Silent)

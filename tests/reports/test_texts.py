@@ -7,7 +7,7 @@ from allworlds.reports.formats import brief, text as text_of
 from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Directional, World

@@ -108,10 +108,9 @@ class Other(Document):
     y: str
 
 
-class Outer(Document):
+class Outer(Document, kw_only=True):
     """Outer."""
 
-    verdict: Annotated[Verdict, about("always")] = computed(lambda _: Verdict.HOLDS)
     map_class: Annotated[MapClass, about("of maps")] = key(name="class")
     inner: Annotated[Some[Inner], about("some")]
     more: Annotated[Inner | Other | None, about("one of two")] = None
@@ -119,6 +118,11 @@ class Outer(Document):
     detail: Annotated[IfAny[str], about("if there is any")] = ""
     world: Annotated[World | None, about("a value that writes itself")] = None
     secret: Aside[object] = None
+
+    @computed
+    def verdict(self) -> Verdict:
+        """Always."""
+        return Verdict.HOLDS
 
 
 OUTER = Outer(map_class=MapClass.MAPS, inner=(Inner(),))
@@ -128,10 +132,11 @@ def test_an_object_has_its_keys_and_no_others():
     found, parts = schema_of(Outer)
     assert found == {"$ref": "#/$defs/Outer"}
     outer = parts["Outer"]
-    assert outer["required"] == ["verdict", "class", "inner", "more", "world"]
-    assert [*outer["properties"]] == [*outer["required"][:4], "sometimes", "detail", "world"]
+    assert outer["required"] == ["class", "inner", "more", "world", "verdict"]
+    optional = ["sometimes", "detail"]
+    assert [*outer["properties"]] == [*outer["required"][:3], *optional, "world", "verdict"]
     assert outer["additionalProperties"] is False
-    assert [*OUTER.to_json()] == ["verdict", "class", "inner", "more", "world"]
+    assert [*OUTER.to_json()] == ["class", "inner", "more", "world", "verdict"]
     assert parts["Inner"]["title"] == "Inner"
     assert parts["Inner"]["description"] == "What is inside."
     assert parts["Inner"]["properties"]["x"] == {

@@ -19,9 +19,9 @@ from allworlds.studies.check.exhaustive import check
 from allworlds.studies.compare.comparison import compare
 from allworlds.studies.count import count
 from allworlds.studies.explain import explain
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 from allworlds.studies.init import init
-from allworlds.studies.ledger.checked_claims import ledger
+from allworlds.studies.ledger import ledger
 from allworlds.studies.merge import merge
 from allworlds.studies.play import play
 from allworlds.studies.replay import replay
@@ -274,7 +274,7 @@ def wrongs(reference, document):
 WRONG_VALUES = [
     ("check holds", {"schema": 1}, ""),
     ("check holds", {"verdict": "verified"}, ""),
-    ("check holds", {"exit_code": 2}, ""),
+    ("check holds", {"exit_code": 6}, ""),
     ("check holds", {"worlds": -1}, ""),
     ("check holds", {"witnesses": {"loop": "many"}}, ""),
     ("check holds", {"verdict": "refuted", "exit_code": 1}, "refuted is what has a finding"),

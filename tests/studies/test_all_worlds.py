@@ -9,7 +9,7 @@ from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
-from allworlds.maps.counting.any_genus import rooted_maps as counted
+from allworlds.maps.counting import rooted_maps as counted
 from allworlds.reports.formats import text
 from allworlds.studies.worst import all_worlds, compiled_engine
 from allworlds.studies.worst.all_worlds import worst

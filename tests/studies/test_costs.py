@@ -15,7 +15,7 @@ from allworlds.reports.formats import text
 from allworlds.reports.web.play import LEAST, NAMES, game
 from allworlds.studies.play import LARGEST, Walker, play
 from allworlds.world import LIGHTHOUSES, Directional, World
-from allworlds.world.own_condition import worlds
+from allworlds.world.selection import worlds
 from small import LOLLIPOP, PATH
 
 

@@ -11,7 +11,7 @@ from allworlds.document.struct import replace
 from allworlds.engines.progress import Silent
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
-from allworlds.maps.counting.sources import CountSource
+from allworlds.maps.counting import CountSource
 from allworlds.outcome import Verdict
 from allworlds.protocol.answers import Estimate
 from allworlds.studies.check import exhaustive as checker

@@ -5,7 +5,7 @@ from allworlds.engines.progress import Silent
 from allworlds.inputs.checks import InputError
 from allworlds.reports.content.check import scope_words, size_table
 from allworlds.reports.formats import file_of, text as text_of
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 
 
 def test_algorithm_1_is_not_refuted_and_that_is_no_proof():

@@ -9,8 +9,16 @@ from allworlds.document.struct import replace
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.reports.formats import brief, file_of, text
-from allworlds.studies.ledger.checked_claims import FAULTS, LedgerReport, entry_with
-from allworlds.studies.ledger.claim import Found, NotChecked, Unfinished, claims_in, of_check
+from allworlds.studies.ledger import (
+    FAULTS,
+    Found,
+    LedgerReport,
+    NotChecked,
+    Unfinished,
+    claims_in,
+    entry_with,
+    of_check,
+)
 
 TOML = """
 [pairs]
@@ -193,7 +201,6 @@ def test_an_error_outweighs_an_interrupt_which_outweighs_a_difference(paper):
     [
         ({"only": ["pair"]}, "only 'pair' is no claim; near it are pairs"),
         ({"require": ["@"]}, "require '@' is no claim; the first of 3 are pairs, not-all, proof"),
-        ({"only": ["pairs,proof"]}, "claims are named one by one: --only pairs --only proof"),
         ({"budget": "large"}, "budget 'large' is not one of quick, full"),
         ({"workers": 0}, "workers 0 is not positive"),
     ],

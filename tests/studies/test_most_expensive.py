@@ -4,7 +4,7 @@ import pytest
 
 from allworlds.engines.compiled_engine import level_of
 from allworlds.engines.examiner import Examiner
-from allworlds.engines.kernel.engine import judge, reached_in, walk
+from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.tally import AtRun, Row
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
@@ -64,24 +64,6 @@ def test_where_worlds_are_walked_once_it_is_the_same_as_where_every_run_is_judge
         assert [run.vertices for run in walked.most_expensive] == [
             row.vertices for row in walked.counts
         ]
-
-
-@pytest.mark.usefixtures("compiled")
-def test_what_is_known_to_be_dearer_is_not_looked_for_and_nothing_else_changes():
-    level = level_of("algorithm1", Rules(), Extent(MapClass.MAPS, 5), 5)
-    alone, known, found = {}, reached_in(5), {}
-    for prefix in prefixes(5, depth=2):
-        own, told = walk(level, prefix), walk(level, prefix, reached=known)
-        assert own.counts == told.counts
-        cost = {row.vertices: row.largest for row in own.counts}
-        looked = [run for run in own.most_expensive if cost[run.vertices] == known[run.vertices]]
-        assert list(told.most_expensive) == looked
-        for runs, least in ((own.most_expensive, alone), (told.most_expensive, found)):
-            for run in runs:
-                at = (-cost[run.vertices], run)
-                least[run.vertices] = min(least.get(run.vertices, at), at)
-    assert alone == found
-    assert known.tolist() == [0, 5, 37, 31, 32, 25, 19]  # as in test_algorithm1.py
 
 
 def test_rows_that_are_added_up_keep_the_least_of_the_most_expensive():

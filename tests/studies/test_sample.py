@@ -8,7 +8,7 @@ from allworlds.engines.units import Shard
 from allworlds.inputs.checks import InputError
 from allworlds.maps import MapClass, random_map, rooted_code, rooted_maps
 from allworlds.maps.classes import Extent
-from allworlds.studies.fuzz.sample import GENERATORS, batches
+from allworlds.studies.fuzz import GENERATORS, batches
 from allworlds.world import Directional
 
 CLASSES = pytest.mark.parametrize("map_class", list(MapClass))

@@ -4,10 +4,10 @@ import pytest
 
 from allworlds import ambiguity, check, compare, count, fuzz
 from allworlds.inputs.requests import in_scope
-from allworlds.judging.findings.rules import AskedRules
+from allworlds.judging.findings.rules import RuleOptions
 from allworlds.reports.formats import text
 from allworlds.verbs import VERBS
-from allworlds.world.lighthouses.kinds import lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
@@ -62,7 +62,7 @@ def test_the_worlds_that_were_asked_for_are_told_in_document_and_text(name):
 
 @pytest.mark.parametrize("name", JUDGED)
 def test_every_rule_is_told_in_document_and_text(name):
-    assert {*ALL_RULES} == {one.name for one in in_scope(AskedRules)}
+    assert {*ALL_RULES} == {one.name for one in in_scope(RuleOptions)}
     report = STUDIES[name](edges=2, **ALL_RULES)
     for scope in of_all(report):
         effective = {**ALL_RULES, "laws": ["task", "bound"]}
@@ -91,6 +91,8 @@ def test_places_that_are_not_tried_are_told_from_the_size_on_where_they_are_left
 
 
 def test_of_two_lighthouses_the_places_of_both_are_told():
-    both = lighthouse_named("position+compass")
+    both = lighthouse_kind("position+compass").as_class
     assert both.tried_in_maps_of(4) == PLACES
-    assert both.tried_in_maps_of(3) == lighthouse_named("position").tried_in_maps_of(9) == ""
+    assert (
+        both.tried_in_maps_of(3) == lighthouse_kind("position").as_class.tried_in_maps_of(9) == ""
+    )

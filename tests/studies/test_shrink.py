@@ -7,7 +7,7 @@ from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass, contracted, deleted, rooted_code
 from allworlds.maps.classes import Extent
 from allworlds.protocol.answers import Estimate
-from allworlds.studies.fuzz.drive import fuzz, shrink
+from allworlds.studies.fuzz import fuzz, shrink
 from allworlds.world import Directional, World
 from small import long
 

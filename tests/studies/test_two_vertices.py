@@ -17,7 +17,7 @@ from allworlds.protocol.transcript import Transcript
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.explain import explain
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Cluster, Natural, World, worlds

@@ -11,7 +11,7 @@ from allworlds.maps import CombinatorialMap, named_map, rooted_isomorphism
 from allworlds.reports.formats import file_of
 from allworlds.world import Directional, World, code_of, world_named
 from allworlds.world.named import map_of_code, map_of_family
-from allworlds.world.own_condition import worlds
+from allworlds.world.selection import worlds
 from allworlds.world.world import at_place
 
 

@@ -1,7 +1,7 @@
 """Runs that have ended, as the judge is given them."""
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.judging.laws.laws import Case
+from allworlds.judging.laws.finished_run import Case
 from allworlds.protocol.answers import Checkpoint
 from allworlds.protocol.transcript import Transcript
 from small import stepped

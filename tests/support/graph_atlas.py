@@ -8,7 +8,7 @@ from itertools import pairwise, permutations, product
 from math import factorial, prod
 from typing import TypeAlias
 
-from allworlds.maps.counting.any_genus import catalan, exactly, vertex_counts
+from allworlds.maps.counting import catalan, exactly, vertex_counts
 
 ATLAS_VERTICES = 7
 """The graph atlas holds all graphs with at most this many vertices."""

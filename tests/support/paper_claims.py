@@ -27,8 +27,7 @@ from allworlds.corpus import explorers as wrong
 from allworlds.document.struct import replace
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.studies.ledger.checked_claims import ProgramFault, entry_with, found_by
-from allworlds.studies.ledger.claim import Claim, Means, claims_in
+from allworlds.studies.ledger import Claim, Means, ProgramFault, claims_in, entry_with, found_by
 from allworlds.studies.worst.every_schedule import EverySchedule
 
 PAPER = Path(claims.__file__).parent

@@ -9,8 +9,7 @@ import allworlds
 import claims
 from allworlds.document.struct import replace
 from allworlds.outcome import Exit
-from allworlds.studies.ledger.checked_claims import entry_of, entry_with
-from allworlds.studies.ledger.claim import Found, Means
+from allworlds.studies.ledger import Found, Means, entry_of, entry_with
 from paper_claims import BY_NAME, CLAIMS, PAPER, function_of
 
 OF_PROOFS = {"certificate", "theorem", "theorems_in"}

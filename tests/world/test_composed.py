@@ -6,20 +6,20 @@ import pytest
 
 from allworlds.protocol.actions import Drop, Move, Percept, Pick, Write
 from allworlds.world import IllegalAction, InvalidWorld, World, worlds
-from allworlds.world.lighthouses.kinds import kind_of, lighthouse_from_json, lighthouse_named
+from allworlds.world.lighthouses.kinds import kind_of, lighthouse_from_json, lighthouse_kind
 from small import EDGE, LOLLIPOP, PATH, TORUS, TRIANGLE, all_maps
 
 
 def one(name, map_):
     """The world with the lighthouse at its first place."""
-    return World(map_, next(lighthouse_named(name).places(map_, 0)))
+    return World(map_, next(lighthouse_kind(name).as_class.places(map_, 0)))
 
 
 def test_percepts_add_up_and_places_multiply():
     for map_ in all_maps(3):
-        compass = [*lighthouse_named("compass").places(map_, 0)]
-        both = [*lighthouse_named("cluster+compass").places(map_, 0)]
-        clusters = [*lighthouse_named("cluster").places(map_, 0)]
+        compass = [*lighthouse_kind("compass").as_class.places(map_, 0)]
+        both = [*lighthouse_kind("cluster+compass").as_class.places(map_, 0)]
+        clusters = [*lighthouse_kind("cluster").as_class.places(map_, 0)]
         assert len(both) == len(clusters) * len(compass)
         for place in both:
             cluster, north = place.parts
@@ -54,7 +54,7 @@ def test_percepts_add_up_and_places_multiply():
 )
 def test_what_does_not_go_together_is_refused_with_the_reason(name, said):
     with pytest.raises(InvalidWorld, match=said) as error:
-        lighthouse_named(name)
+        lighthouse_kind(name)
     assert "\n" not in str(error.value)
 
 
@@ -161,7 +161,7 @@ def test_renaming_darts_changes_no_percept_of_a_composition():
     ],
 )
 def test_it_has_what_its_parts_allow_unless_another_part_adds_to_it(name, leaves_open, folds):
-    kind = lighthouse_named(name)
+    kind = lighthouse_kind(name).as_class
     assert (kind.leaves_open, kind.folds) == (leaves_open, folds)
     place = next(kind.places(PATH, 0))
     assert place.as_kind.leaves_open == leaves_open

@@ -17,7 +17,7 @@ from allworlds.world import (
     Where,
     World,
 )
-from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_kind
 from small import PATH, all_maps
 
 KINDS = {"none": Nothing, "position": Position, "compass": Compass, "directional": Directional}
@@ -42,7 +42,7 @@ def test_the_four_levels_of_information_are_lighthouses():
     for name, kind in KINDS.items():
         assert kind.kind == name
         assert LIGHTHOUSES[name] is kind
-        assert lighthouse_named(name) is kind
+        assert lighthouse_kind(name).as_class is kind
 
 
 @pytest.mark.parametrize("kind", POOR)

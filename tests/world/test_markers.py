@@ -8,7 +8,7 @@ import pytest
 from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.world import IllegalAction, InvalidWorld, Movable, Nothing, State, World
-from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_kind
 from allworlds.world.lighthouses.marked import Labels
 from small import EDGE, LOLLIPOP, LOOP, PATH, all_maps
 
@@ -115,9 +115,9 @@ def test_relabelling_the_world_leaves_every_percept_of_a_walk_unchanged(markers)
     ],
 )
 def test_the_options_say_how_many_there_are_and_whether_they_may_be_taken_up(name, markers, pick):
-    kind = lighthouse_named(name)
+    kind = lighthouse_kind(name).as_class
     assert list(kind.places(LOOP, 0)) == [Movable(markers, pick)]
-    assert lighthouse_named(name) is kind
+    assert lighthouse_kind(name).as_class is kind
     document = {"kind": "movable", "markers": markers, "pick": pick}
     world = World.from_json(LOOP.to_json(), missing=name)
     assert world.to_json()["lighthouse"] == document
@@ -146,7 +146,7 @@ def test_of_a_lighthouse_in_the_hand_a_file_may_leave_out_everything():
 )
 def test_an_option_that_is_none_is_named(given, named):
     with pytest.raises(InvalidWorld, match=named):
-        lighthouse_named(given)
+        lighthouse_kind(given)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.user_code import OtherText
 from allworlds.world import InvalidWorld, Lighthouse, Position, World, worlds
-from allworlds.world.lighthouses.kinds import kind_of, lighthouse_kind, lighthouse_named
+from allworlds.world.lighthouses.kinds import kind_of, lighthouse_kind
 from models import PARITY
 from small import EDGE, PLANE, TORUS, all_maps
 
@@ -168,9 +168,9 @@ def folder(tmp_path, monkeypatch):
     ],
 )
 def test_a_class_of_a_file_is_a_kind_of_lighthouse_with_its_options(folder, name, modulus):
-    kind = lighthouse_named(name)
+    kind = lighthouse_kind(name).as_class
     assert issubclass(kind, Lighthouse)
-    assert kind is lighthouse_named(name)
+    assert kind is lighthouse_kind(name).as_class
     for map_ in all_maps(2):
         places = [*kind.places(map_, 0)]
         assert len(places) == map_.degree_at[0]
@@ -217,7 +217,7 @@ def test_a_class_in_python_is_found_by_its_module(folder, monkeypatch):
 
 
 def test_renaming_darts_renames_the_darts_of_a_place(folder):
-    kind = lighthouse_named("parity.py:Parity")
+    kind = lighthouse_kind("parity.py:Parity").as_class
     names = [2, 3, 0, 1]
     for map_ in (PLANE, TORUS):
         for place in kind.places(map_, 0):
@@ -299,7 +299,7 @@ def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):
         "    @classmethod\n    def places(cls, map_, start):\n        yield Lamp((start,))\n"
         "class Careless(Lamp):\n    often = 4\n"
     )
-    (place,) = lighthouse_named("mine.py:Lamp:often=3,name=b").places(EDGE, 0)
+    (place,) = lighthouse_kind("mine.py:Lamp:often=3,name=b").as_class.places(EDGE, 0)
     assert (place.often, place.name, place.lit) == (3, "b", True)
     world = World(EDGE, place)
     assert world.first == Percept(1, 3)
@@ -308,7 +308,9 @@ def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):
     assert told["darts"] == [0]
     assert World.from_json(world.to_json()) == world == pickle.loads(pickle.dumps(world))
     assert str(kind_of(place)) == "mine.py:Lamp?often=3,name=b"
-    assert World(EDGE, next(lighthouse_named("mine.py:Lamp").places(EDGE, 0))).first.marks == 0
+    assert (
+        World(EDGE, next(lighthouse_kind("mine.py:Lamp").as_class.places(EDGE, 0))).first.marks == 0
+    )
     for name, said in (
         ("mine.py:Lamp:height=4", "has no option 'height'; legal: often, name, lit"),
         ("mine.py:Lamp:bright=1", "'bright'; its field of that name is 0.5, no integer"),
@@ -317,13 +319,13 @@ def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):
         ("parity.py:forgets?modulus=5", "sets modulus = 5 without a type"),
     ):
         with pytest.raises(InvalidWorld, match=said):
-            lighthouse_named(name)
+            lighthouse_kind(name)
     with pytest.raises(InvalidWorld, match=r"write yield cls\(...\)"):
-        [*lighthouse_named("mine.py:Forgets").places(EDGE, 0)]
+        [*lighthouse_kind("mine.py:Forgets").as_class.places(EDGE, 0)]
 
 
 def test_options_stand_beside_the_name_of_a_kind_and_not_in_it(folder):
-    own = World(EDGE, next(lighthouse_named("parity.py:Parity").places(EDGE, 0))).to_json()
+    own = World(EDGE, next(lighthouse_kind("parity.py:Parity").as_class.places(EDGE, 0))).to_json()
     for kind in ("ports:states=3", "parity.py:Parity?modulus=3", "compass+movable"):
         lighthouse = {**own["lighthouse"], "kind": kind}
         with pytest.raises(InvalidWorld, match=r"is more than a name|needs the key parts"):

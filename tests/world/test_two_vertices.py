@@ -8,10 +8,10 @@ import pytest
 from allworlds.maps import from_cycles, named_map
 from allworlds.protocol.actions import Drop, Percept
 from allworlds.world import LIGHTHOUSES, Cluster, IllegalAction, InvalidWorld, Natural, World
-from allworlds.world.lighthouses.kinds import kind_of, lighthouse_named
+from allworlds.world.lighthouses.kinds import kind_of, lighthouse_kind
 from small import LASSO, PATH, all_maps, stepped
 
-SINGLE = lighthouse_named("cluster:single=true")
+SINGLE = lighthouse_kind("cluster:single=true").as_class
 KINDS = [Cluster, SINGLE, Natural]
 DOUBLE = named_map("theta")
 
@@ -169,7 +169,7 @@ def test_a_single_cluster_passes_over_a_neighbour_with_two_edges():
     ],
 )
 def test_a_world_without_a_place_is_named(map_, kind):
-    assert not list(lighthouse_named(kind).places(map_, 0))
+    assert not list(lighthouse_kind(kind).as_class.places(map_, 0))
     with pytest.raises(InvalidWorld, match=f"lighthouse {kind} has no place .* start 0"):
         World.from_json(map_.to_json(), missing=kind)
 
@@ -178,7 +178,8 @@ def test_a_world_without_a_place_is_named(map_, kind):
 
 
 def test_options_choose_places_and_nothing_else():
-    assert lighthouse_named("cluster:single=false") is lighthouse_named("cluster") is Cluster
+    for name in ("cluster:single=false", "cluster"):
+        assert lighthouse_kind(name).as_class is Cluster
     assert issubclass(SINGLE, Cluster)
     assert (SINGLE.kind, SINGLE.default_bound, SINGLE.folds) == ("cluster", "none", False)
     assert all(type(world.lighthouse) is Cluster for world in worlds(SINGLE, 3))
@@ -202,7 +203,7 @@ def test_options_choose_places_and_nothing_else():
 )
 def test_an_option_that_is_none_is_named(text, named):
     with pytest.raises(InvalidWorld, match=named):
-        lighthouse_named(text)
+        lighthouse_kind(text)
 
 
 # ---------------------------------------------------------------- what does not fit

@@ -8,7 +8,7 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.maps import InvalidMap, from_cycles, named_map, rooted_maps
 from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, InvalidWorld, World
-from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_kind
 from small import EDGE, PATH, stepped
 
 DOCUMENT = {"sigma": [0, 2, 1, 3], "alpha": [1, 0, 3, 2]}
@@ -347,12 +347,12 @@ def test_equal_to_a_dart_is_not_enough_to_be_one(lighthouse, start):
 
 def test_kinds_are_found_by_name():
     assert all(LIGHTHOUSES[kind.kind] is kind for kind in LIGHTHOUSES.values())
-    assert lighthouse_named("directional") is Directional
+    assert lighthouse_kind("directional").as_class is Directional
     assert lighthouse_from_json({"kind": "directional", "dart": 2}, PATH, 1) == Directional(2)
     with pytest.raises(InvalidWorld, match=r"'Directional' is not one of .*directional"):
-        lighthouse_named("Directional")
+        lighthouse_kind("Directional")
     with pytest.raises(InvalidWorld, match="'directional' has no option 'markers'; it has none"):
-        lighthouse_named("directional:markers=2")
+        lighthouse_kind("directional:markers=2")
 
 
 @pytest.mark.no_cover

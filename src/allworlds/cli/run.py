@@ -11,7 +11,7 @@ from allworlds.explorers.asked import ProgramWords
 from allworlds.explorers.sources import names_explorer
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, answer, values_of
-from allworlds.studies.run import AskedRun, RunRequest, WorldNames
+from allworlds.studies.run import RunOptions, RunRequest, WorldNames
 from allworlds.world.named import names_of_worlds
 
 
@@ -43,7 +43,7 @@ class RunWords(ProgramWords):
         ),
     ] = False
 
-    def request(self, asked: AskedRun) -> RunRequest:
+    def request(self, asked: RunOptions) -> RunRequest:
         """One run of that explorer in that world.
 
         Raises:
@@ -54,10 +54,10 @@ class RunWords(ProgramWords):
             family=asked.family is not None,
             program=self.named(None) is not None,
         )
-        return RunRequest(self.named_or_default(explorer), world, **values_of(AskedRun, asked))
+        return RunRequest(self.named_or_default(explorer), world, **values_of(RunOptions, asked))
 
 
-def run(words: RunWords, *, asked: AskedRun, output: OutputGroup) -> int:
+def run(words: RunWords, *, asked: RunOptions, output: OutputGroup) -> int:
     """Example: allworlds run algorithm1 theta
 
     Run an explorer once in one world, tell it step by step, and judge it.

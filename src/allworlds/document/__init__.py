@@ -5,13 +5,12 @@ each annotated with its type and, by :func:`about`, with one line of meaning.  F
 come the JSON (:meth:`Document.to_json`), the strict reading (:func:`taken`), the JSON Schemas and
 the reference of keys.
 
-The keys of a class may be those of a request's options (``class Scope(Document, of=Request)``),
-whose types and meanings stand beside the options.
+With ``@with_options(Request)`` a class has a key for each option of a request, too, whose type and
+meaning stand beside the option.  A method with ``@computed`` is a key that follows from the fields,
+after which it stands: its type is that of the annotation, its meaning the docstring.
 
 Three things are said beside a type:
 
-``key: T = computed(function)``
-    follows from the fields, and is made when it is asked for;
 ``key: T | UnsetType = UNSET``
     may be missing in the object;
 ``key: IfAny[T]``

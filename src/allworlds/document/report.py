@@ -6,8 +6,17 @@ from typing import Annotated, Any, Final, Literal
 
 from msgspec import UNSET, Meta, UnsetType
 
-from allworlds.document.struct import Document, Figure, Positive, Seconds, Text, about
-from allworlds.outcome import Exit, Facts
+from allworlds.document.struct import (
+    Document,
+    ExitCode,
+    Figure,
+    Positive,
+    Seconds,
+    Text,
+    about,
+    computed,
+)
+from allworlds.outcome import Facts
 
 SCHEMA: Final = 2
 """The version of every document that a verb writes, and of a corpus's manifest."""
@@ -68,7 +77,7 @@ class Host(Document):
     numba: Annotated[Text | None, about("the version of the compiler; null: there is none")]
 
 
-class MadeBy(Document):
+class MadeBy(Document, kw_only=True):
     """Made by.
 
     Who made a document, where, when and how fast: nothing else in it depends on that.
@@ -98,7 +107,7 @@ class MadeBy(Document):
     ] = UNSET
 
 
-class Report(Paged, Document):
+class Report(Paged, Document, kw_only=True):
     """A document that a verb writes."""
 
     schema: Annotated[Literal[2], about("the version of the document")] = SCHEMA
@@ -114,9 +123,9 @@ class Report(Paged, Document):
         """
         return Facts()
 
-    @property
-    def exit_code(self) -> Exit:
-        """One of the exit codes of the command."""
+    @computed
+    def exit_code(self) -> ExitCode:
+        """The exit code of the command."""
         return self.facts.exit
 
     @property

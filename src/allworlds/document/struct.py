@@ -23,7 +23,7 @@ from typing import (
     get_type_hints,
 )
 
-from msgspec import NODEFAULT, UNSET, Meta, Struct, StructMeta, field as key, to_builtins
+from msgspec import NODEFAULT, UNSET, Meta, Struct, defstruct, field as key, to_builtins
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
 from allworlds.inputs.requests import Field, Option, in_scope
@@ -119,55 +119,48 @@ NOTHING = (None, "", ())
 _AS_IT_IS = frozenset({int, str, bool, float, NoneType})
 
 
-class _Computed(cached_property[Any]):
-    """A key that is no field: its value is made when it is asked for, once."""
+class computed(cached_property[T]):  # noqa: N801  # as cached_property
+    """A key that is no field: what the method returns, made when it is asked for, once.
 
-    def __init__(self, function: Callable[[Any], Any], name: str | None) -> None:
-        super().__init__(function)
-        self.key = name
-
-
-def computed(
-    function: Callable[[Any], Any],
-    *,
-    name: str | None = None,
-    init: Literal[False] = False,  # noqa: ARG001  # tells type checkers that none is given
-) -> Any:
-    """A key that follows from the fields; ``name`` where its key is not its attribute."""
-    return _Computed(function, name)
-
-
-EXIT_CODE: Any = computed(lambda report: report.facts.exit)
-"""The key of a report that holds its exit code."""
-
-
-class _Keywords(StructMeta):
-    """A base whose fields are all given by their names, in subclasses too.
-
-    A class ``of`` a request has a key for each of its options that a scope tells; a key that the
-    class itself describes comes in its place.
+    Its type is that of the method's annotation, its meaning the first line of the docstring.  In
+    the object it follows the fields.
     """
 
-    def __new__(mcs, name: str, bases: Any, namespace: Any, of: Any = None, **options: Any) -> Any:
-        own = namespace.get("__annotations__", {})
-        parts = of if isinstance(of, tuple) else (of,) if of else ()
-        asked = [one for part in parts for one in in_scope(part) if one.name not in own]
-        namespace["__annotations__"] = {one.name: _told(one) for one in asked} | own
-        for one in asked:
-            if one.option != one.name or one.default is not MISSING:
-                default = NODEFAULT if one.default is MISSING else one.default
-                if IF_ANY in getattr(_told(one), "__metadata__", ()):
-                    default = None
-                namespace[one.name] = key(default=default, name=one.option)
-        told = namespace["__annotations__"]
-        late = {each for each, value in namespace.items() if isinstance(value, _Computed)}
-        namespace["__annotations__"] = {each: told[each] for each in told if each not in late}
-        made: Any = super().__new__(mcs, name, bases, namespace, kw_only=True, **options)
-        made.__annotations__ = told  # of all keys, for keys_of
-        return made
+
+def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
+    """Give a document a key for each option of these requests that a scope shows.
+
+    A key that the document itself describes comes in its place.
+    """
+
+    def made(kind: Any) -> Any:
+        asked = [one for part in parts for one in in_scope(part)]
+        keys = [
+            (one.name, _type_of_key(one), key(default=_default_of_key(one), name=one.option))
+            for one in asked
+            if one.name not in kind.__struct_fields__
+        ]
+        about_class = {"__doc__": kind.__doc__, "__qualname__": kind.__qualname__}
+        return defstruct(
+            kind.__name__,
+            keys,
+            bases=(kind,),
+            kw_only=True,
+            module=kind.__module__,
+            namespace=about_class,
+        )
+
+    return made
 
 
-def _told(one: Field) -> Any:
+def _default_of_key(one: Field) -> Any:
+    """The value of a key that is left out in what is read; NODEFAULT where it must be there."""
+    if IF_ANY in getattr(_type_of_key(one), "__metadata__", ()):
+        return None
+    return NODEFAULT if one.default is MISSING else one.default
+
+
+def _type_of_key(one: Field) -> Any:
     """The type and the meaning of the key for an option, in a document."""
     assert isinstance(one.asked, Option)
     if one.asked.told is not None:
@@ -180,8 +173,9 @@ def _told(one: Field) -> Any:
     return Annotated[kind, about(one.asked.help.rstrip("."))]
 
 
-@dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(key, computed))
-class Document(Struct, metaclass=_Keywords, frozen=True, dict=True, forbid_unknown_fields=True):
+# Type checkers see every field given by its name; subclasses take over that they are frozen.
+@dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(key,))
+class Document(Struct, frozen=True, dict=True, forbid_unknown_fields=True):
     """A JSON object that is written, or a part of one."""
 
     def __post_init__(self) -> None:
@@ -231,24 +225,51 @@ def _read_by_itself(kind: type[Document]) -> tuple[tuple[str, ReadBy], ...]:
 
 
 class Key(NamedTuple):
-    """A key of a document: its attribute, its name, and whether it is left out while empty."""
+    """A key of a document.
+
+    Attributes:
+        attribute: that holds its value.
+        name: in the object.
+        type: with the meaning, as annotated.
+        if_any: it is left out while the value is empty.
+    """
 
     attribute: str
     name: str
+    type: Any
     if_any: bool
+
+
+NAMES = {"map_class": "class"}
+"""Names of keys that no attribute can have."""
+
+
+def _meaning(key: computed[Any]) -> str:
+    """The meaning of a computed key: the first line of its docstring."""
+    line = (key.__doc__ or "").partition("\n")[0].rstrip(".").replace("``", "`")
+    return line[:1].lower() + line[1:]
 
 
 @cache
 def keys_of(kind: type[Document]) -> tuple[Key, ...]:
-    """The keys, in the order of the document."""
+    """The keys, in the order of the document: fields, then what is computed."""
     hints = get_type_hints(kind, include_extras=True)
     notes = {name: getattr(hint, "__metadata__", ()) for name, hint in hints.items()}
     names = {field.name: field.encode_name for field in fields(kind)}
-    for name in hints.keys() - names:
-        names[name] = getattr(kind, name).key or name
-    return tuple(
-        Key(name, names[name], IF_ANY in notes[name]) for name in hints if ASIDE not in notes[name]
-    )
+    found = [
+        Key(name, names[name], hint, IF_ANY in notes[name])
+        for name, hint in hints.items()
+        if name in names and ASIDE not in notes[name]
+    ]
+    known = {name: each for part in reversed(kind.__mro__) for name, each in vars(part).items()}
+    for name, each in known.items():
+        if isinstance(each, computed):
+            returned = get_type_hints(each.func, include_extras=True)["return"]
+            noted = getattr(returned, "__metadata__", ())
+            if not any(isinstance(note, Meta) and note.description for note in noted):
+                returned = Annotated[returned, about(_meaning(each))]
+            found.append(Key(name, NAMES.get(name, name), returned, IF_ANY in noted))
+    return tuple(found)
 
 
 def plain(value: Any) -> Any:

@@ -7,8 +7,8 @@ from allworlds.document.struct import replace
 from allworlds.engines.examiner import LOST, Outcome
 from allworlds.inputs.checks import show
 from allworlds.judging.episode import Log, fault_of
+from allworlds.judging.laws.finished_run import Violation
 from allworlds.judging.laws.law_table import PRECEDENCE
-from allworlds.judging.laws.laws import Violation
 from allworlds.protocol.actions import action_numbered
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
@@ -55,8 +55,8 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
         same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
         where = "in its length" if same is None else f"at step {same + 1}"
         difference = f"the second walk differs {where}"
-        goes_on = same is None and _ends_beyond(second) and len(again) == len(actions) + 1
-        if goes_on and fault_of(first) is None:
+        beyond = second.ending[0] == entries.BEYOND and len(again) == len(actions) + 1
+        if same is None and beyond and fault_of(first) is None:
             return nondeterministic("the second walk goes on where the first one ended")
     elif _meaning(first) != _meaning(second):
         difference = "the second answer differs"
@@ -70,11 +70,6 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
         if fault and not (left and fault.law == "illegal-action"):
             difference += f"; the {which} ended with {fault.law}: {fault.seen}"
     return nondeterministic(difference)
-
-
-def _ends_beyond(log: Log) -> bool:
-    """Whether a play acts where its record ends."""
-    return log.ending[:1] == (entries.BEYOND,)
 
 
 def side_by_side(first: Log, second: Log) -> str:
@@ -124,16 +119,3 @@ def _meaning(log: Log) -> object:
         return entries.REFUSED  # of a refused action no percept was recorded
     fault = fault_of(log)
     return fault.law if fault else log.ending
-
-
-def may_be_the_machine(first: Log, second: Log) -> bool:
-    """Whether the plays differ, and the machine may be the cause of the ending of one."""
-    faults = fault_of(first), fault_of(second)
-    suspicious = any(fault and fault.machine for fault in faults)
-    return suspicious and difference_of(first, second) is not None
-
-
-def ending_in_words(log: Log) -> str:
-    """The fault of a play, or that it ended with an answer."""
-    fault = fault_of(log)
-    return fault.seen if fault else "it ended with an answer"

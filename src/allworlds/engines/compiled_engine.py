@@ -4,40 +4,40 @@ In small worlds every run is played and judged by itself.  From
 :data:`allworlds.engines.engine_table.WALKED_FROM` edges on Algorithm 1 with its directional
 lighthouse is walked once in each rooted map, and the walk is counted for every bearing, because the
 marker's direction only tells the darts of v0 apart.  That premise, and the kernel itself, are
-compared with the examiner, run by run, before the first level; it plays its runs while another
+compared with the examiner, world by world, before the first level; it plays its runs while another
 process compiles the kernel.  A broken law is reported only as the examiner finds it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
-from itertools import islice, zip_longest
-from typing import Any, Self, TypeAlias
+from itertools import islice
+from typing import Any, Self
 
 from msgspec import Struct, field
 
 from allworlds.document.struct import replace
 from allworlds.engines.engine_table import WALKED_FROM, Job, kind_of, walks
 from allworlds.engines.examiner import Examiner
-from allworlds.engines.kernel import engine as kernel
+from allworlds.engines.kernel import engine as kernel, library_player
+from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.capabilities import COMPILING
-from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.rows import BrokenRun, Level, Listed, Rows, walk_number
+from allworlds.engines.kernel.compiling import is_compiled, uncollected
+from allworlds.engines.kernel.records import Stretch
+from allworlds.engines.kernel.rows import BrokenRun, Level, Rows
 from allworlds.engines.kernel.runs import UNDEFINED, examine
-from allworlds.engines.scope import LevelRuns, NumberedRun, Scope, UnitOfRuns, numbered_runs
-from allworlds.engines.tally import AtRun, EnginesDisagree, Row, Tally
-from allworlds.engines.units import Whole, cells_of_level
+from allworlds.engines.scope import Scope, UnitOfRuns
+from allworlds.engines.tally import AtRun, EnginesDisagree, Row, RunCounter, Tally
+from allworlds.engines.units import LevelUnit
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
-from allworlds.maps.canonical import Code, rooted_code
-from allworlds.maps.classes import Extent
+from allworlds.judging.laws.law_table import LAWS
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.maps.enumeration import prefixes
-from allworlds.protocol.actions import Move
-from allworlds.protocol.transcript import Transcript
 from allworlds.world.lighthouses.marked import Cluster, Natural
 from allworlds.world.world import World
 
@@ -80,7 +80,7 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
     return [[[value(n, d0, d) for d in of_all] for d0 in of_v0] for n in range(edges + 2)]
 
 
-def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, tally: Tally) -> Tally:
+def tally_of(rows: Rows, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
     """The empty tally with the kernel's counts, without the events and the findings."""
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.most_expensive
@@ -111,81 +111,92 @@ def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, tally: Tally) -> Tally:
 
 
 AGREEMENT_EDGES = 4
-"""The largest m for which a check begins with a comparison of both engines, run by run."""
+"""The largest m for which a check begins with a comparison of both engines, world by world."""
 
 AGREEMENT_EDGES_SIMPLE = 6
 """The limit in simple classes under lighthouses at two vertices, which few small worlds have."""
 
-Outcomes: TypeAlias = dict[UnitOfRuns, list[Listed]]
-"""The listed runs, by unit."""
-
-
-def listed_runs(scope: Scope, subject: Subject, unit: UnitOfRuns) -> list[Listed]:
-    """The list of all runs of a unit; a world without a place is a run without a step."""
-    examiner = Examiner(subject, scope.rules)
-    return [
-        _listed(scope, examiner, run) for run in numbered_runs(unit, scope.extent, scope.rules.kind)
-    ]
-
-
-def _listed(scope: Scope, examiner: Examiner, run: NumberedRun) -> Listed:
-    if run.lighthouse is None:
-        return Listed("", 0, 0, 0)
-    world = World(run.map, run.lighthouse, 0)
-    outcome = examiner.examine(world, scope.rules.choices(""))
-    episode, broken = outcome.episode, outcome.violation
-    return Listed(
-        broken.law if broken else "",
-        outcome.cost,
-        len(episode.checkpoints),
-        number_of(episode.transcript),
-    )
-
-
-def number_of(transcript: Transcript) -> int:
-    """The hash of a whole walk."""
-    return walk_number(
-        [
-            (action.k, seen.degree, seen.marks, -1 if seen.bearing is None else seen.bearing)
-            for action, seen in transcript.steps
-            if isinstance(action, Move)
-        ]
-    )
-
 
 def compare_engines(scope: Scope, subject: Subject) -> None:
-    """Raise EnginesDisagree unless both engines agree on every run in small worlds.
+    """Raise EnginesDisagree unless both engines agree on every small world, one by one.
 
-    Where the scope has levels that are walked once for every bearing, the walks are compared
-    too: each must cost what the general engine's cost at every bearing.
+    Where the scope has levels that are walked once for every bearing, the walks are compared, too:
+    with the runs that the kernel plays at every bearing.
 
     Raises:
         EnginesDisagree: naming the first world in which they do not.
     """
-    small = replace(scope, coverage=Whole())
-    levels = [m for m in scope.extent.levels if m <= compared_to(scope)]
-    walked = walks(scope, subject, scope.extent.levels[-1])
-    agreed = (subject.name, scope.rules, replace(scope.extent, edges=levels[-1]), walked)
+    extent = scope.extent
+    levels = [m for m in extent.levels if m <= compared_to(scope)]
+    walked = walks(scope, subject, extent.levels[-1])
+    agreed = (subject.name, scope.rules, replace(extent, edges=levels[-1]), walked)
     if agreed in AGREED:
         return
-    units = {m: [*_units(small, m)] for m in levels}
-    every = [unit for m in levels for unit in units[m]]
+    worlds = [
+        LevelUnit(m, history)
+        for m in levels
+        for history in prefixes(m, extent.map_class, extent.vertices, depth=2 * m)
+    ]
     # The general engine plays its runs while the kernel is compiled, by another process.
     with ThreadPoolExecutor(1) as beside:
         compiling = None
         if not is_compiled(examine):
             compiling = beside.submit(kernel.compile_apart, subject.name)
-        played: Outcomes = {unit: listed_runs(small, subject, unit) for unit in every}
+        played = [played_tally(scope, subject, world) for world in worlds]
         if compiling:
             compiling.result()
-    kernel.load_judge(level_of(subject.name, small.rules, small.extent, levels[0]))
-    compiled = {unit: _judged(small, subject, unit) for unit in every}
-    costs = {m: walk_costs(small, subject, m) for m in levels if walked}
-    for unit in every:
-        _compare_runs(small, unit, played[unit], compiled[unit])
-    for m, of_code in costs.items():
-        _compare_walks(small, units[m], played, of_code)
+    with uncollected():
+        for world, python in zip(worlds, played, strict=True):
+            _compare_in(world, python, scope, subject, walked=walked)
     AGREED.add(agreed)
+
+
+def _compare_in(
+    world: LevelUnit, python: Tally, scope: Scope, subject: Subject, *, walked: bool
+) -> None:
+    level = level_of(subject.name, scope.rules, scope.extent, world.edges)
+    rows = kernel.judge(level, world.prefix, keep=len(LAWS))
+    compare(tally_of(rows, world, scope, Tally(1)), rows, python, world)
+    broken, laws = {one.law for one in rows.broken}, {one.law for one in python.findings}
+    if broken != laws:
+        said = f"that {broken or 'no law'} is broken, the python engine {laws or 'none'}"
+    elif walked and kernel.walk(level, world.prefix).counts != rows.counts:
+        said = f"one walk for every bearing, {rows.counts} run by run"
+    else:
+        return
+    (map_,) = world.maps(scope.extent)
+    raise EnginesDisagree(
+        f"the kernel says {said}, in the world sigma={list(map_.sigma)} alpha={list(map_.alpha)}"
+    )
+
+
+def played_tally(scope: Scope, subject: Subject, unit: UnitOfRuns) -> Tally:
+    """The tally of a unit by the general engine; it has a finding of each law that is broken."""
+    counter, examiner = RunCounter(scope, keep=len(LAWS)), Examiner(subject, scope.rules)
+    tally = counter.tally()
+    for run in counter.runs(unit):
+        world = counter.count_run(run, tally)
+        if world is not None:
+            outcome = examiner.examine(world, scope.rules.choices(""))
+            counter.count_outcome(world, run.place, outcome, tally)
+            counter.settle(examiner, world, run.place, outcome, tally)
+    return tally
+
+
+def compare(kernels: Tally, rows: Rows, pythons: Tally, unit: LevelUnit) -> None:
+    """Raise EnginesDisagree unless both engines have counted the same."""
+    if _counts_of(kernels) != _counts_of(pythons):
+        raise EnginesDisagree(
+            f"the kernel and the python engine count differently in the unit {unit.key}: "
+            f"{_counts_of(kernels)} and {_counts_of(pythons)}; broken: {rows.broken}"
+        )
+
+
+def _counts_of(tally: Tally) -> object:
+    """All that is counted of the runs of a unit."""
+    sizes = sorted(tally.rows.items())
+    most = [(size, row.most_expensive and row.most_expensive[:3]) for size, row in sizes]
+    return [row for _, row in sizes], most, tally.left_out, tally.checkpoints, +tally.witnesses
 
 
 def compared_to(scope: Scope) -> int:
@@ -197,83 +208,6 @@ def compared_to(scope: Scope) -> int:
 
 AGREED: set[object] = set()
 """The comparisons that have succeeded in this process."""
-
-
-def _units(scope: Scope, edges: int) -> Iterator[LevelRuns]:
-    """The level, cut by the degree of the root."""
-    extent = scope.extent
-    for prefix in prefixes(edges, extent.map_class, extent.vertices, depth=1):
-        yield LevelRuns(edges, prefix)
-
-
-def _judged(scope: Scope, subject: Subject, unit: LevelRuns) -> tuple[Listed, ...]:
-    """The list of each run of the unit, by the kernel."""
-    level = level_of(subject.name, scope.rules, scope.extent, unit.edges)
-    runs = sum(counts.runs + counts.left_out for counts in kernel.judge(level, unit.prefix).counts)
-    return kernel.judge(level, unit.prefix, listed=runs).listed
-
-
-def walk_costs(scope: Scope, subject: Subject, edges: int) -> dict[Code, int]:
-    """For each world of the level, by its code, the cost of the one walk of the kernel in it.
-
-    Cost: the memory of all of them; meant for m <= 5.
-    """
-    level = level_of(subject.name, scope.rules, scope.extent, edges)
-    room = sum(cells_of_level(scope.extent, edges).values())
-    costs = {}
-    for unit in _units(scope, edges):
-        for cost, degrees, partners in kernel.costs(level, unit.prefix, room):
-            costs[rooted_code(rotation(degrees), partners, 0)] = cost
-    return costs
-
-
-def rotation(degrees: Iterable[int]) -> list[int]:
-    """The permutation sigma of vertices whose darts are consecutive and clockwise."""
-    sigma: list[int] = []
-    for degree in degrees:
-        first = len(sigma)
-        sigma += [*range(first + 1, first + degree), first]
-    return sigma
-
-
-def _compare_runs(
-    scope: Scope, unit: LevelRuns, played: Sequence[Listed], judged: Sequence[Listed]
-) -> None:
-    runs = numbered_runs(unit, scope.extent, scope.rules.kind)
-    for run, python, compiled in zip_longest(runs, played, judged):
-        if python != compiled:
-            if run is None:
-                raise EnginesDisagree(f"the kernel has met too many runs in the unit {unit.key}")
-            raise EnginesDisagree(
-                f"the python engine: {_words(python)}, the kernel: {_words(compiled)}, in the "
-                f"world {_world(run)}"
-            )
-
-
-def _compare_walks(
-    scope: Scope, units: Iterable[LevelRuns], played: Outcomes, costs: Mapping[Code, int]
-) -> None:
-    for unit in units:
-        runs = numbered_runs(unit, scope.extent, scope.rules.kind)
-        for run, python in zip(runs, played[unit], strict=True):
-            cost = costs.get(rooted_code(run.map.sigma, run.map.alpha, 0))
-            if cost != python.cost:
-                walked = "never ends its walk" if cost is None else f"walks {cost} traversals"
-                raise EnginesDisagree(
-                    f"the kernel {walked}, the python engine {python.cost}, in the world "
-                    f"{_world(run)}"
-                )
-
-
-def _words(listed: Listed | None) -> str:
-    if listed is None:
-        return "no run"
-    broken = f"{listed.law} is broken" if listed.law else "all laws hold"
-    return f"{listed.cost} traversals, {listed.checkpoints} checkpoints, {broken}"
-
-
-def _world(run: NumberedRun) -> str:
-    return f"sigma={list(run.map.sigma)} alpha={list(run.map.alpha)} place={run.place}"
 
 
 BATCH = 8
@@ -292,15 +226,12 @@ class CompiledEngine(Struct, frozen=True):
     Attributes:
         scope, subject, keep: as for the general engine.
         flag: its entry 0 tells the kernel to give up.
-        reached: by edges and vertices, the cost of some walk: a cheaper run is not the most
-            expensive.
     """
 
     scope: Scope
     subject: Subject
     keep: int
     flag: Any = field(default_factory=kernel.flag)
-    reached: dict[int, Any] = field(default_factory=dict)
 
     @classmethod
     def ready(cls, job: Job) -> Self:
@@ -318,7 +249,7 @@ class CompiledEngine(Struct, frozen=True):
         """Make all threads give up their work."""
         self.flag[0] = 1
 
-    def parts(self, unit: LevelRuns) -> Iterator[Tally]:
+    def parts(self, unit: LevelUnit) -> Iterator[Tally]:
         """The tally of the unit, equal to the general engine's.
 
         Raises:
@@ -327,20 +258,14 @@ class CompiledEngine(Struct, frozen=True):
         """
         scope = self.scope
         level = level_of(self.subject.name, scope.rules, scope.extent, unit.edges)
-        if walks(scope, self.subject, unit.edges):
-            known = self.reached.setdefault(unit.edges, kernel.reached_in(unit.edges))
-            rows = kernel.walk(level, unit.prefix, keep=self.keep, reached=known, halt=self.flag)
-        else:
-            rows = kernel.judge(level, unit.prefix, keep=self.keep, halt=self.flag)
-        yield self._tally(unit, rows)
-
-    def _tally(self, unit: LevelRuns, rows: Rows) -> Tally:
-        tally = tally_of(rows, unit, self.scope, Tally(self.keep))
+        does = kernel.walk if walks(scope, self.subject, unit.edges) else kernel.judge
+        rows = does(level, unit.prefix, keep=self.keep, halt=self.flag)
+        tally = tally_of(rows, unit, scope, Tally(self.keep))
         tally.witnesses.update(rows.events)
         tally.witnesses = +tally.witnesses
         for broken in rows.broken:
             self._blame(broken, tally)
-        return tally
+        yield tally
 
     def _blame(self, broken: BrokenRun, tally: Tally) -> None:
         """Find the runs by the general engine in which the kernel finds a law broken.
@@ -367,3 +292,23 @@ class CompiledEngine(Struct, frozen=True):
                     f"alpha={list(map_.alpha)} place={place}"
                 )
             tally.find(examiner.finding(world, place, outcome))
+
+
+def load_native() -> None:
+    """Load or compile the code that judges, and that libraries need, but for the lighthouses."""
+    level = level_of("", Rules(), Extent(MapClass.MAPS, 1), 1)
+    with uncollected():
+        stretch = Stretch.of(level.edges)
+        unit = UnitJudge(level, (-1,), 1, stretch, stretch)
+        unit.judge(unit.lay_out(0), 0)
+        library_player.load_player()
+
+
+def is_kept() -> bool:
+    """Whether this code has been compiled before."""
+    return all(map(is_compiled, (library_player.play, examine)))
+
+
+def compile_apart() -> None:
+    """Let another process compile it, which is not waited for."""
+    kernel.in_another_process(f"from {__name__} import load_native; load_native()")

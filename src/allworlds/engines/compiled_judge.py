@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
 from typing import Any
 
-from allworlds.engines.compiled_engine import level_of, tally_of
-from allworlds.engines.judge import Due, Judged, PythonJudge, Recorded, RunBatch, Work
+from allworlds.engines.compiled_engine import compare, level_of, tally_of
+from allworlds.engines.judge import Due, Judged, PythonJudge, RunBatch, Work
 from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge
 from allworlds.engines.kernel.records import (
     RUN_BUDGET,
@@ -23,11 +23,10 @@ from allworlds.engines.kernel.records import (
 )
 from allworlds.engines.kernel.rows import Rows
 from allworlds.engines.players import Logs
-from allworlds.engines.scope import LevelRuns
 from allworlds.engines.tally import EnginesDisagree, Tally
+from allworlds.engines.units import LevelUnit
 from allworlds.maps.canonical import Code, rooted_code
-from allworlds.protocol.actions import Percept
-from allworlds.protocol.playing import numbers_of, percept_of
+from allworlds.world.world import World
 
 LIBRARIES = 8
 """The batches of libraries are so many times as large."""
@@ -42,13 +41,13 @@ class CompiledBatch(RunBatch):
     """
 
     def __init__(
-        self, judge: CompiledJudge, work: Work, laid: LaidOutRuns, heads: Any, tables: Any
+        self, judge: CompiledJudge, work: Work, unit_judge: UnitJudge, laid: LaidOutRuns
     ) -> None:
         super().__init__(judge.python, work, ())
-        self.laid, self.heads, self.tables, self.plain = laid, heads, tables, not judge.native
+        self.unit_judge, self.laid, self.plain = unit_judge, laid, not judge.native
+        self.heads, self.tables = unit_judge.heads.copy(), unit_judge.worlds[: laid.runs].copy()
         self.by: Any = judge
         self.percepts, self.starts = b"", array("i")
-        self.unit_judge: UnitJudge
         self.motioned: Any = None
         self._found: list[int] = []
         self._known: dict[int, Judged] = {}
@@ -61,20 +60,23 @@ class CompiledBatch(RunBatch):
         """The runs, as Python has them."""
         if not self._runs and len(self):
             unit, laid = self.work.unit, self.laid
-            every = islice(self.by.engine.runs(unit, laid.first), laid.until - laid.first)
-            self._runs = self.judge.due(every)
+            self._runs = [
+                Due(run.number, run.place, World(run.map, run.lighthouse, 0))
+                for run in islice(self.by.engine.runs(unit, laid.first), laid.until - laid.first)
+                if run.lighthouse is not None
+            ]
         return self._runs
 
-    def worlds(self, rows: Sequence[int], *, hear: bool = False) -> dict[str, Any]:
+    def worlds(self, rows: Sequence[int]) -> dict[str, Any]:
         """The message to a player that plays these runs in their worlds."""
-        if self.by.native and not (self.plain or hear):
+        if not self.plain:
             whole = len(rows) == len(self)
             heads, tables = (each if whole else each[[*rows]] for each in (self.heads, self.tables))
             return self._native(rows, heads) | {"again": False, "worlds": tables}
-        told = self._told(rows, (self.tables[row].tobytes() for row in rows))
-        return self.judge.message("table", told, range(len(rows)), hear=hear)
+        tables = (self.tables[row].tobytes() for row in rows)
+        return self.judge.message("table", self._rows_of(rows, tables))
 
-    def _told(self, rows: Sequence[int], places: Iterable[bytes]) -> list[tuple[Any, ...]]:
+    def _rows_of(self, rows: Sequence[int], places: Iterable[bytes]) -> list[tuple[Any, ...]]:
         """Rows of a message: worlds or records, and what is said of each run."""
         said = self.heads[[*rows]][:, [RUN_BUDGET, RUN_TOLD]].tolist()
         return [
@@ -82,13 +84,15 @@ class CompiledBatch(RunBatch):
             for place, (budget, number) in zip(places, said, strict=True)
         ]
 
-    def records(self, rows: Sequence[int], order: Sequence[int]) -> dict[str, Any]:
-        """The message to a player that plays recorded percepts."""
-        whole = len(rows) == len(self) and not self.plain
-        if self.by.native and whole:
-            sensed = {"again": True, "percepts": self.percepts, "starts": self.starts}
-            return self._native(rows, self.motioned) | sensed
-        return self.judge.message("record", self._told(rows, map(self._percepts, rows)), order)
+    def records(self, rows: Sequence[int], order: Sequence[int] = ()) -> dict[str, Any]:
+        """The message to a player that plays recorded percepts; a library's draws the order."""
+        if len(rows) == len(self) and not self.plain:
+            again = {"again": True, "percepts": self.percepts, "starts": self.starts}
+            return self._native(rows, self.motioned) | again
+        if not self.percepts:  # Python has judged them
+            return super().records(rows, order)
+        sensed = (self.percepts[self.starts[row] : self.starts[row + 1]] for row in rows)
+        return self.judge.message("record", self._rows_of(rows, sensed), order)
 
     def _native(self, rows: Sequence[int], heads: Any) -> dict[str, Any]:
         return {
@@ -100,26 +104,10 @@ class CompiledBatch(RunBatch):
             "heads": heads,
         }
 
-    def _percepts(self, row: int) -> bytes:
-        return self.percepts[self.starts[row] : self.starts[row + 1]]
-
-    def record(self, row: int) -> Recorded:
-        """Return the record of a run: all that the second player gets of it."""
-        sensed = self._percepts(row)
-        percepts: list[Percept] = [
-            percept_of(*sensed[at : at + 3]) for at in range(0, len(sensed), 3)
-        ]
-        return Recorded(percepts, self.runs[row].world)
-
     @property
     def without_words(self) -> list[int]:
         """The broken runs of which compiled code has written the log: without words or choices."""
-        return self.broken if self.by.native and not self.plain else []
-
-    def written_anew(self, row: int, log: bytes) -> None:
-        """Take the log of a run that Python has played."""
-        super().written_anew(row, log)
-        self._known.pop(row, None)
+        return [] if self.plain else self.broken
 
     def outcome(self, row: int) -> Judged:
         """A run, judged by the Python judge."""
@@ -157,27 +145,21 @@ class CompiledJudge:
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
         """The runs of a unit, so many at a time."""
         unit = work.unit
-        assert isinstance(unit, LevelRuns)
-        judge, (stretch, _) = self._unit(unit)
+        assert isinstance(unit, LevelUnit)
+        scope, edges = self.engine.scope, unit.edges
+        if edges not in self._memories:
+            self._memories[edges] = Stretch.of(edges), Stretch.of(edges)
+        level = level_of(self.python.referee.explorer, scope.rules, scope.extent, edges)
+        judge = UnitJudge(level, unit.prefix, self.engine.keep, *self._memories[edges])
         last = False
         while not last:
             laid = judge.lay_out(size() * (LIBRARIES if self.native else 1))
             last = laid.last
-            worlds = stretch.worlds[: laid.runs].copy()
-            batch = CompiledBatch(self, work, laid, judge.heads.copy(), worlds)
-            batch.unit_judge = judge
+            batch = CompiledBatch(self, work, judge, laid)
             if laid.runs:
                 yield batch
             elif laid.until > laid.first:  # worlds without a place
                 self.judge(batch)
-
-    def _unit(self, unit: LevelRuns) -> tuple[UnitJudge, tuple[Stretch, Stretch]]:
-        scope, edges = self.engine.scope, unit.edges
-        if edges not in self._memories:
-            self._memories[edges] = Stretch(edges), Stretch(edges)
-        level = level_of(self.python.referee.explorer, scope.rules, scope.extent, edges)
-        memories = self._memories[edges]
-        return UnitJudge(level, unit.prefix, self.engine.keep, *memories), memories
 
     def judge(self, batch: CompiledBatch) -> bool:
         """Judge the first logs of a batch, and count them; those of one unit in their order.
@@ -185,7 +167,7 @@ class CompiledJudge:
         Return False if compiled code has written logs that only Python knows how to write.
         """
         unit, work = batch.work.unit, batch.work
-        assert isinstance(unit, LevelRuns)
+        assert isinstance(unit, LevelUnit)
         if self.native and batch.plain:
             self._by_python(batch)
             return True
@@ -211,11 +193,6 @@ class CompiledJudge:
                 )
         return True
 
-    def skip(self, batch: CompiledBatch) -> None:
-        """Go on behind a batch that Python plays and judges."""
-        batch.plain = True
-        batch.unit_judge.skip(batch.laid)
-
     def _rows(self, batch: CompiledBatch) -> tuple[Rows, bool]:
         """The rows of a batch, and whether all logs could be judged."""
         edges = batch.work.unit.edges  # type: ignore[attr-defined]
@@ -238,14 +215,7 @@ class CompiledJudge:
         batch.broken.extend(
             row for row in range(len(batch)) if batch.outcome(row).outcome.violation
         )
-        parts = [
-            numbers_of(batch.outcome(row).outcome.episode.transcript.percepts)
-            for row in range(len(batch))
-        ]
-        batch.plain, batch.starts = True, array("i", [0])
-        for part in parts:
-            batch.starts.append(batch.starts[-1] + len(part))
-        batch.percepts = b"".join(map(bytes, parts))
+        batch.plain, batch.percepts = True, b""
 
     def _python_tally(self, batch: CompiledBatch) -> Tally:
         """Return the tally that the Python judge makes of the same logs."""
@@ -286,19 +256,3 @@ class CompiledJudge:
                 self._compared = False
                 self.judge(batch)
         self._compared = False
-
-
-def compare(kernels: Tally, rows: Rows, pythons: Tally, unit: LevelRuns) -> None:
-    """Raise EnginesDisagree unless both judges have counted the same."""
-    if _counts_of(kernels) != _counts_of(pythons):
-        raise EnginesDisagree(
-            f"the kernel and the python engine count differently in the unit {unit.key}: "
-            f"{_counts_of(kernels)} and {_counts_of(pythons)}; broken: {rows.broken}"
-        )
-
-
-def _counts_of(tally: Tally) -> object:
-    """All that is counted of the runs of a unit."""
-    sizes = sorted(tally.rows.items())
-    most = [(size, row.most_expensive and row.most_expensive[:3]) for size, row in sizes]
-    return [row for _, row in sizes], most, tally.left_out, tally.checkpoints, +tally.witnesses

@@ -155,9 +155,9 @@ class Dask:
         try:
             while True:
                 workers = (await asyncio.wait_for(scheduler.identity(), limit))["workers"]
-                told = [(name, worker["last_seen"]) for name, worker in workers.items()]
+                seen = [(name, worker["last_seen"]) for name, worker in workers.items()]
                 now = monotonic()
-                beats = {beat: beats.get(beat, now) for beat in told}
+                beats = {beat: beats.get(beat, now) for beat in seen}
                 heard = max([heard, *beats.values()])
                 if now - heard > limit:
                     raise ClusterLost(f"no worker of {self._cluster} gave a sign of life {silence}")
@@ -290,9 +290,9 @@ def serve(workers: int) -> None:
     """Print the address of a new cluster, which ends when stdin does."""
     from distributed import LocalCluster
 
-    told = os.dup(1)
+    stdout = os.dup(1)
     os.dup2(2, 1)  # what workers print is not for the owner
     more = {"dashboard_address": "127.0.0.1:0", "silence_logs": logging.CRITICAL}
     with LocalCluster(n_workers=workers, threads_per_worker=1, **more) as cluster:  # type: ignore[no-untyped-call]
-        os.write(told, f"{cluster.scheduler_address}\n".encode())
+        os.write(stdout, f"{cluster.scheduler_address}\n".encode())
         sys.stdin.read()

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 from msgspec import Struct
 
-from allworlds.engines.progress import Listener, usual_listener
+from allworlds.engines.progress import NOBODY, Listener
 from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
 from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Option, Request, Taken, values_of
 from allworlds.outcome import NoResult
@@ -155,8 +155,8 @@ class AskedListener(Request):
 
     listener: Annotated[
         Taken[Listener | None, Listener],
-        "is told of the progress; by default a bar in a notebook, else nobody",
-    ] = Taken(lambda listener: listener or usual_listener(), None)
+        "is told of the progress; by default nobody",
+    ] = Taken(lambda listener: listener or NOBODY, None)
 
 
 class AskedDirectory(Request):

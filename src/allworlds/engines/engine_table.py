@@ -230,8 +230,8 @@ def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) 
         return ""
     obstacle = ENGINES["kernel"].obstacle(scope, subject)
     expected = subject.compiled or (most > COMPILED_FROM and obstacle == lack_of(*COMPILER))
-    told = f"the kernel {obstacle}; the python engine goes on, far slower"
-    return told if obstacle and expected else ""
+    lacking = f"the kernel {obstacle}; the python engine goes on, far slower"
+    return lacking if obstacle and expected else ""
 
 
 def _is_kept_out(subject: Subject, memory: int | None) -> bool:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from msgspec import Struct
 
 from allworlds.explorers.loading import Subject
@@ -11,8 +9,8 @@ from allworlds.inputs.checks import show
 from allworlds.judging.episode import Answered, Ending, Episode, Fault, Undecided, play
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import Rules
+from allworlds.judging.laws.finished_run import Case, Violation, first_wrong
 from allworlds.judging.laws.law_table import LAWS, judge
-from allworlds.judging.laws.laws import Case, Violation, first_wrong
 from allworlds.maps.canonical import rooted_code
 from allworlds.protocol.answers import Answer
 from allworlds.protocol.choices import Choices
@@ -103,9 +101,13 @@ class Referee:
             again = self.verdict(canonical, outcome.episode, outcome.bound)
             if again and again.law == violation.law:
                 violation = again
-        return self._found(
-            canonical,
-            place,
+        return Finding(
+            version=2,
+            explorer=self.explorer,
+            world=canonical,
+            at=place,
+            options=self.rules.recorded,
+            under=self.rules,
             law=violation.law,
             choices=outcome.choices,
             transcript=outcome.episode.transcript,
@@ -125,10 +127,6 @@ class Referee:
             return None
         case = Case(world.map, world.start, episode.transcript, episode.checkpoints, None, None)
         return first_wrong(case)
-
-    def _found(self, world: World, place: int, **told: Any) -> Finding:
-        told |= {"options": self.rules.recorded, "under": self.rules}
-        return Finding(version=2, explorer=self.explorer, world=world, at=place, **told)
 
 
 class Examiner(Referee):

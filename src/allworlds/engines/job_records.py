@@ -1,4 +1,4 @@
-"""What a finished unit leaves: the identity of its job, its records, and its result as JSON.
+"""The identity of a job, its records, and the results of its finished units as JSON.
 
 The form of a result follows from the types of its fields.  A struct, or a dataclass, is kept by
 its fields; a counter, or a dictionary whose keys are no texts, as pairs; and whatever has a
@@ -167,20 +167,20 @@ def to_kept(result: object) -> Any:
     return _form(kind).write(result)
 
 
-def from_kept(told: object, kind: type[T]) -> T:
+def from_kept(kept: object, kind: type[T]) -> T:
     """The result of that class of which this is :func:`to_kept`'s value.
 
     Raises:
         InputError: for any other value.
     """
     made: Any = kind
-    found: T = _form(made).read(told)
+    found: T = _form(made).read(kept)
     return found
 
 
 @cache
 def _form(kind: Any) -> Form:
-    return _own_form(kind) or Form(plain_at_once, lambda told: taken(told, kind, WHAT))
+    return _own_form(kind) or Form(plain_at_once, lambda kept: taken(kept, kind, WHAT))
 
 
 def _own_form(kind: Any) -> Form | None:
@@ -192,12 +192,12 @@ def _own_form(kind: Any) -> Form | None:
         items = _form(list[tuple[(*parts, int)[:2]]])  # type: ignore[misc]  # a type made of types
         return Form(
             lambda table: items.write([*table.items()]),
-            lambda told: origin(dict(items.read(told))),
+            lambda kept: origin(dict(items.read(kept))),
         )
     if origin is list and (one := _own_form(parts[0])):
         return Form(
             lambda values: [one.write(value) for value in values],
-            lambda told: [one.read(value) for value in taken(told, list[Any], WHAT)],
+            lambda kept: [one.read(value) for value in taken(kept, list[Any], WHAT)],
         )
     if origin is tuple and any(map(_own_form, parts)):
         return _tuple(tuple(map(_form, parts)))
@@ -209,10 +209,10 @@ def _own_form(kind: Any) -> Form | None:
 
 
 def _tuple(forms: tuple[Form, ...]) -> Form:
-    def read(told: object) -> tuple[Any, ...]:
-        values = taken(told, list[Any], WHAT)
+    def read(kept: object) -> tuple[Any, ...]:
+        values = taken(kept, list[Any], WHAT)
         if len(values) != len(forms):
-            raise InputError(f"{WHAT}: {show(told)} does not have {len(forms)} entries")
+            raise InputError(f"{WHAT}: {show(kept)} does not have {len(forms)} entries")
         return tuple(form.read(value) for form, value in zip(forms, values, strict=True))
 
     return Form(
@@ -226,8 +226,8 @@ def _by_fields(kind: Any) -> Form | None:
         return None
     forms = {name: _form(hints[name]) for name in names_of(kind)}
 
-    def read(told: object) -> Any:
-        values = taken(told, dict[str, Any], WHAT)
+    def read(kept: object) -> Any:
+        values = taken(kept, dict[str, Any], WHAT)
         if values.keys() != forms.keys():
             raise InputError(f"{WHAT}: the keys are {', '.join(forms)}, not {show([*values])}")
         return kind(**{name: form.read(values[name]) for name, form in forms.items()})

@@ -6,15 +6,14 @@ the way are what the second player gets.  It imports files of models, never an e
 
 from __future__ import annotations
 
-from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from random import Random
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from allworlds.engines.examiner import LOST, Outcome, Referee, name_run
 from allworlds.engines.players import Logs
-from allworlds.engines.scope import NumberedRun, UnitOfRuns
+from allworlds.engines.scope import UnitOfRuns
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.episode import Episode, Fault, Log, Over, followed
@@ -22,7 +21,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script
 from allworlds.protocol.faults import IllegalAction
-from allworlds.protocol.playing import numbers_of
+from allworlds.protocol.playing import numbers_of, packed
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.composed import Composed
 from allworlds.world.world import World
@@ -133,11 +132,11 @@ class RunBatch:
             self.logs[which] = dict(enumerate(self.logs[which]))
         self.logs[which].update(zip(rows, logs, strict=True))
 
-    def worlds(self, rows: Sequence[int], *, hear: bool = False) -> dict[str, Any]:
+    def worlds(self, rows: Sequence[int]) -> dict[str, Any]:
         """The message to a player that plays these runs in their worlds."""
-        return self.judge.worlds_message([self.runs[row] for row in rows], hear=hear)
+        return self.judge.worlds_message([self.runs[row] for row in rows])
 
-    def records(self, rows: Sequence[int], order: Sequence[int]) -> dict[str, Any]:
+    def records(self, rows: Sequence[int], order: Sequence[int] = ()) -> dict[str, Any]:
         """The message to a player that plays recorded percepts; nothing of a world."""
         return self.judge.records_message([self.record(row) for row in rows], order)
 
@@ -158,10 +157,6 @@ class RunBatch:
     def without_words(self) -> list[int]:
         """Return no run: Python has written each log."""
         return []
-
-    def written_anew(self, row: int, log: bytes) -> None:
-        """Take the log of a run that Python has played."""
-        self.take(0, [row], [log])
 
     def follow_ups(self) -> list[Due]:
         """The runs with the next schedules, where every schedule is due."""
@@ -205,14 +200,6 @@ class PythonJudge:
                 runs = []
         if runs:
             yield RunBatch(self, work, runs)
-
-    def due(self, runs: Iterable[NumberedRun]) -> list[Due]:
-        """The runs that have a place."""
-        return [
-            Due(run.number, run.place, World(run.map, run.lighthouse, 0), self._given)
-            for run in runs
-            if run.lighthouse is not None
-        ]
 
     def judge(self, batch: RunBatch) -> bool:
         """Judge the first logs of a batch, and count them; return True: it can read them all."""
@@ -260,74 +247,47 @@ class PythonJudge:
 
     # ---------------------------------------------------------------- messages
 
-    def worlds_message(self, runs: Sequence[Due], *, hear: bool = False) -> dict[str, Any]:
+    def worlds_message(self, runs: Sequence[Due]) -> dict[str, Any]:
         """The message to a player that plays these runs in their worlds."""
-        rules, task = self.rules, self.rules.task
-        told = [(each.world.told, False) for each in runs]
-        worlds: Any
+        task = self.rules.task
+        worlds: Iterable[Any]
         if not task.ends_runs and all(_is_table(each.world.lighthouse) for each in runs):
-            kind, worlds = "table", _tables(runs)
+            kind, worlds = "table", (_table(each.world) for each in runs)
         else:
-            kind, worlds = "model", [task.environment(each.world) for each in runs]
-            told = [(None, False)] * len(runs)
-        rows: Any = [
-            (world, *said, rules.budget(due.world.map), name_run(rules, due.world), due.script)
-            for due, world, said in zip(runs, worlds, told, strict=True)
-        ]
-        return self.message(kind, rows, range(len(runs)), hear=hear)
+            kind, worlds = "model", (task.environment(each.world) for each in runs)
+        rows = [self._row(due, world) for due, world in zip(runs, worlds, strict=True)]
+        return self.message(kind, rows)
 
-    def records_message(self, runs: Sequence[Recorded], order: Iterable[int]) -> dict[str, Any]:
+    def records_message(
+        self, runs: Sequence[Recorded], order: Sequence[int] = ()
+    ) -> dict[str, Any]:
         """The message to a player that plays these runs against recorded percepts."""
-        rules = self.rules
-        rows = [
-            (
-                numbers_of(each.percepts),
-                _plain(each.world.told),
-                each.over,
-                rules.budget(each.world.map),
-                name_run(rules, each.world),
-                each.script,
-            )
-            for each in runs
-        ]
+        rows = [self._row(each, numbers_of(each.percepts), over=each.over) for each in runs]
         return self.message("record", rows, order)
 
-    def message(
-        self, kind: str, rows: Any, order: Iterable[int], *, hear: bool = False
-    ) -> dict[str, Any]:
-        """A message to a player: rows of a world or a record, and what is said of its run."""
-        runs = len(rows)
-        if kind == "table":
-            rows = [(table, _plain(told), *rest) for table, told, *rest in rows]
+    def _row(self, run: Due | Recorded, place: Any, *, over: bool = False) -> tuple[Any, ...]:
+        """The row of a message for a run: where it is played, and what is said of it."""
+        rules, world = self.rules, run.world
+        told: Any = world.told
+        if not (told is None or type(told) is int):  # marshal writes no other mapping
+            told = dict(told)
+        return place, told, over, rules.budget(world.map), name_run(rules, world), run.script
+
+    def message(self, kind: str, rows: Any, order: Sequence[int] = ()) -> dict[str, Any]:
+        """A message to a player: rows of a world or a record, and what is said of its run.
+
+        Without an order they are played one after the other.
+        """
         return {
             "kind": kind,
             "rows": rows,
-            "runs": runs,
-            "order": [*order],
+            "runs": len(rows),
+            "order": [*(order or range(len(rows)))],
             "policy": DEFAULT_POLICY if self.every else self.rules.policy,
             "every": self.every,
             "any_answer": not self.rules.task.is_map,
-            "hear": hear,
+            "hear": False,
         }
-
-
-def drawn_order(random: Random, runs: int) -> list[int]:
-    """The numbers of the runs, in an order that is drawn."""
-    order = [*range(runs)]
-    random.shuffle(order)
-    return order
-
-
-def with_one_again(random: Random, order: list[int]) -> list[int]:
-    """The order, in which one run may stand twice: who counts runs does not know which comes."""
-    if random.getrandbits(1):
-        order.insert(random.randrange(len(order)), random.choice(order))
-    return order
-
-
-def _plain(told: Any) -> Any:
-    """The value that is told, as marshal can write it."""
-    return told if told is None or type(told) is int else dict(told)
 
 
 def _is_table(lighthouse: Lighthouse) -> bool:
@@ -339,43 +299,27 @@ def _is_table(lighthouse: Lighthouse) -> bool:
     return all(getattr(kind, name) is getattr(Lighthouse, name) for name in names)
 
 
-def _tables(runs: Sequence[Due]) -> list[Any]:
-    """The worlds of these runs as tables; those of one map stand together."""
-    tables, before, layout = [], None, array("i")
-    darts: list[int] = []
-    for due in runs:
-        map_ = due.world.map
-        if map_ is not before or due.world.start != darts[0]:
-            before, (layout, darts) = map_, _layout(map_, due.world.start)
-        tables.append(_table(due.world, layout, darts))
-    return tables
-
-
-def _layout(map_: CombinatorialMap, start: int) -> tuple[array[int], list[int]]:
-    """First dart of the vertex and partner of each dart, and the darts.
+@lru_cache(1)
+def _layout(map_: CombinatorialMap, start: int) -> list[tuple[int, int, int]]:
+    """The darts, each with the places of the first dart of its vertex and of its partner.
 
     Those of each vertex stand one behind the other, from the start on.
     """
-    darts: list[int] = []
     first: dict[int, int] = {}
     for dart in (start, *map_.darts):
-        begin, each = len(darts), dart
+        begin, each = len(first), dart
         while each not in first:
             first[each] = begin
-            darts.append(each)
             each = map_.sigma[each]
-    place = {dart: i for i, dart in enumerate(darts)}
-    return array("i", [n for d in darts for n in (first[d], place[map_.alpha[d]])]), darts
+    place = {dart: i for i, dart in enumerate(first)}
+    return [(dart, begin, place[map_.alpha[dart]]) for dart, begin in first.items()]
 
 
-def _table(world: World, layout: array[int], darts: Sequence[int]) -> bytes | tuple[int, ...]:
+def _table(world: World) -> bytes | tuple[int, ...]:
     """The world as a table; see :class:`allworlds.protocol.playing.TableWorld`."""
     percepts, numbers = world.percepts, list[int]()
-    for i, dart in enumerate(darts):
+    for dart, first, partner in _layout(world.map, world.start):
         p = percepts[dart]
         bearing = 0 if p.bearing is None else p.bearing + 1
-        numbers += (layout[2 * i], layout[2 * i + 1], p.degree, p.marks, bearing)
-    try:
-        return bytes(numbers)
-    except ValueError:
-        return tuple(numbers)
+        numbers += (first, partner, p.degree, p.marks, bearing)
+    return packed(numbers)

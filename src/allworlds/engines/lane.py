@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter, deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from random import Random
 from typing import Any, NamedTuple
@@ -26,8 +26,6 @@ from allworlds import log as entries
 from allworlds.document.struct import replace
 from allworlds.engines.comparison import (
     difference_of,
-    ending_in_words,
-    may_be_the_machine,
     nondeterministic,
     overruled,
 )
@@ -39,8 +37,6 @@ from allworlds.engines.judge import (
     Recorded,
     RunBatch,
     Work,
-    drawn_order,
-    with_one_again,
 )
 from allworlds.engines.players import (
     Logs,
@@ -52,11 +48,11 @@ from allworlds.engines.players import (
     fresh,
     wait,
 )
-from allworlds.engines.scope import LevelRuns, UnitOfRuns
+from allworlds.engines.scope import UnitOfRuns
 from allworlds.engines.tally import REPORT_EVERY, RunCounter
-from allworlds.engines.units import PartialResult, level_size
+from allworlds.engines.units import LevelUnit, PartialResult, level_size
 from allworlds.explorers.loading import Subject, is_program
-from allworlds.judging.episode import Log
+from allworlds.judging.episode import Log, fault_of
 from allworlds.protocol.playing import AN_ACTION
 
 FIRST, SECOND = 0, 1
@@ -114,9 +110,9 @@ class Lane:
         subject: the explorer.
         engine: counts, and knows the scope.
         limits: of the time for an answer, and of memory.
-        given: the choices of each run; None for those that the scope asks for.
+        given: the choices of the only run, whose record is not played under other seeds; None for
+            those that the scope asks for.
         seeds: the hash seeds of both players.
-        more_seeds: whether records are played under other seeds, too.
         first_lane: whether it is the one of all lanes that compiles, and that tries six seeds.
 
     Attributes:
@@ -131,7 +127,6 @@ class Lane:
         *,
         given: tuple[int, ...] | None = None,
         seeds: tuple[int, int] = (FIRST, SECOND),
-        more_seeds: bool = True,
         first_lane: bool = True,
     ) -> None:
         self.subject, self.engine = subject, engine
@@ -152,13 +147,13 @@ class Lane:
         self._repeated, self._unrepeated = set[str](), Counter[str]()
         # A program that is another one has a seed of its own, and a library has none.
         different = self._seeds == [FIRST, SECOND] and not is_program(subject.name)
-        self._seeds_more = more_seeds and self._twice and different
+        self._seeds_more = given is None and self._twice and different
         self._kept: list[tuple[RunBatch, int]] = []
         self._compiled: Any = None
         self._small: list[RunBatch] = []
         self._first_lane, self._compiling = first_lane, False
         self._due = self._judged = self._settled_runs = 0
-        self.given_up, self._told_why = "", False
+        self.given_up = ""
 
     # ---------------------------------------------------------------- units
 
@@ -171,7 +166,7 @@ class Lane:
     def _judge_of(self, unit: UnitOfRuns) -> Any:
         """The judge in compiled code if the level is worth its loading, and it is compiled."""
         least = self.engine.compiled_from
-        if least is None or not isinstance(unit, LevelRuns):
+        if least is None or not isinstance(unit, LevelUnit):
             return self.judge
         extent = self.engine.scope.extent
         following = min(unit.edges + 1, extent.levels[-1])  # it is kept for them, too
@@ -189,14 +184,13 @@ class Lane:
 
     def _is_compiled(self) -> bool:
         """Whether compiled code is kept; if not, another process compiles, and this one goes on."""
-        from allworlds.engines.kernel.batches import compile_apart, is_kept
+        from allworlds.engines.compiled_engine import compile_apart, is_kept
 
-        if is_kept():
-            return True
-        if self._first_lane and not self._compiling:
+        kept = is_kept()
+        if not kept and self._first_lane and not self._compiling:
             self._compiling = True
             compile_apart()
-        return False
+        return kept
 
     @property
     def hungry(self) -> bool:
@@ -224,7 +218,7 @@ class Lane:
             Unsettled: if processes are lost again and again, or too much is silent.
             HarnessError: if a player fails by our mistake.
         """
-        if self.given_up and self._told_why:
+        if self.given_up:
             raise Unsettled(self.given_up)
         self._give()
         if any(player.jobs for player in self._players.values()):
@@ -233,25 +227,30 @@ class Lane:
                 if which in self._players:
                     self._hear(which, self._players[which])
         self._hand_over()
-        self._told_why = bool(self.given_up)
         done, self._done = self._done, []
         return done
 
     def end(self) -> Any:
         """The tally of what other seeds show at the end, and of nothing else."""
-        work = Work(self._kept[0][0].work.unit, self.engine.tally()) if self._kept else None
-        if work is not None:
-            for i in range(0, len(SIX_MORE), AT_ONCE):
-                self._under(SIX_MORE[i : i + AT_ONCE], self._kept, work)
+        if not self._kept:
+            return self.engine.tally()
+        work = Work(self._kept[0][0].work.unit, self.engine.tally())
+        for i in range(0, len(SIX_MORE), AT_ONCE):
+            self._under(SIX_MORE[i : i + AT_ONCE], self._kept, work)
+            self._close_others()
         self._kept = []
-        return work.tally if work else self.engine.tally()
+        return work.tally
 
     def close(self) -> None:
         """End all players."""
-        for player in (*self._players.values(), *self._others.values()):
+        for player in self._players.values():
             player.close()
         self._players.clear()
-        self._others.clear()
+        self._close_others()
+
+    def _close_others(self) -> None:
+        while self._others:
+            self._others.popitem()[1].close()
 
     def _hand_over(self) -> None:
         """Hand over the units that are done, and at intervals what was counted of the others."""
@@ -319,28 +318,23 @@ class Lane:
 
     def _notice(self, event: str) -> None:
         """Count an event of a built-in explorer, in the unit whose batch is being played."""
-        job = self._playing
+        job, _ = self._players[FIRST].jobs[0]
         job.batch.work.tally.witnesses[event] += 1
 
     def _hear(self, which: int, player: PlayerProcess | PlayerHere) -> None:
         began = time.monotonic()
-        if isinstance(player, PlayerHere) and player.jobs:
-            self._playing: RunsToPlay = player.jobs[0][0]
         try:
             answers = player.heard()
         except Lost as lost:
             assert isinstance(player, PlayerProcess)
             self._lose(which, player, lost)
             return
-        for answer in answers:
-            job: RunsToPlay = answer.job
-            if answer.logs is None:  # those of a library do not fit
-                if which == FIRST:
-                    job.batch.by.skip(job.batch)
+        for job, logs in answers:
+            if logs is None:
                 job.batch.plain = True
                 player.give(job, self._message(which, job.batch, job.rows))
                 continue
-            job.batch.take(which, job.rows, answer.logs)
+            job.batch.take(which, job.rows, logs)
             self._played(which, job.batch)
         if answers and which == FIRST:
             slow = isinstance(player, PlayerHere) and time.monotonic() > began + REPORT_EVERY
@@ -357,7 +351,7 @@ class Lane:
                 self._play_first(batch)
                 return
             self._judged += len(batch)
-            if self._compiled is None and isinstance(batch.work.unit, LevelRuns):
+            if self._compiled is None and isinstance(batch.work.unit, LevelUnit):
                 edges = batch.work.unit.edges
                 self._small += [batch] if edges <= SMALL and self.engine.compiled_from else []
             batch.work.more += batch.follow_ups()
@@ -396,7 +390,12 @@ class Lane:
             outcomes |= self._explained(batch, batch.work, differing)
         for row, outcome in sorted(outcomes.items()):
             self._find(batch, batch.work, row, outcome)
-        self._give_up_if_silent()
+        each = self._setup.limits.answer_timeout
+        if self._silences > 1 and self._silences * each >= MOST_WAITED:
+            self.given_up = (
+                f"the explorer was silent in {self._silences} runs, for {each:g} s each, and the "
+                "other runs would take too long"
+            )
 
     def _find(self, batch: RunBatch, work: Work, row: int, outcome: Outcome) -> None:
         due = batch.runs[row]
@@ -411,10 +410,9 @@ class Lane:
 
     def _in_words(self, batch: RunBatch, row: int) -> Outcome:
         """The outcome of a run whose log compiled code has written, by a play in Python."""
-        before = batch.outcome(row)
-        (log,), _ = self._anew_from(self._seeds[FIRST], batch.worlds([row], hear=True))
-        batch.written_anew(row, log)
-        one = batch.outcome(row)
+        before, batch.plain = batch.outcome(row), True
+        (log,), _ = self._anew_from(self._seeds[FIRST], batch.worlds([row]))
+        one = self.judge.judged(batch.runs[row], log)
         if not self._differ(before.log, one.log):
             return one.outcome
         return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
@@ -426,8 +424,8 @@ class Lane:
         few, (first, second) = differing[:MOST_SETTLED], self._seeds
         rows = [row for row, _ in few]
         orders = rows, rows[::-1]
-        firsts = [self._in_worlds(batch, order, first) for order in orders]
-        seconds = [self._against_records(batch, order, second) for order in orders]
+        firsts = [self._fresh(first, batch.worlds, order) for order in orders]
+        seconds = [self._fresh(second, batch.records, order) for order in orders]
         before = {row: batch.outcome(row).log for row in rows}
         if first != second and not any(
             self._differ(old, play[row])
@@ -439,7 +437,8 @@ class Lane:
         found = {}
         for row, other in few:
             one, anew = batch.outcome(row), None
-            if may_be_the_machine(one.log, other):
+            faults = fault_of(one.log), fault_of(other)
+            if any(fault and fault.machine for fault in faults):  # it may be the machine's
                 anew = self._alike(batch, work, row, other)
             found[row] = anew or overruled(one.outcome, one.log, other, choices=self.judge.every)
         return found
@@ -451,12 +450,13 @@ class Lane:
         record of the later one: that of the run may be too short.
         """
         due, one = batch.runs[row], batch.outcome(row).log
-        log = self._in_worlds(batch, [row], self._seeds[FIRST])[row]
+        log = self._fresh(self._seeds[FIRST], batch.worlds, [row])[row]
         anew = self._anew(due, log)
-        message = self.judge.records_message([Recorded.of(due, anew.episode)], [0])
-        if self._differ(log, self._fresh(self._seeds[SECOND], message, [row])[row]):
+        message = self.judge.records_message([Recorded.of(due, anew.episode)])
+        if self._differ(log, self._fresh(self._seeds[SECOND], lambda _: message, [row])[row]):
             return None
-        ended = ending_in_words(one if self._differ(one, log) else other)
+        fault = fault_of(one if self._differ(one, log) else other)
+        ended = fault.seen if fault else "it ended with an answer"
         work.tally.remark(f"a run ended otherwise when it was tried again; at first: {ended}")
         return anew
 
@@ -470,26 +470,19 @@ class Lane:
         first, second = self._seeds
         found = {row: self._own(batch, row) for row in rows}
         found = {row: replace(out, hash_seed=first) for row, out in found.items() if out.violation}
-        for row, log in self._in_worlds(batch, rows, second).items():
+        for row, log in self._fresh(second, batch.worlds, rows).items():
             other = self._anew(batch.runs[row], log)
             if other.violation is not None and row not in found:
                 found[row] = replace(other, hash_seed=second)
         return found
 
-    def _in_worlds(self, batch: RunBatch, rows: Sequence[int], seed: int) -> dict[int, Log]:
-        """The logs of these runs, played in their worlds by a fresh player."""
-        return self._fresh(seed, batch.worlds(rows), rows)
-
-    def _against_records(self, batch: RunBatch, rows: Sequence[int], seed: int) -> dict[int, Log]:
-        """The logs of these runs, played against their records by a fresh player."""
-        return self._fresh(seed, batch.records(rows, range(len(rows))), rows)
-
-    def _fresh(self, seed: int, message: dict[str, Any], rows: Sequence[int]) -> dict[int, Log]:
+    def _fresh(
+        self, seed: int, message: Callable[[Sequence[int]], dict[str, Any]], rows: Sequence[int]
+    ) -> dict[int, Log]:
         """The logs of these runs by a fresh player; each alone if it is lost over them."""
-        logs, lost = self._anew_from(seed, message)
+        logs, lost = self._anew_from(seed, message(rows))
         if lost and len(rows) > 1:
-            alone = singles(message, rows)
-            return {row: self._fresh(seed, each, [row])[row] for row, each in alone}
+            return {row: self._fresh(seed, message, [row])[row] for row in rows}
         return dict(zip(rows, map(Log.of, logs), strict=True))
 
     def _anew_from(self, seed: int, message: dict[str, Any]) -> tuple[Sequence[bytes], Lost | None]:
@@ -521,24 +514,18 @@ class Lane:
         if not self._seeds_more:
             return
         runs = [batch.record(row) for batch, row in rows]
-        kept = [self._others.pop(seed) if seed in self._others else None for seed in seeds]
-        players = [one or started(self._setup, seed) for one, seed in zip(kept, seeds, strict=True)]
-        for player in players:
-            order = drawn_order(self._random, len(runs))
-            player.give(None, self.judge.records_message(runs, order))
-        try:
-            for seed, player in zip(seeds, players, strict=True):
-                try:
-                    logs = logs_from(player)
-                except Lost:  # what is lost is tried in the other players, too
-                    continue
-                if rows[0][0].work is work:  # there may be more
-                    self._others[seed] = player
+        for seed in seeds:
+            if seed not in self._others:
+                self._others[seed] = started(self._setup, seed)
+            order = self._random.sample(range(len(runs)), len(runs))
+            self._others[seed].give(None, self.judge.records_message(runs, order))
+        for seed in seeds:
+            try:
+                logs = logs_from(self._others[seed])
+            except Lost:  # what is lost is tried in the other players, too
+                self._others.pop(seed).close()
+            else:
                 self._compare_under(seed, rows, logs, work)
-        finally:
-            for player in players:
-                if player not in self._others.values():
-                    player.close()
 
     def _compare_under(
         self, seed: int, rows: Sequence[tuple[RunBatch, int]], logs: Sequence[bytes], work: Work
@@ -580,10 +567,10 @@ class Lane:
     def _message(self, which: int, batch: RunBatch, rows: Sequence[int]) -> dict[str, Any]:
         if which == FIRST:
             return batch.worlds(rows)
-        if not batch.plain:  # a library's player draws it
-            return batch.records(rows, ())
-        order = drawn_order(self._random, len(rows))
-        return batch.records(rows, with_one_again(self._random, order))
+        order = self._random.sample(range(len(rows)), len(rows))
+        if self._random.getrandbits(1):  # who counts runs does not know which comes
+            order.insert(self._random.randrange(len(order)), self._random.choice(order))
+        return batch.records(rows, order)
 
     def _alone(self, which: int, batch: RunBatch, row: int, lost: Lost) -> bytes:
         """The log of a run in which a player was lost, by a fresh player that plays it alone."""
@@ -592,7 +579,7 @@ class Lane:
         if lost.law in self._repeated:
             batch.lost.add(row)
             return lost_log(b"", lost)
-        message = batch.worlds([row]) if which == FIRST else batch.records([row], [0])
+        message = batch.worlds([row]) if which == FIRST else batch.records([row])
         (log,), again = self._anew_from(self._seeds[which], message)
         if again:
             self._repeated.add(again.law)
@@ -622,15 +609,6 @@ class Lane:
                 "one was not"
             )
 
-    def _give_up_if_silent(self) -> None:
-        """End the job if silences have taken too long; what was found is handed over."""
-        each = self._setup.limits.answer_timeout
-        if self._silences > 1 and self._silences * each >= MOST_WAITED:
-            self.given_up = (
-                f"the explorer was silent in {self._silences} runs, for {each:g} s each, and the "
-                "other runs would take too long"
-            )
-
 
 def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | PlayerHere:
     """A player of the explorer: a process of its own, if it can be played there."""
@@ -658,19 +636,13 @@ def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
     while True:
         wait([player], POLL)
         try:
-            for answer in player.heard():
-                assert answer.logs is not None
-                return answer.logs
+            for _, logs in player.heard():
+                assert logs is not None
+                return logs
         except Lost:
             if not (isinstance(player, PlayerProcess) and player.description is None):
                 raise
             player.again()  # it was lost while it loaded the explorer
-
-
-def singles(message: dict[str, Any], rows: Sequence[int]) -> list[tuple[int, dict[str, Any]]]:
-    """The message in parts of one run each, with their numbers."""
-    alone = {"runs": 1, "order": [0]}
-    return [(row, message | alone | {"rows": [message["rows"][i]]}) for i, row in enumerate(rows)]
 
 
 def lost_log(part: bytes, lost: Lost) -> bytes:

@@ -10,8 +10,6 @@ from __future__ import annotations
 
 import gc
 import os
-import pickle
-import secrets
 import signal
 import sys
 import time
@@ -21,9 +19,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
-from multiprocessing.connection import Connection, Pipe, wait
 from random import Random
-from typing import Any, NoReturn, Self
+from typing import TYPE_CHECKING, Any, NoReturn, Self
 
 from msgspec import Struct, field
 
@@ -38,6 +35,9 @@ from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.words import ended_by
 
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection  # loaded where there are processes
+
 AT_A_TIME = 4096
 """The number of units among which the order is drawn."""
 
@@ -50,13 +50,15 @@ AHEAD = 2
 ALONE = 1.5
 """The seconds for which the lane here is the only one."""
 
-_TOLD = (InputError, Unsettled, EnginesDisagree, HarnessError)
+_KNOWN = (InputError, Unsettled, EnginesDisagree, HarnessError)
 
 
 class _Process:
     """A lane in a process of its own, forked from this one beside the others."""
 
     def __init__(self, subject: Subject, limits: Limits, others: Sequence[_Process]) -> None:
+        from multiprocessing.connection import Pipe
+
         self.link, theirs = Pipe()
         self.units: list[UnitOfRuns] = []  # the same one may be there twice
         for stream in (sys.stdout, sys.stderr):
@@ -91,6 +93,16 @@ class _Process:
         return ended_by(os.waitstatus_to_exitcode(status))
 
 
+def _heard(processes: Sequence[_Process], seconds: float) -> list[_Process]:
+    """Wait until something has come from one of them; return those from which it has."""
+    if not processes:
+        return []
+    from multiprocessing.connection import wait
+
+    by_link = {process.link: process for process in processes}
+    return [by_link[link] for link in wait([*by_link], seconds)]  # type: ignore[index]  # its own
+
+
 class Lanes(Struct):
     """The transport into lanes: one here, others in processes of their own.
 
@@ -110,7 +122,7 @@ class Lanes(Struct):
     apart: bool = False
     models: bool = False
     _until: float = 0.0
-    _first: list[tuple[RunCounter, Lane]] = field(default_factory=list)
+    _lane: Lane | None = None
     _processes: list[_Process] = field(default_factory=list)
     _lost: Counter[str] = field(default_factory=Counter)
 
@@ -118,7 +130,7 @@ class Lanes(Struct):
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._close_first()
+        self._close_lane()
         for process in self._processes:
             process.end()
         self._processes.clear()
@@ -148,20 +160,18 @@ class Lanes(Struct):
                 with suppress(OSError):  # it is lost, and that is seen below
                     process.link.send((engine, process.units[-1]))
             at_work = [process for process in self._processes if process.units]
-            links = [process.link for process in at_work]
             busy = first is not None and first.busy
             if first and busy:
-                yield from first.turn([link.fileno() for link in links])
+                yield from first.turn([process.link.fileno() for process in at_work])
             elif not (unit or again or at_work):
                 break
-            for link in wait(links, 0 if busy else POLL):
-                (process,) = (one for one in at_work if one.link is link)
+            for process in _heard(at_work, 0 if busy else POLL):
                 try:
                     part = process.link.recv()
                 except (EOFError, OSError):
                     again += self._replace(process)
                     continue
-                if isinstance(part, _TOLD):
+                if isinstance(part, _KNOWN):
                     raise part
                 if part.last:
                     process.units.remove(next(u for u in process.units if u.key == part.unit.key))
@@ -172,18 +182,18 @@ class Lanes(Struct):
 
     def _lane_here(self, engine: RunCounter) -> Lane | None:
         """One lane as long as the same is asked for; None once others have begun."""
-        if not self.here or self._processes or (self._first and self._first[0][0] != engine):
-            self._close_first()
+        if self._processes or (self._lane is not None and self._lane.engine != engine):
+            self._close_lane()
         if not self.here or self._processes:
             return None
         self._until = self._until or time.monotonic() + ALONE
-        if not self._first:
-            self._first.append((engine, Lane(self.subject, engine, self.limits)))
-        return self._first[0][1]
+        self._lane = self._lane or Lane(self.subject, engine, self.limits)
+        return self._lane
 
-    def _close_first(self) -> None:
-        while self._first:
-            self._first.pop()[1].close()
+    def _close_lane(self) -> None:
+        if self._lane is not None:
+            self._lane.close()
+            self._lane = None
 
     def _idle(self) -> _Process | None:
         """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
@@ -224,17 +234,12 @@ def _serve(link: Connection, subject: Subject, limits: Limits, *, first_lane: bo
         status = 0
     except (EOFError, OSError):
         pass
-    except _TOLD as error:
-        _send(link, error)
-    except BaseException:  # noqa: BLE001  # explorers' errors never get here: it is ours
-        _send(link, HarnessError(traceback.format_exc()))
+    except BaseException as error:  # noqa: BLE001  # what is none of these is ours
+        known = isinstance(error, _KNOWN)
+        with suppress(Exception):
+            link.send(error if known else HarnessError(traceback.format_exc()))
     finally:
         os._exit(status)
-
-
-def _send(link: Connection, error: Exception) -> None:
-    with suppress(OSError, pickle.PicklingError):
-        link.send(error)
 
 
 def _lane_of(link: Connection, subject: Subject, limits: Limits, *, first_lane: bool) -> None:
@@ -245,9 +250,9 @@ def _lane_of(link: Connection, subject: Subject, limits: Limits, *, first_lane: 
         while True:
             while link.poll(0 if lane.busy else None):
                 asked, unit = link.recv()
-                if asked != engine:
+                if asked != lane.engine:
                     lane.close()
-                    engine, lane = asked, Lane(subject, asked, limits, first_lane=first_lane)
+                    lane = Lane(subject, asked, limits, first_lane=first_lane)
                 lane.offer(unit)
             for part in lane.turn([link.fileno()]):
                 if part.last and not lane.busy and lane.keeps:
@@ -259,7 +264,7 @@ def _lane_of(link: Connection, subject: Subject, limits: Limits, *, first_lane: 
 
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
     """The units in an order that is drawn anew each time, :data:`AT_A_TIME` of them at a time."""
-    every, order = iter(units), Random(secrets.randbits(64))  # noqa: S311  # as it is drawn from the system
+    every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):
         order.shuffle(some)
         yield from some

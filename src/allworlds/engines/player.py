@@ -20,11 +20,18 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
+# What is needed is loaded before users' code, which may spoil the import path.
+from allworlds.engines.linux import address_space, end_with_parent, limit_memory
+from allworlds.inputs.checks import InputError
+from allworlds.log import BEYOND
+from allworlds.protocol.choices import Choices, ScheduledChoices, policy_named
+from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.playing import Record, TableWorld, play_run
+
 if TYPE_CHECKING:
     from allworlds.engines.kernel.library_player import LibraryPlayer
     from allworlds.explorers.loading import Subject
     from allworlds.explorers.program import Program
-    from allworlds.protocol.choices import Choices
     from allworlds.protocol.player import Player
 
 LINK, BEAT = 3, 4
@@ -32,7 +39,7 @@ LINK, BEAT = 3, 4
 
 READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
 """The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
-input; a mistake of ours; a library's logs do not fit."""
+input; a mistake of ours; the second logs of a library do not fit."""
 
 NO_RUN = -1
 """The number of the run in progress where there is none."""
@@ -43,16 +50,11 @@ TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 
 def main(parent: int) -> None:
     """Serve until the owner, the process of that number, hangs up."""
-    from allworlds.engines.linux import end_with_parent
-
     end_with_parent(parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
     setup = _read()
     beat = memoryview(mmap.mmap(BEAT, 16)).cast("q")
     os.close(BEAT)
-    from allworlds.inputs.checks import InputError
-
-    _makers()  # what is needed is loaded before users' code, which may spoil the import path
     own = os.getpid()
     try:
         subject = _loaded(setup)
@@ -74,7 +76,8 @@ def main(parent: int) -> None:
             os.dup2(nothing, 1)
             os.dup2(nothing, 2)
             os.close(nothing)
-    _answer(READY, marshal.dumps([sorted(subject.keywords), _has_shield(subject)]))
+    shield = type(subject.explore).__name__ == "Shield"  # without loading it
+    _answer(READY, marshal.dumps([sorted(subject.keywords), shield]))
     with subject.running():
         server = _Server(subject, beat)
         while (batch := _read()) is not None:
@@ -88,7 +91,6 @@ def _loaded(setup: dict[str, Any]) -> Subject:
     Raises:
         InputError: if it cannot be loaded.
     """
-    from allworlds.engines.linux import address_space, limit_memory
     from allworlds.protocol.importing import SourceText
 
     if setup["memory"] is not None:
@@ -112,12 +114,9 @@ class _Server:
         self._subject, self._beat, self._pid = subject, beat, os.getpid()
         self._player: Player = subject.player()
         self._library: LibraryPlayer | None = None
-        self._rows: list[Any] = []
 
     def serve(self, batch: dict[str, Any]) -> None:
         """Play a batch, and send its logs."""
-        from allworlds.inputs.checks import InputError
-
         self._beat[0], self._beat[1] = NO_RUN, 0
         try:
             if batch["kind"] == "native":
@@ -149,8 +148,6 @@ class _Server:
 
         native = self._subject.native
         assert native is not None
-        from allworlds.protocol.faults import ExplorerFault
-
         try:
             self._library = self._library or LibraryPlayer(native, self._beat)
             logs = self._library.play(batch)
@@ -158,6 +155,8 @@ class _Server:
             logs = None
         if os.getpid() != self._pid:
             os._exit(0)
+        if logs is None and not batch["again"]:
+            logs = logs_message([bytes((BEYOND,))] * batch["runs"])  # which nobody can judge
         _answer(NO_ROOM) if logs is None else _answer(LOGS, *logs)
 
 
@@ -168,14 +167,12 @@ def played(
     hear: Callable[[bytearray], None] | None = None,
 ) -> list[bytes]:
     """Play the runs of a batch, whose kind is none of a library; return their logs."""
-    from allworlds.protocol.playing import play_run
-
-    rows, make, own = batch["rows"], _makers()[batch["kind"]], os.getpid()
-    logs: list[bytes] = [b""] * len(rows)
+    own = os.getpid()
+    logs: list[bytes] = [b""] * batch["runs"]
     for number in batch["order"]:
-        world, told, over, budget, name, script = rows[number]
+        world, told, over, budget, name, script = batch["rows"][number]
         beat[0] = number
-        around, choices = make(world, told, over), _choices(batch, name, script)
+        around, choices = _around(batch["kind"], world, told, over), _choices(batch, name, script)
         logs[number] = play_run(
             around, player, choices, budget, beat, any_answer=batch["any_answer"], hear=hear
         )
@@ -185,28 +182,21 @@ def played(
     return logs
 
 
-def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:
-    from allworlds.protocol.choices import Choices, ScheduledChoices, policy_named
+def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
+    """The surroundings of a run, in a batch of that kind."""
+    if kind == "table":
+        return TableWorld(world, told)
+    if kind == "record":
+        return Record(world, told, over)
+    from allworlds.judging.episode import AroundExplorer
 
+    return AroundExplorer(world)
+
+
+def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:
     if batch["every"]:
         return ScheduledChoices(script)
     return Choices(policy_named(batch["policy"], name), script)
-
-
-def _makers() -> dict[str, Callable[..., Any]]:
-    """The makers of the surroundings of a run, for each kind of batch."""
-    from allworlds.protocol.playing import Record, TableWorld
-
-    def model(world: Any, _told: object, _over: object) -> Any:
-        from allworlds.judging.episode import AroundExplorer
-
-        return AroundExplorer(world)
-
-    return {
-        "table": lambda world, told, _: TableWorld(world, told),
-        "record": Record,
-        "model": model,
-    }
 
 
 def _sender() -> Callable[[bytearray], None]:
@@ -256,10 +246,6 @@ def _flush() -> None:
     for stream in (sys.stdout, sys.stderr):
         with suppress(Exception):  # whatever an explorer has made of it
             stream.flush()
-
-
-def _has_shield(subject: Subject) -> bool:
-    return type(subject.explore).__name__ == "Shield"  # without loading it
 
 
 def _leave(program: Program) -> None:

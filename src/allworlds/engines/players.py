@@ -19,10 +19,10 @@ from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from itertools import accumulate
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 from weakref import finalize
 
 from msgspec import Struct
@@ -126,11 +126,8 @@ class Logs(Sequence[bytes]):
         return bytes(self.message[self.starts[row] : self.starts[row + 1]])
 
 
-class Answer(NamedTuple):
-    """An answer of a player: the logs of a job; None if a library's logs do not fit."""
-
-    job: Any
-    logs: Sequence[bytes] | None
+Answer: TypeAlias = tuple[Any, Sequence[bytes] | None]
+"""A job, and its logs; None if the second ones of a library do not fit."""
 
 
 class Setup(Struct, frozen=True):
@@ -140,7 +137,7 @@ class Setup(Struct, frozen=True):
     limits: Limits
     prints: bool = False
 
-    def told(self) -> dict[str, Any]:
+    def message(self) -> dict[str, Any]:
         """The first message to a player."""
         source, limits = self.subject.source, self.limits
         return {
@@ -182,9 +179,7 @@ class PlayerProcess:
     def _start(self) -> None:
         self._tries += 1
         self.part, self.prints = bytearray(), Prints()
-        self._out, self._relayed = deque[memoryview](), bytearray()
-        self._came, self._coming, self._filled = deque[bytearray](), bytearray(4), 0
-        self._head = True
+        self._out, self._coming, self._relayed = bytearray(), bytearray(), bytearray()
         self._link, theirs = socket.socketpair()
         for end in (self._link, theirs):
             end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 20)
@@ -203,7 +198,7 @@ class PlayerProcess:
         os.close(printing)
         self._seen: object = None
         self._since = self._began = time.monotonic()
-        self._put(self.setup.told())
+        self._put(self.setup.message())
 
     @property
     def files(self) -> tuple[int, ...]:
@@ -224,17 +219,13 @@ class PlayerProcess:
 
             message = {**message, "rows": pickle.dumps(message["rows"])}
         data = marshal.dumps(message)
-        self._out += memoryview(len(data).to_bytes(4, "little")), memoryview(data)
+        self._out += len(data).to_bytes(4, "little") + data
         self._write()
 
     def _write(self) -> None:
         try:
             while self._out:
-                part = self._out[0][self._link.send(self._out[0]) :]
-                if part:
-                    self._out[0] = part
-                else:
-                    self._out.popleft()
+                del self._out[: self._link.send(self._out)]
         except BlockingIOError:
             pass
         except OSError:
@@ -264,28 +255,20 @@ class PlayerProcess:
         """Read what has been written; return whether that was the end."""
         # A process that was forked by the explorer may hold the link open.
         ended = self._code() is not None
-        while True:
-            try:
-                got = self._link.recv_into(memoryview(self._coming)[self._filled :])
-            except BlockingIOError:
-                break
-            except OSError:
-                return True
-            if not got:
-                return True
-            self._filled += got
-            if self._filled == len(self._coming):
-                size, self._filled = int.from_bytes(self._coming, "little"), 0
-                if self._head and size:
-                    self._coming, self._head = bytearray(size), False
-                else:  # a message is whole, perhaps an empty one
-                    self._came.append(bytearray() if self._head else self._coming)
-                    self._coming, self._head = bytearray(4), True
-        return ended
+        try:
+            while part := self._link.recv(1 << 20):
+                self._coming += part
+        except BlockingIOError:
+            return ended
+        except OSError:
+            pass
+        return True
 
     def _messages(self) -> Iterable[bytearray]:
-        while self._came:
-            yield self._came.popleft()
+        came = self._coming
+        while len(came) >= 4 and len(came) >= (end := 4 + int.from_bytes(came[:4], "little")):
+            yield came[4:end]
+            del came[:end]
 
     def _message(self, message: bytearray) -> Answer | None:
         letter = message[0] if message else -1
@@ -305,10 +288,10 @@ class PlayerProcess:
             if letter in (LOGS, NO_ROOM) and self.jobs:
                 job, asked = self.jobs[0]
                 runs = asked["runs"]
-                answer = Answer(job, None if letter == NO_ROOM else Logs(message, runs, at=1))
+                logs = None if letter == NO_ROOM else Logs(message, runs, at=1)
                 self.jobs.popleft()
                 self._seen, self._since = None, time.monotonic()
-                return answer
+                return job, logs
         except (ValueError, TypeError, EOFError):
             pass
         seen = "what a player has said is none of its messages"
@@ -450,11 +433,12 @@ class PlayerHere:
         """Play one job."""
         if not self.jobs:
             return []
-        job, message = self.jobs.popleft()
-        if not self._of_user:
-            return [Answer(job, played(message, self._explorer, self.beat))]
-        with printing_to(self.prints if self._recorded else Prints()):
-            return [Answer(job, played(message, self._explorer, self.beat))]
+        job, message = self.jobs[0]
+        sink = self.prints if self._recorded else Prints()
+        with printing_to(sink) if self._of_user else nullcontext():
+            logs = played(message, self._explorer, self.beat)
+        self.jobs.popleft()
+        return [(job, logs)]
 
     def again(self) -> None:
         """Go on in this process, which cannot be replaced."""
@@ -475,9 +459,9 @@ def keep(player: PlayerProcess, subject: Subject) -> None:
 
 def fresh(setup: Setup, seed: int) -> PlayerProcess:
     """A player that has played nothing: one that was kept, or a new one."""
-    wanted = os.getpid(), seed, setup.told()
+    wanted = os.getpid(), seed, setup.message()
     for player in [*_spare]:
-        if (player.owner, player.seed, player.setup.told()) == wanted:
+        if (player.owner, player.seed, player.setup.message()) == wanted:
             _spare.remove(player)
             if player.lives:
                 return player
@@ -542,25 +526,18 @@ def _in_thread(act: Callable[[], int]) -> int:
 def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
     """The number of a new process."""
     environment = {**os.environ, HASH_SEED: str(seed), _TOKEN: token}
-    nothing = (os.POSIX_SPAWN_OPEN, 0, os.devnull, os.O_RDONLY, 0)
+    places = (link, 3), (beat, 4), (printing, 1), (printing, 2)
     # Whatever these descriptors are here, they are copied out of the way first.
-    free = max(link, beat, printing, 4) + 1
-    high = [free, free + 1, free + 2]
-    copies = [
-        (os.POSIX_SPAWN_DUP2, *each) for each in zip((link, beat, printing), high, strict=True)
+    moved = [*enumerate(places, max(link, beat, printing, 4) + 1)]
+    actions = [
+        *((os.POSIX_SPAWN_DUP2, here, high) for high, (here, _) in moved),
+        (os.POSIX_SPAWN_OPEN, 0, os.devnull, os.O_RDONLY, 0),
+        *((os.POSIX_SPAWN_DUP2, high, there) for high, (_, there) in moved),
+        *((os.POSIX_SPAWN_CLOSE, high) for high, _ in moved),
     ]
-    places = [(free, 3), (free + 1, 4), (free + 2, 1), (free + 2, 2)]
-    moved = [(os.POSIX_SPAWN_DUP2, *each) for each in places]
-    closed = [(os.POSIX_SPAWN_CLOSE, each) for each in high]
     command = [sys.executable, "-P", "-c", _BOOT.format(os.getpid()), *child_path()]
     return _in_thread(
-        lambda: os.posix_spawn(
-            sys.executable,
-            command,
-            environment,
-            file_actions=[nothing, *copies, *moved, *closed],
-            setsid=True,
-        )
+        lambda: os.posix_spawn(command[0], command, environment, file_actions=actions, setsid=True)
     )
 
 

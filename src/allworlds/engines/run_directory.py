@@ -353,7 +353,7 @@ class Merged(Records):
             Gap: if it is not finished.
             InputError: if it was finished twice.
         """
-        found = [(d, told) for d in self.directories if (told := d.result(key)) is not None]
+        found = [(d, kept) for d in self.directories if (kept := d.result(key)) is not None]
         if len(found) > 1:
             names = listed([show(str(d.path)) for d, _ in found])
             raise InputError(f"run directories overlap: unit {key} is in {names}")
@@ -368,8 +368,8 @@ class Merged(Records):
             Gap: if none has.
         """
         for directory in self.directories:
-            if (told := directory.recall(name)) is not None:
-                return told
+            if (value := directory.recall(name)) is not None:
+                return value
         raise Gap(f"a finding has not been confirmed yet{self._unfinished()}")
 
     def _unfinished(self) -> str:

@@ -11,6 +11,7 @@ from msgspec.structs import force_setattr
 from allworlds.engines.units import (
     WHOLE,
     LevelUnit,
+    Placed,
     Portion,
     Shard,
     SweptLevel,
@@ -26,9 +27,6 @@ from allworlds.protocol.choices import Schedule
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.world import World
 
-Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
-"""A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""
-
 
 class UnitOfRuns(Protocol):
     """A unit that one worker does at a time."""
@@ -39,15 +37,6 @@ class UnitOfRuns(Protocol):
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
         """Every map with its places, in a fixed order."""
-
-
-class LevelRuns(LevelUnit, frozen=True):
-    """All maps of a level whose history begins with ``prefix``, with every place."""
-
-    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The maps in the order of the enumeration."""
-        for map_ in self.maps(extent):
-            yield map_, list(enumerate(kind.places(map_, 0)))
 
 
 class GivenWorlds(Struct, frozen=True):
@@ -180,10 +169,9 @@ class Scope(Struct, frozen=True):
         """The numbers of edges of its levels."""
         return self.coverage.sizes if isinstance(self.coverage, Given) else self.extent.levels
 
-    def units(self, edges: int) -> Iterator[LevelRuns]:
+    def units(self, edges: int) -> Iterator[LevelUnit]:
         """The units of a level; they do not depend on the number of workers."""
-        for unit in units_of_level(self.extent, edges, self.portion):
-            yield LevelRuns(unit.edges, unit.prefix)
+        return units_of_level(self.extent, edges, self.portion)
 
     @property
     def levels(self) -> Iterator[SweptLevel]:

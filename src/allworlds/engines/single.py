@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Annotated, Any
 
-from msgspec import UNSET, UnsetType
+from msgspec import UNSET, UnsetType, field
 from typing_extensions import override
 
 from allworlds import log as entries
 from allworlds.document.report import Report
 from allworlds.document.struct import (
-    EXIT_CODE,
     Aside,
-    ExitCode,
     Natural,
     Text,
     about,
@@ -48,7 +45,7 @@ from allworlds.judging.findings.finding import Finding, canonical_world, place_o
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import checked_laws
 from allworlds.maps.classes import Extent, MapClass
-from allworlds.outcome import Exit, Facts, Verdict
+from allworlds.outcome import Facts, Verdict
 from allworlds.protocol.actions import action_numbered, number_of
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.protocol.transcript import Transcript
@@ -61,40 +58,59 @@ class SingleRun(Report):
     One judged run.
     """
 
-    verdict: Annotated[
-        Verdict,
-        about("about this run alone"),
-        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS),
-    ] = computed(lambda run: run.facts.verdict)
-    exit_code: Annotated[ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.VACUOUS)] = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     world: Annotated[World, about("as it was given")]
-    options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
-        lambda run: run.rules.recorded
-    )
-    choices: Annotated[tuple[Natural, ...], about("the index taken at each choice")] = computed(
-        lambda run: run.outcome.choices
-    )
-    cost: Annotated[Natural, about("traversals")] = computed(lambda run: run.outcome.cost)
-    bound: Annotated[int | None, about("of the traversals; null without one")] = computed(
-        lambda run: run.outcome.bound
-    )
-    estimate: Annotated[Estimate | None, about("the answer; null where there is none")] = computed(
-        lambda run: run.ending.estimate if isinstance(run.ending, Answered) else None
-    )
-    transcript: Annotated[Transcript | UnsetType, about("the log; not with `--no-walk`")] = (
-        computed(lambda run: run.outcome.episode.transcript if run.shows_walk else UNSET)
-    )
     finding: Annotated[Finding | None, about("null: no law is broken")]
-    ambiguous: Annotated[
-        Ambiguous | UnsetType, about("the answer that names no map, where there is one")
-    ] = computed(lambda run: run.ending.quotient if isinstance(run.ending, Undecided) else UNSET)
-    output: Annotated[Text | UnsetType, about("what the explorer printed, if anything")] = computed(
-        lambda run: run.outcome.output or UNSET
-    )
     rules: Aside[Rules]
     outcome: Aside[Outcome]
     shows_walk: Aside[bool] = True
+
+    @computed
+    def verdict(
+        self,
+    ) -> Annotated[Verdict, one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS)]:
+        """About this run alone."""
+        return self.facts.verdict
+
+    @computed
+    def options(self) -> RecordedRules:
+        """How it was played and judged."""
+        return self.rules.recorded
+
+    @computed
+    def choices(self) -> tuple[Natural, ...]:
+        """The index taken at each choice."""
+        return self.outcome.choices
+
+    @computed
+    def cost(self) -> Natural:
+        """Traversals."""
+        return self.outcome.cost
+
+    @computed
+    def bound(self) -> int | None:
+        """Of the traversals; null without one."""
+        return self.outcome.bound
+
+    @computed
+    def estimate(self) -> Estimate | None:
+        """The answer; null where there is none."""
+        return self.ending.estimate if isinstance(self.ending, Answered) else None
+
+    @computed
+    def transcript(self) -> Transcript | UnsetType:
+        """The log; not with ``--no-walk``."""
+        return self.outcome.episode.transcript if self.shows_walk else UNSET
+
+    @computed
+    def ambiguous(self) -> Ambiguous | UnsetType:
+        """The answer that names no map, where there is one."""
+        return self.ending.quotient if isinstance(self.ending, Undecided) else UNSET
+
+    @computed
+    def output(self) -> Text | UnsetType:
+        """What the explorer printed, if anything."""
+        return self.outcome.output or UNSET
 
     @property
     def facts(self) -> Facts:
@@ -112,11 +128,11 @@ class SingleRun(Report):
         return self.outcome.episode.ending
 
 
-def unused_choice(choices: Sequence[int], told: SingleRun) -> str:
+def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
     """The first of these choices that a run has not taken, and why; empty if it has taken all."""
     for i, index in enumerate(choices):
-        if told.outcome.choices[i : i + 1] != (index,):
-            asked = len(told.outcome.choices)
+        if run.outcome.choices[i : i + 1] != (index,):
+            asked = len(run.outcome.choices)
             only = "none was asked for"
             if asked:
                 only = f"only {asked} {'was' if asked == 1 else 'were'} asked for"
@@ -162,36 +178,20 @@ REPEATED = 5
 """The number of plays of the record of a finding in a process."""
 
 
-@dataclass(slots=True)
-class TallyWithOutcome(Tally):
-    """The tally of one run, with its outcome as soon as it is known."""
-
-    outcome: Outcome | None = None
-
-    def add(self, other: Tally) -> None:
-        """Take in another part's tally."""
-        Tally.add(self, other)
-        if isinstance(other, TallyWithOutcome):
-            self.outcome = other.outcome or self.outcome
-
-
 class OutcomeCounter(RunCounter, frozen=True):
-    """The counter that keeps the outcome of its run."""
+    """The counter that keeps the outcomes of its run, the last one when all is settled."""
 
-    @override
-    def tally(self) -> TallyWithOutcome:
-        return TallyWithOutcome(self.keep)
+    outcomes: list[Outcome] = field(default_factory=list)
 
     @override
     def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
-        assert isinstance(tally, TallyWithOutcome)
-        tally.outcome = outcome
+        self.outcomes.append(outcome)
 
     @override
     def settle(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        self.count_outcome(world, place, outcome, tally)
+        self.outcomes.append(outcome)
 
 
 def _outcome_of(
@@ -205,17 +205,14 @@ def _outcome_of(
     """The judged run of a user's explorer in a canonical world."""
     counter = OutcomeCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
     seeds = (FIRST, SECOND) if hash_seed is None else (hash_seed, hash_seed)
-    lane = Lane(subject, counter, limits, given=script, seeds=seeds, more_seeds=False)
-    whole = counter.tally()
+    lane = Lane(subject, counter, limits, given=script, seeds=seeds)
     try:
         lane.offer(GivenWorlds(((world, place_of(world)),)))
         while lane.busy:
-            for part in lane.turn():
-                whole.add(part.result)
+            lane.turn()
     finally:
         lane.close()
-    assert whole.outcome is not None
-    return whole.outcome
+    return counter.outcomes[-1]
 
 
 def single_run(
@@ -263,8 +260,8 @@ class Plays:
 
     def in_world(self, script: tuple[int, ...], seed: int) -> tuple[Log, str]:
         """The log of the run in its world, as far as it gets, and the prints."""
-        message = self.judge.worlds_message([Due(0, 0, self._world, script)], hear=True)
-        (log,), printed = self._played(message, seed)
+        message = self.judge.worlds_message([Due(0, 0, self._world, script)])
+        (log,), printed = self._played(message | {"hear": True}, seed)
         return log, printed
 
     def again(
@@ -273,7 +270,7 @@ class Plays:
         """The logs of plays of the record, and the prints."""
         over = self._rules.task.over_at_the_end(self._world, transcript)
         record = Recorded(transcript.percepts, self._world, script, over)
-        return self._played(self.judge.records_message([record] * times, range(times)), seed)
+        return self._played(self.judge.records_message([record] * times), seed)
 
     def _played(self, message: dict[str, Any], seed: int) -> tuple[list[Log], str]:
         player = started(self._setup, seed)

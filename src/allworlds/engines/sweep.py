@@ -108,8 +108,8 @@ class Sweep(ABC, Generic[Total, Answer]):
     def asked_then(cls, identity: Identity, portion: Portion, listener: Listener) -> Any:
         """Return the request of that identity, for a portion."""
         shard = {"shard": portion} if issubclass(cls.asked, AskedShard) else {}
-        told = remembered(cls.asked, identity.parameters)
-        return cls.asked(**told, **shard, listener=listener)
+        options = remembered(cls.asked, identity.parameters)
+        return cls.asked(**options, **shard, listener=listener)
 
     def list_by(self, by: By) -> None:
         """Have rows for programs for each of these.
@@ -262,10 +262,10 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def _is_kept(self, unit: Unit, total: Total) -> bool:
         """Return whether a unit was finished before; then its result is added to the total."""
-        told = self.records.result(unit.key)
-        if told is None:
+        kept = self.records.result(unit.key)
+        if kept is None:
             return False
-        result = self.read(told)
+        result = self.read(kept)
         total.add(result)
         self.listener.progress(result.worlds)
         return True

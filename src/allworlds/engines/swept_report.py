@@ -11,20 +11,18 @@ from allworlds.document.struct import (
     AllRows,
     Aside,
     Document,
-    ExitCode,
     IfAny,
     Text,
     Why,
     about,
     computed,
-    one_of,
 )
 from allworlds.engines.units import WHOLE, Portion
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import OUTPUT, Option, Request, Taken, as_json, in_scope
 from allworlds.maps.classes import Extent
 from allworlds.maps.count_source import source_of
-from allworlds.outcome import Completed, Disagreed, Ending, Exit, Facts, Interrupted, Stopped
+from allworlds.outcome import Completed, Disagreed, Ending, Facts, Interrupted, Stopped
 
 if TYPE_CHECKING:
     from allworlds.judging.findings.rules import Rules
@@ -96,7 +94,10 @@ class EndedReport(Report):
 class RowsReport(EndedReport):
     """A report with rows of all that was finished."""
 
-    complete: AllRows = computed(lambda report: isinstance(report.ending, Completed | Disagreed))
+    @computed
+    def complete(self) -> AllRows:
+        """Whether every row is there."""
+        return isinstance(self.ending, Completed | Disagreed)
 
 
 By: TypeAlias = Literal["size", "world", "run"]
@@ -157,17 +158,8 @@ def told_scope(
     """
     keys = {*kind.__struct_fields__}
     asked = {one.name: as_json(getattr(request, one.name)) for one in in_scope(type(request))}
-    told = {**asked, **(rules.told if rules else {})}
+    told = {**asked, **(rules.in_effect if rules else {})}
     return kind(**({name: told[name] for name in told if name in keys} | more))
-
-
-SweptExit = Annotated[
-    ExitCode,
-    one_of(
-        Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL, Exit.INTERRUPTED
-    ),
-]
-"""The exit codes of a study that goes through worlds, and judges runs there."""
 
 
 class Gate(Document):
@@ -191,9 +183,13 @@ GATE: Any = computed(lambda report: report.compared)
 class SweptReport(RowsReport):
     """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
 
-    stopped: Why = computed(lambda report: report.ending.stopped)
     request: Aside[Any]
     extent: Aside[Extent]
+
+    @computed
+    def stopped(self) -> Why:
+        """Reason why rows are missing."""
+        return self.ending.stopped
 
     @property
     @override

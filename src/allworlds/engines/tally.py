@@ -57,8 +57,8 @@ class Row:
         bound: the largest bound of a run; None without a bound.
         best_cost: the largest, over the runs, of the cost of the cheapest schedule; None unless
             every schedule is tried.
-        most_expensive: the least run that attains the largest cost; None without a run, and in a
-            part of a whole that has more expensive ones.  Rows are compared without it.
+        most_expensive: the least run that attains the largest cost; None without a run.  Rows are
+            compared without it.
     """
 
     worlds: int = 0

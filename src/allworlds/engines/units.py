@@ -17,8 +17,9 @@ from allworlds.inputs.requests import RARE_SCOPE, Option, Request, Taken
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.count_source import completions, source_of
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
+from allworlds.world.lighthouses.base import Lighthouse
 
 
 class Unit(Protocol):
@@ -181,6 +182,10 @@ COUNTABLE_WORLDS = 10**12
 _LONG = "this takes long, or does not end; an interrupt ends it with what is finished"
 
 
+Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
+"""A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""
+
+
 class LevelUnit(Struct, frozen=True):
     """All maps of a level whose history begins with ``prefix``."""
 
@@ -195,6 +200,11 @@ class LevelUnit(Struct, frozen=True):
     def maps(self, extent: Extent) -> Iterator[CombinatorialMap]:
         """The maps, rooted at dart 0, in the order of the enumeration."""
         return rooted_maps(self.edges, extent.map_class, extent.vertices, self.prefix, extent.where)
+
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+        """The maps, each with every place."""
+        for map_ in self.maps(extent):
+            yield map_, list(enumerate(kind.places(map_, 0)))
 
     def weight(self, extent: Extent) -> int:
         """The number of these maps, counted; in simple classes and under conditions at most."""

@@ -104,13 +104,13 @@ class Log(NamedTuple):
     widths: tuple[int, ...] = ()
 
     @classmethod
-    def of(cls, log: bytes, *, whole: bool = True) -> Log:
+    def of(cls, log: bytes) -> Log:
         """The content of a log in bytes.
 
         Raises:
             ValueError: if it is none.
         """
-        read = entries.Read(log, whole=whole)
+        read = entries.Read(log)
         return cls(read.actions, read.shown, read.end, tuple(read.choices), tuple(read.widths))
 
 
@@ -220,7 +220,9 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
         steps.pop()  # it was one too many
     known = None if too_often else refused
     ending = known or ending_of(log, budget, maps=maps)
-    shown = tuple([(at, Checkpoint(*published)) for at, *published in log.checkpoints])
+    shown = tuple(
+        [(at, Checkpoint(sigma, alpha, here)) for at, sigma, alpha, here in log.checkpoints]
+    )
     return Episode(Transcript(world.first, tuple(steps)), shown, ending)
 
 

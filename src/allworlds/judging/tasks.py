@@ -20,7 +20,7 @@ from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.importing import attempted
 from allworlds.protocol.transcript import Transcript
 from allworlds.protocol.user_code import Role, UserCode
-from allworlds.world.state import State
+from allworlds.world.lighthouses.base import State
 from allworlds.world.world import World
 
 

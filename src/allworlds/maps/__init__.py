@@ -81,7 +81,12 @@ if TYPE_CHECKING:
         InvalidMap as InvalidMap,
     )
     from allworlds.maps.enumeration import rooted_maps as rooted_maps
-    from allworlds.maps.families import family as family, random_map as random_map
+    from allworlds.maps.families import (
+        CorridorShape as CorridorShape,
+        family as family,
+        random_map as random_map,
+        usual_degree as usual_degree,
+    )
     from allworlds.maps.networks import (
         from_faces as from_faces,
         from_networkx as from_networkx,

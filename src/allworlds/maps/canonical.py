@@ -14,7 +14,7 @@ from typing import TypeAlias
 
 from msgspec import Struct
 
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, inverse
 
 Code: TypeAlias = tuple[tuple[int, ...], tuple[int, ...]]
 """A canonical code: ``(sigma, alpha)`` of a rooted map whose root is dart 0."""
@@ -43,29 +43,19 @@ def numbering(sigma: Sequence[Dart], alpha: Sequence[Dart], root: Dart) -> list[
     seen = [False] * len(sigma)
     seen[root] = True
     order = [root]
-    push = order.append
     for x in order:
-        y = sigma[x]
-        if not seen[y]:
-            seen[y] = True
-            push(y)
-        y = alpha[x]
-        if not seen[y]:
-            seen[y] = True
-            push(y)
+        for y in (sigma[x], alpha[x]):
+            if not seen[y]:
+                seen[y] = True
+                order.append(y)
     return order
 
 
 def rooted_code(sigma: Sequence[Dart], alpha: Sequence[Dart], root: Dart) -> Code:
     """The canonical code of the map rooted at ``root``.  Cost: O(m)."""
     order = numbering(sigma, alpha, root)
-    number = [0] * len(order)
-    for i, x in enumerate(order):
-        number[x] = i
-    return (
-        tuple([number[sigma[x]] for x in order]),
-        tuple([number[alpha[x]] for x in order]),
-    )
+    number = inverse(order)
+    return tuple([number[sigma[x]] for x in order]), tuple([number[alpha[x]] for x in order])
 
 
 def unrooted_code(map_: CombinatorialMap) -> Code:

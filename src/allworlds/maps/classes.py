@@ -88,7 +88,9 @@ _SUMMARIES = {
 class Condition(Protocol):
     """A property of maps that does not depend on the numbering of darts.
 
-    Of one that cuts off gluings more is known: see :class:`Narrowing`.
+    One that can cut off gluings has besides: ``narrows``, whether it does; ``dual``, whether such
+    maps are made as the duals of gluings; and ``may_begin(gluing)``, whether such a map, or its
+    dual, can begin as this gluing.
     """
 
     @property
@@ -166,22 +168,7 @@ class AllOf(Struct, frozen=True):
         return self.name
 
 
-class Narrowing(Condition, Protocol):
-    """A condition that cuts off gluings.
-
-    Attributes:
-        narrows: whether it does.
-        dual: such maps are made as the duals of gluings.
-    """
-
-    narrows: bool
-    dual: bool
-
-    def may_begin(self, gluing: Gluing) -> bool:
-        """Whether such a map, or its dual, can begin as this gluing."""
-
-
-def narrowing(where: Condition | None) -> tuple[Narrowing, ...]:
+def narrowing(where: Condition | None) -> tuple[Any, ...]:
     """The conditions that cut off gluings: of maps, or else of their duals."""
     parts: tuple[Any, ...] = where.parts if isinstance(where, AllOf) else (where,)
     found = [part for part in parts if getattr(part, "narrows", False)]

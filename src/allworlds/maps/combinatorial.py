@@ -48,11 +48,11 @@ class InvalidMap(InputError):
         If there are many darts, the table shows only the rows that hold a clash.
         """
         size = max(len(self.sigma), len(self.alpha))
-        rows = [range(first, min(first + IN_A_ROW, size)) for first in range(0, size, IN_A_ROW)]
-        if len(rows) > 1:
-            marked = {dart // IN_A_ROW for _, dart in self.clash} or {0}
-            rows = [rows[i] for i in sorted(marked)[:MOST_ROWS]]
-        return "\n\n".join(self._table(row) for row in rows)
+        rows = sorted({dart // IN_A_ROW for _, dart in self.clash} or {0})[:MOST_ROWS]
+        firsts = [row * IN_A_ROW for row in rows] if size > IN_A_ROW else range(min(size, 1))
+        return "\n\n".join(
+            self._table(range(first, min(first + IN_A_ROW, size))) for first in firsts
+        )
 
     def _table(self, darts: range) -> str:
         lists: dict[str, Sequence[object]] = {

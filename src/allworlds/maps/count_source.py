@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import TypeAlias
 
 from allworlds.maps.classes import Extent, NamedCondition
-from allworlds.maps.counting.sources import NARROWED, SOURCES, CountSource
+from allworlds.maps.counting import NARROWED, SOURCES, CountSource
 from allworlds.maps.enumeration import Gluing
 
 Size: TypeAlias = tuple[int, int]

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import sys
 import traceback
-from collections.abc import Callable, Generator, Iterable, MutableSequence
+from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequence
 from itertools import islice
 from typing import Any, Protocol
 
@@ -126,7 +126,7 @@ def play_run(
         most = max(MOST_DARTS, 2 * budget)
         log += any_answer_entry(stop.value, most) if any_answer else answer_entry(stop.value, most)
     except BaseException as error:
-        if error is turns.broken:  # of a model of the user's, and no fault of the explorer's
+        if isinstance(error, InputError) and error is not turns.own:  # of a model of the user's
             raise
         turns.note_choices()
         log += _raised(error)
@@ -150,7 +150,7 @@ class _Turns:
     ) -> None:
         self.log, self.around, self.choices = log, around, choices
         self.budget, self.beat, self.hear = budget, beat, hear
-        self.broken: InputError | None = None
+        self.own: InputError | None = None  # the explorer's
         self._noted = self._shown = 0
 
     def note_choices(self) -> None:
@@ -166,10 +166,14 @@ class _Turns:
         send, add, hear = generator.send, log.append, self.hear
         left, free, turn = self.budget, FREE * (self.budget + 1), 1
         degree, reply = around.first.degree, None
-        while not self._is_over():
+        while not around.over:
             if hear is not None:
                 hear(log)
-            message = send(reply)
+            try:
+                message = send(reply)
+            except InputError as error:
+                self.own = error
+                raise
             turn += 1
             beat[1] = turn
             if len(record) != self._noted:
@@ -190,9 +194,6 @@ class _Turns:
                     reply = around.move(k)
                 except BeyondRecord:
                     return add(entries.BEYOND)
-                except InputError as error:
-                    self.broken = error
-                    raise
                 degree = reply.degree
             elif type(message) is Checkpoint:
                 if not self._publish(message):
@@ -209,13 +210,6 @@ class _Turns:
                 return None
         add(entries.OVER)
         return None
-
-    def _is_over(self) -> bool:
-        try:
-            return self.around.over
-        except InputError as error:
-            self.broken = error
-            raise
 
     def _integer(self, message: Move | Write) -> int | None:
         """The number of an action; None if it is none, which the log says then."""
@@ -250,9 +244,6 @@ class _Turns:
             log.append(entries.REFUSED)
         except BeyondRecord:
             log.append(entries.BEYOND)
-        except InputError as error:
-            self.broken = error
-            raise
         return None
 
     def _publish(self, message: Checkpoint) -> bool:
@@ -468,12 +459,17 @@ def percept_of(degree: int, marks: int, bearing: int) -> Percept:
 
 
 def numbers_of(percepts: Iterable[Percept]) -> bytes | tuple[int, ...]:
-    """The numbers of percepts; as bytes where all are small."""
+    """The numbers of percepts."""
     numbers = [
         number
         for p in percepts
         for number in (p.degree, p.marks, 0 if p.bearing is None else p.bearing + 1)
     ]
+    return packed(numbers)
+
+
+def packed(numbers: Sequence[int]) -> bytes | tuple[int, ...]:
+    """The numbers, as bytes where all are small."""
     try:
         return bytes(numbers)
     except ValueError:

@@ -279,7 +279,7 @@ class Section(Struct, frozen=True):
     """Blocks under a title.
 
     Attributes:
-        name: a word, which no other section of the telling has.
+        name: a word, which no other section of the content has.
         title: what it is about; empty where the blocks follow the headline without one.
         blocks: what stands in it.
     """
@@ -314,7 +314,7 @@ class ReportContent(Struct, frozen=True):
     Attributes:
         done: what was done.
         subject: to whom or what.
-        result: what is told.
+        result: whose content it is.
         headline: the answer; None where there is nothing to say but the sections.
         sections: the rest, in the order in which it is read.
         more: walks to be stepped through, which only a page has room for; they may have to be

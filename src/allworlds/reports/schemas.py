@@ -160,12 +160,12 @@ class Shapes:
         """The name of each key, its type, and whether it is required."""
         hints = get_type_hints(kind, include_extras=True)
         if is_dataclass(kind):
-            for told in fields_of_dataclass(kind):
-                yield told.name, hints[told.name], self.written or told.default is MISSING
+            for field in fields_of_dataclass(kind):
+                yield field.name, hints[field.name], self.written or field.default is MISSING
             return
         needed = {field.name for field in fields(kind) if field.required}
         for key in keys_of(kind):
-            tp = hints[key.attribute]
+            tp = key.type
             bare = get_args(tp)[0] if get_origin(tp) is Annotated else tp
             sometimes = key.if_any or UnsetType in members(bare)
             must = not sometimes and (self.written or key.attribute in needed)
@@ -174,8 +174,8 @@ class Shapes:
     def _defined(
         self, name: str, doc: str, keys: Iterable[tuple[str, Any, bool]], *, closed: bool = True
     ) -> Any:
-        told = [(key, self.of(tp), must) for key, tp, must in keys]
-        fields = [(key, tp) if must else (key, tp | UnsetType, UNSET) for key, tp, must in told]
+        shown = [(key, self.of(tp), must) for key, tp, must in keys]
+        fields = [(key, tp) if must else (key, tp | UnsetType, UNSET) for key, tp, must in shown]
         return defstruct(
             name,
             fields,
@@ -235,7 +235,7 @@ def schema_of(tp: Any, *, written: bool = True) -> tuple[Schema, dict[str, Schem
     (found, *_), parts = schema_components(
         [root, *shapes.also.values()], ref_template="#/$defs/{name}"
     )
-    return _plain(found), {name: _plain(told) for name, told in parts.items()}
+    return _plain(found), {name: _plain(part) for name, part in parts.items()}
 
 
 def page(name: str) -> Schema:
@@ -254,8 +254,8 @@ def schemas() -> dict[str, Schema]:
         entries = [*table]
         parts[name] = {"title": title, "enum": [str(entry) for entry in entries]}
         if all(hasattr(entry, "summary") for entry in entries):
-            told = [{"const": str(each), "description": each.summary} for each in entries]
-            parts[name] = {"title": title, "oneOf": told}
+            named = [{"const": str(each), "description": each.summary} for each in entries]
+            parts[name] = {"title": title, "oneOf": named}
     names = {**_head("names"), "title": "Names", "$defs": parts}
     return {name: page(name) for name in pages()} | {"names": names}
 
@@ -264,13 +264,13 @@ def _head(name: str) -> Schema:
     return {"$schema": DRAFT, "$id": f"{name}.schema.json"}
 
 
-def _plain(told: Any) -> Any:
+def _plain(schema: Any) -> Any:
     """The schema in short form: without defaults, and merged where one object is enough."""
-    if isinstance(told, list):
-        return [_plain(inner) for inner in told]
-    if not isinstance(told, dict):
-        return told
-    kept = {key: _plain(value) for key, value in told.items() if key != "default"}
+    if isinstance(schema, list):
+        return [_plain(inner) for inner in schema]
+    if not isinstance(schema, dict):
+        return schema
+    kept = {key: _plain(value) for key, value in schema.items() if key != "default"}
     match kept:
         case {"enum": [only]}:
             del kept["enum"]
@@ -297,8 +297,8 @@ def main(directory: Path) -> None:
     directory.mkdir(exist_ok=True)
     for file in directory.glob("*.schema.json"):
         file.unlink()
-    for name, told in schemas().items():
-        text = json.dumps(told, indent=2) + "\n"
+    for name, schema in schemas().items():
+        text = json.dumps(schema, indent=2) + "\n"
         (directory / f"{name}.schema.json").write_text(text, encoding="utf-8")
 
 

@@ -10,12 +10,21 @@ from typing import Annotated
 from msgspec import UNSET, Struct, UnsetType, field
 from typing_extensions import override
 
-from allworlds.document.struct import Aside, Document, Edges, Natural, WhichShard, about, computed
+from allworlds.document.struct import (
+    Aside,
+    Document,
+    Edges,
+    Natural,
+    WhichShard,
+    about,
+    computed,
+    with_options,
+)
 from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
 from allworlds.engines.engine_table import COMPILER, ReadyEngine
 from allworlds.engines.here import here_or
 from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import GATE, SweptReport, ToldGate, told_scope
+from allworlds.engines.swept_report import SweptReport, ToldGate, told_scope
 from allworlds.engines.units import WHOLE, AskedShard, LevelUnit, SweptLevel
 from allworlds.inputs.checks import lack_of
 from allworlds.inputs.requests import answers
@@ -23,7 +32,7 @@ from allworlds.maps.canonical import automorphisms
 from allworlds.maps.classes import Extent, ExtentOptions, MapClass
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Ending
-from allworlds.world.own_condition import WhereOptions
+from allworlds.world.selection import WhereOptions
 
 TOLD_EVERY = 1000
 """Maps after which the listener is told."""
@@ -38,7 +47,7 @@ class CountRequest(
     """Request of ``count``: a class, its bounds and the effort."""
 
 
-class CountRow(Document):
+class CountRow(Document, kw_only=True):
     """The maps with one number of edges.
 
     ``counted`` holds the rooted maps by vertices according to the independent source, ``cells`` the
@@ -74,7 +83,8 @@ class CountRow(Document):
         return self.by_vertices == {n: count for n, count in self.counted.items() if count}
 
 
-class CountedScope(Document, of=CountRequest):
+@with_options(CountRequest)
+class CountedScope(Document):
     """The scope of a count."""
 
     shard: WhichShard
@@ -86,11 +96,17 @@ class Census(SweptReport):
     Every level of a class, counted.
     """
 
-    scope: Annotated[CountedScope, about("what was counted")] = computed(
-        lambda c: told_scope(CountedScope, c.request, shard=str(c.portion))
-    )
-    gate: ToldGate = GATE
     rows: Annotated[tuple[CountRow, ...], about("one a number of edges, ascending")]
+
+    @computed
+    def scope(self) -> CountedScope:
+        """What was counted."""
+        return told_scope(CountedScope, self.request, shard=str(self.portion))
+
+    @computed
+    def gate(self) -> ToldGate:
+        """Count gate, if there is anything to compare."""
+        return self.compared
 
     @property
     @override

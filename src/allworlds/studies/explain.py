@@ -9,7 +9,7 @@ from allworlds.document.struct import Aside, Natural, Positive, Some, Text, abou
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import Request, answers
 from allworlds.judging.explanations.by_law import teller_of
-from allworlds.judging.explanations.story import Spending, Story
+from allworlds.judging.explanations.story import Story
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import LawName
 from allworlds.maps.combinatorial import Dart
@@ -21,12 +21,8 @@ class Explanation(Report):
     """Report of 'explain'.
 
     Vertices and darts are those of the world, in the numbering of the finding.
-
-    ``spent`` tells what the traversals were spent on, where they were too many.
     """
 
-    explorer: Annotated[str, about("its name")] = computed(lambda told: told.finding.explorer)
-    law: Annotated[LawName, about("the broken one")] = computed(lambda told: told.finding.law)
     step: Annotated[
         Natural | None,
         about(
@@ -35,9 +31,6 @@ class Explanation(Report):
         ),
     ]
     sentences: Annotated[Some[Text], about("in plain words")]
-    world: Annotated[World, about("that of the finding")] = computed(
-        lambda told: told.finding.world
-    )
     robot: Annotated[Dart, about("where the robot is at the end")]
     answer: Annotated[Estimate | None, about("the wrong answer; null where the finding holds none")]
     other: Annotated[
@@ -54,7 +47,21 @@ class Explanation(Report):
     number: Annotated[Positive, about("the number of the finding in its report; 1: the first")]
     findings: Annotated[Positive, about("how many findings the report holds")]
     finding: Aside[Finding]
-    spent: Aside[Spending | None] = None
+
+    @computed
+    def explorer(self) -> str:
+        """Its name."""
+        return self.finding.explorer
+
+    @computed
+    def law(self) -> LawName:
+        """The broken one."""
+        return self.finding.law
+
+    @computed
+    def world(self) -> World:
+        """That of the finding."""
+        return self.finding.world
 
 
 class ExplainRequest(Request, kw_only=False):
@@ -88,5 +95,4 @@ def explain(request: ExplainRequest) -> Explanation:
         number=request.number,
         findings=request.findings,
         finding=finding,
-        spent=telling.spent,
     )

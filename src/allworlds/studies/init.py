@@ -6,14 +6,14 @@ import shlex
 from collections.abc import Mapping
 from dataclasses import KW_ONLY
 from pathlib import Path
-from typing import Annotated, Literal, overload
+from typing import Annotated
 
 from allworlds.document.report import Report
 from allworlds.document.struct import Positive, Text, about, computed, one_of
 from allworlds.explorers.languages import LANGUAGES, SKELETONS, Language, templates
 from allworlds.explorers.shared_library import INTERFACE_VERSION, header_text
 from allworlds.inputs.checks import InputError, a_path, one_of as one_of_these, show
-from allworlds.inputs.requests import OUTPUT, Argument, Option, Request, takes_fields
+from allworlds.inputs.requests import OUTPUT, Argument, Option, Request, answers
 
 
 class Skeleton(Report):
@@ -27,15 +27,21 @@ class Skeleton(Report):
     files: Annotated[
         tuple[Text, ...], about("that were written, relative to the directory, sorted")
     ]
-    explorer: Annotated[Text, about("the file of the explorer, to be completed")] = computed(
-        lambda skeleton: skeleton.language.explorer
-    )
-    check: Annotated[Text, about("a shell command that checks it")] = computed(
-        lambda made: f"cd {shlex.quote(str(made.directory))} && {made.language.check}"
-    )
-    test: Annotated[Text, about("a shell command that runs its test, in the directory")] = computed(
-        lambda skeleton: skeleton.language.test
-    )
+
+    @computed
+    def explorer(self) -> Text:
+        """The file of the explorer, to be completed."""
+        return self.language.explorer
+
+    @computed
+    def check(self) -> Text:
+        """A shell command that checks it."""
+        return f"cd {shlex.quote(str(self.directory))} && {self.language.check}"
+
+    @computed
+    def test(self) -> Text:
+        """A shell command that runs its test, in the directory."""
+        return self.language.test
 
     @property
     def language(self) -> Language:
@@ -51,12 +57,14 @@ class LedgerSkeleton(Report):
 
     directory: Annotated[Path, about("as it was named")]
     files: Annotated[tuple[Text, ...], about("that were written, sorted")]
-    check: Annotated[Text, about("a shell command that checks the claims")] = computed(
-        lambda made: f"allworlds ledger {shlex.quote(str(made.directory))}"
-    )
+
+    @computed
+    def check(self) -> Text:
+        """A shell command that checks the claims."""
+        return f"allworlds ledger {shlex.quote(str(self.directory))}"
 
 
-class Header(Report):
+class Header(Report, kw_only=True):
     """Report of 'init --header'.
 
     The C header.
@@ -91,8 +99,18 @@ class InitRequest(Request, kw_only=False):
     ] = False
 
 
-def begun(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
-    """Answer a request of ``init``."""
+@answers(InitRequest)
+def init(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
+    """Write a skeleton of an explorer, its test and a workflow into a directory.
+
+    With ``ledger`` it is the ledger of a paper, with two claims that run.
+
+    The directory may be there already, with other files in it; no file is overwritten.
+
+    Raises:
+        InputError: if both or neither are asked for, there is no skeleton in that language, one of
+            its files is there already (then nothing is written), or a file cannot be written.
+    """
     directory, lang = request.directory, request.lang
     if request.header:
         others = {"directory": directory, "lang": lang, "ledger": request.ledger or None}
@@ -106,7 +124,7 @@ def begun(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
     if request.ledger:
         if lang is not None:
             raise InputError(f"lang {show(lang)} has no effect beside ledger")
-        texts = templates(Path(__file__).with_name("ledger") / "skeleton")
+        texts = templates(Path(__file__).with_name("ledger_skeleton"))
         return LedgerSkeleton(directory=_written(directory, texts), files=tuple(texts))
     if lang is None:
         lang = "python"
@@ -140,38 +158,3 @@ def _written(directory: str | Path, texts: Mapping[str, str]) -> Path:
                 f"file {show(str(file))} cannot be written: {error.strerror}"
             ) from None
     return folder
-
-
-@overload
-def init(directory: str | Path, *, lang: str = "python") -> Skeleton: ...
-@overload
-def init(directory: str | Path, *, ledger: Literal[True]) -> LedgerSkeleton: ...
-@overload
-def init(*, header: Literal[True]) -> Header: ...
-@overload
-def init(
-    directory: str | Path | None = ...,
-    *,
-    lang: str | None = ...,
-    ledger: bool = ...,
-    header: bool = ...,
-) -> Skeleton | LedgerSkeleton | Header: ...
-@takes_fields(InitRequest, answered=begun)
-def init(
-    directory: str | Path | None = None,
-    *,
-    lang: str | None = None,
-    ledger: bool = False,
-    header: bool = False,
-) -> Skeleton | LedgerSkeleton | Header:
-    """Write a skeleton of an explorer, its test and a workflow into a directory.
-
-    With ``ledger`` it is the ledger of a paper, with two claims that run.
-
-    The directory may be there already, with other files in it; no file is overwritten.
-
-    Raises:
-        InputError: if both or neither are asked for, there is no skeleton in that language, one of
-            its files is there already (then nothing is written), or a file cannot be written.
-    """
-    return begun(InitRequest(directory, lang=lang, ledger=ledger, header=header))

@@ -35,7 +35,7 @@ def sweep_of(verb: str) -> type[Sweep[Any, Any]]:
 
             return CheckSweep
         case "fuzz":
-            from allworlds.studies.fuzz.drive import FuzzSweep
+            from allworlds.studies.fuzz import FuzzSweep
 
             return FuzzSweep
         case "compare":

@@ -14,7 +14,7 @@ from allworlds.engines.single import single_run, subject_of
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import integer_of
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
-from allworlds.judging.findings.rules import AskedRules
+from allworlds.judging.findings.rules import RuleOptions
 from allworlds.maps.surgery import covering_walk
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.faults import IllegalAction
@@ -54,31 +54,18 @@ class CostBeside(Document):
     cost: Annotated[Natural, about("traversals")]
 
 
-def costs_beside(world: World) -> tuple[CostBeside, ...]:
+def _costs(world: World) -> Iterator[CostBeside]:
     """The costs of Algorithm 1, where it is known, and of the shortest walk along every edge.
 
     Cost: seconds at most; larger worlds do not have the first.
     """
-    return tuple(CostBeside(who=who, cost=cost) for who, cost in _costs(world))
-
-
-def _costs(world: World) -> Iterator[tuple[Walker, int]]:
-    edges, kind = world.map.edge_count, world.lighthouse.kind
-    if edges <= LARGEST and kind in VARIANTS:
+    kind = world.lighthouse.kind
+    if world.map.edge_count <= LARGEST and kind in VARIANTS:
         subject = subject_of(VARIANTS[kind], Limits())
-        rules = AskedRules().rules_of(subject, kind_of(world.lighthouse))
-        yield Walker.ALGORITHM_1, single_run(subject, world, rules, (), Limits()).cost
-    yield Walker.EVERY_EDGE, covering_walk(world.map, world.start)
-
-
-def not_compared(world: World) -> str:
-    """A sentence that says that Algorithm 1 is not compared, and why; empty where it is."""
-    edges, kind = world.map.edge_count, world.lighthouse.kind
-    if kind not in VARIANTS:
-        return f"Algorithm 1 is not for the {kind} lighthouse."
-    if edges > LARGEST:
-        return f"Algorithm 1 is not run in worlds with more than {LARGEST} edges."
-    return ""
+        rules = RuleOptions().rules_of(subject, kind_of(world.lighthouse))
+        cost = single_run(subject, world, rules, (), Limits()).cost
+        yield CostBeside(who=Walker.ALGORITHM_1, cost=cost)
+    yield CostBeside(who=Walker.EVERY_EDGE, cost=covering_walk(world.map, world.start))
 
 
 Player: TypeAlias = Callable[[Percept, str], Action | None]
@@ -86,7 +73,7 @@ Player: TypeAlias = Callable[[Percept, str], Action | None]
 it returns the next action; None ends the game."""
 
 
-class Play(Report):
+class Play(Report, kw_only=True):
     """Report of 'play'.
 
     A world and a walk in it.
@@ -95,14 +82,21 @@ class Play(Report):
     path: Annotated[str | None, about("the page for playing; null: played in the terminal")] = None
     world: World
     transcript: Annotated[Transcript, about("the actions and percepts; for a page only the start")]
-    costs: Annotated[tuple[CostBeside, ...], about("of others in the same world")] = computed(
-        lambda played: costs_beside(played.world)
-    )
+
+    @computed
+    def costs(self) -> tuple[CostBeside, ...]:
+        """Of others in the same world."""
+        return tuple(_costs(self.world))
 
     @property
     def not_compared(self) -> str:
         """A sentence that says whose cost is not compared, and why; empty if each is."""
-        return not_compared(self.world)
+        edges, kind = self.world.map.edge_count, self.world.lighthouse.kind
+        if kind not in VARIANTS:
+            return f"Algorithm 1 is not for the {kind} lighthouse."
+        if edges > LARGEST:
+            return f"Algorithm 1 is not run in worlds with more than {LARGEST} edges."
+        return ""
 
 
 class PlayRequest(Request, kw_only=False):

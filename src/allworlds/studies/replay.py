@@ -7,14 +7,11 @@ from typing import Annotated, Any, Literal
 
 from allworlds.document.report import Report
 from allworlds.document.struct import (
-    EXIT_CODE,
     Aside,
-    ExitCode,
     Text,
     about,
     computed,
     key,
-    one_of,
     replace,
 )
 from allworlds.engines.effort import AskedPatience
@@ -23,10 +20,10 @@ from allworlds.explorers.asked import ProgramWords
 from allworlds.explorers.loading import own_bound
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import SCOPE, Named, Option, Request, answers
-from allworlds.judging.findings.finding import AskedFinding, Finding
+from allworlds.judging.findings.finding import Finding, FindingOptions
 from allworlds.judging.findings.walks import recorded_trail
 from allworlds.judging.laws.law_table import LawName
-from allworlds.outcome import Exit, Facts
+from allworlds.outcome import Facts
 
 
 class AnotherExplorer(Request):
@@ -57,7 +54,7 @@ class AnotherExplorer(Request):
         return ProgramWords(command=self.command, native=self.native).named(self.explorer)
 
 
-class ReplayRequest(AskedPatience, AskedFinding, kw_only=False):
+class ReplayRequest(AskedPatience, FindingOptions, kw_only=False):
     """Request of ``replay``: a finding, and another explorer if wanted."""
 
     explore: Annotated[
@@ -80,31 +77,29 @@ class Replay(Report):
     ran, not a built-in one.
     """
 
-    outcome: Annotated[
-        Literal["reproduced", "fixed", "not-reproduced"],
-        about(
-            "`reproduced`: a law is broken again; `fixed`: none is; `not-reproduced`: none is, "
-            "but single runs cannot show that a `nondeterministic` explorer was mended"
-        ),
-    ] = computed(lambda replay: replay.outcome_now)
-    exit_code: Annotated[ExitCode, one_of(Exit.ANSWERED, Exit.FIXED, Exit.INCONCLUSIVE)] = EXIT_CODE
-    explorer: Annotated[Text, about("the explorer that ran")] = computed(
-        lambda replay: replay.again.explorer
-    )
-    law: Annotated[LawName, about("the recorded one")] = computed(
-        lambda replay: replay.recorded.law
-    )
-    law_now: Annotated[LawName | None, about("the law that is broken now; null: none")] = computed(
-        lambda replay: replay.again.finding.law if replay.again.finding else None
-    )
     again: Annotated[SingleRun, about("the run of today")] = key(name="run")
     recorded: Aside[Finding]
     notice: Aside[str] = ""
     users: Aside[bool] = False
 
-    @property
-    def outcome_now(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
-        """The outcome, by what was recorded and what is broken now."""
+    @computed
+    def explorer(self) -> Text:
+        """The explorer that ran."""
+        return self.again.explorer
+
+    @computed
+    def law(self) -> LawName:
+        """The recorded one."""
+        return self.recorded.law
+
+    @computed
+    def law_now(self) -> LawName | None:
+        """The law that is broken now; null: none."""
+        return self.again.finding.law if self.again.finding else None
+
+    @computed
+    def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
+        """``reproduced``: a law is broken again; ``fixed``: none is; else it cannot be shown."""
         if self.again.finding:
             return "reproduced"
         open_ = self.users and self.recorded.law == "nondeterministic"
@@ -113,7 +108,7 @@ class Replay(Report):
     @property
     def facts(self) -> Facts:
         """Whether no law is broken any more, or whether that is open."""
-        outcome = self.outcome_now
+        outcome = self.outcome
         return Facts(fixed=outcome == "fixed", undecided=outcome == "not-reproduced")
 
 

@@ -14,7 +14,7 @@ from allworlds.engines.single import SingleRun, single_run, subject_of, unused_c
 from allworlds.explorers.loading import HASH_SEED
 from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.inputs.requests import RULES, Option, Taken, answers
-from allworlds.judging.findings.rules import AskedRules
+from allworlds.judging.findings.rules import RuleOptions
 from allworlds.world.lighthouses.kinds import kind_of
 from allworlds.world.named import WorldOptions
 from allworlds.world.world import World
@@ -33,7 +33,7 @@ def _indices(choices: object) -> tuple[int, ...]:
     return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
 
 
-class AskedRun(AskedPatience, AskedRules, WorldOptions):
+class RunOptions(AskedPatience, RuleOptions, WorldOptions):
     """Options for one run: the world, how it is played and judged."""
 
     choices: Annotated[
@@ -47,7 +47,7 @@ class AskedRun(AskedPatience, AskedRules, WorldOptions):
     ] = Taken(_indices, ())
 
 
-class RunRequest(AskedRun, kw_only=False):
+class RunRequest(RunOptions, kw_only=False):
     """Request of ``run``: an explorer, a world and the rules."""
 
     explore: Annotated[str | Callable[..., Any], "a name or a generator function"]

@@ -1,14 +1,13 @@
 """Worlds: a map, a lighthouse and a start; explorers never see one.
 
 ``lighthouses``
-    the marks and directions in a world, and the percepts that they cause; one kind a module;
-``state``
-    the state that a step changes: the places of the robot and of its markers;
+    the marks and directions in a world, and the percepts that they cause; the state that a step
+    changes: the places of the robot and of its markers;
 ``world``
     map, lighthouse and start together, and the effect of a step;
 ``named``
     the forms of a WORLD on the command line and in Python;
-``asked_lighthouse``, ``own_condition``
+``selection``
     the lighthouse of a request, and conditions that narrow a class of maps; the user's are tried;
     every world of a class;
 ``corpus``
@@ -26,13 +25,11 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.base import (
         Lighthouse as Lighthouse,
         Sensing as Sensing,
+        State as State,
         Where as Where,
     )
     from allworlds.world.lighthouses.composed import Composed as Composed
-    from allworlds.world.lighthouses.kinds import (
-        LIGHTHOUSES as LIGHTHOUSES,
-        lighthouse_named as lighthouse_named,
-    )
+    from allworlds.world.lighthouses.kinds import LIGHTHOUSES as LIGHTHOUSES
     from allworlds.world.lighthouses.marked import (
         Cluster as Cluster,
         Compass as Compass,
@@ -55,8 +52,7 @@ if TYPE_CHECKING:
         names_of_worlds as names_of_worlds,
         world_named as world_named,
     )
-    from allworlds.world.own_condition import worlds as worlds
-    from allworlds.world.state import State as State
+    from allworlds.world.selection import worlds as worlds
     from allworlds.world.world import World as World, at_place as at_place
 else:
     open_door(__name__)

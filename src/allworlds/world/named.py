@@ -23,7 +23,6 @@ from allworlds.maps.build import NoSuchMap, named_map, named_maps
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.families import FORMS, family
-from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.corpus import CorpusEntry, own_corpus
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
@@ -34,6 +33,7 @@ from allworlds.world.lighthouses.kinds import (
     lighthouse_kind,
 )
 from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.selection import tried_kind
 from allworlds.world.world import World, at_place
 
 WORLD = Argument("", "WORLD", "Inline JSON, @file, or a name such as k4, wheel:4, cycle:5.")
@@ -102,8 +102,9 @@ def _world_of_text(text: str, kind: LighthouseKind, seed: int | None, holes: str
 
 def _names_family(given: str | World) -> bool:
     """Whether a WORLD is one of a family, and so depends on a seed."""
-    is_text = isinstance(given, str) and not _is_json(given)
-    return is_text and given.partition(":")[0] in _families()
+    if isinstance(given, World) or _is_json(given):
+        return False
+    return given.partition(":")[0] in _families()
 
 
 _CODE = re.compile(r"[0-9.]+/[0-9.]+", re.ASCII)

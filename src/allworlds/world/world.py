@@ -15,11 +15,10 @@ from allworlds.maps.networks import from_networkx, to_networkx
 from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.player import Told
-from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys, the_integer
-from allworlds.world.state import State, without_markers
 
 
 class WorldDocument(Document):
@@ -107,7 +106,7 @@ class World(Pictured):
             if state.lying or state.hand or state.written:
                 after = State(dart, state.lying, state.hand, state.written)
                 return after, self.sensed(after)
-            return without_markers(dart), self.percepts[dart]
+            return State(dart), self.percepts[dart]
         lying = state.lying.count(self.map.vertex_of[state.dart])
         if refusal := self.lighthouse.refusal(action, lying, state.hand):
             raise IllegalAction(refusal)

@@ -9,7 +9,7 @@ from allworlds.maps import rooted_isomorphism, rooted_maps
 from allworlds.protocol.actions import Drop, Pick, Write
 from allworlds.reports.web.play import world_data
 from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, State, World
-from allworlds.world.lighthouses.kinds import lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 from small import EDGE, LOOP, PLANE, TORUS, all_maps
 
 
@@ -103,7 +103,7 @@ def test_every_step_in_every_world_of_up_to_three_edges_is_that_of_the_world(kin
 )
 def test_marks_are_left_and_taken_up_as_in_the_world(name, ask):
     for map_ in (EDGE, LOOP, PLANE, TORUS):
-        world = World(map_, next(lighthouse_named(name).places(map_, 0)), 0)
+        world = World(map_, next(lighthouse_kind(name).as_class.places(map_, 0)), 0)
         asked = [(s, a) for s in reachable(world) for a in (Move(0), Move(1), *MARKING)]
         given = [[state_json(state), action_json(action)] for state, action in asked]
         told = ask(what="steps", world=world_data(world), asked=given)

@@ -18,7 +18,7 @@ from allworlds.reports.markup import legal
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import GateCell
 from allworlds.studies.explain import explain
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 from allworlds.words import escaped
 from html_tree import read
 

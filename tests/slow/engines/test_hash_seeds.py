@@ -7,7 +7,7 @@ import pytest
 from allworlds.engines.lane import GOES_BY_HASHES, SECOND
 from allworlds.engines.progress import Silent
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 
 pytestmark = pytest.mark.processes

@@ -10,7 +10,7 @@ from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import most_expensive_runs
-from allworlds.studies.fuzz.drive import fuzz
+from allworlds.studies.fuzz import fuzz
 from explorers import test_native as quick
 from explorers.test_native import QUICK, native
 from native_libraries import ATTACKS, EXAMPLES, attack, built, example
@@ -39,7 +39,7 @@ def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
     from allworlds.engines.kernel.library_player import LibraryPlayer
     from allworlds.engines.kernel.records import Stretch
 
-    memory = Stretch(2)
+    memory = Stretch.of(2)
     beat = array("q", [0, 0])
     level = level_of("algorithm1", Rules(), Extent(MapClass.MAPS, 2), 2)
     judge = UnitJudge(level, (-4,), 1, memory, memory)

@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds.maps.counting.sources import (
+from allworlds.maps.counting import (
     SOURCES,
     rooted_planar_simple_by_substitution,
     rooted_simple_by_degrees,

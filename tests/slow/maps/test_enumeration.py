@@ -6,7 +6,7 @@ import pytest
 
 from allworlds.maps import CombinatorialMap, MapClass, automorphisms, rooted_maps, unrooted_code
 from allworlds.maps.classes import Extent
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import prefixes
 from maps.test_enumeration import LEVELS, codes
 

@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds.engines.effort import TimeIsUp
-from allworlds.studies.fuzz.drive import fuzz, shrink
+from allworlds.studies.fuzz import fuzz, shrink
 
 
 @pytest.mark.parametrize(("begins", "edges", "runs"), [((5, 4), 9, 100), ((9, 6), 16, 500)])
@@ -44,7 +44,7 @@ def test_what_has_been_reached_when_the_time_is_up_is_reported(planted, monkeypa
         yield step
         raise TimeIsUp
 
-    monkeypatch.setattr("allworlds.studies.fuzz.drive.shrink", out_of_time)
+    monkeypatch.setattr("allworlds.studies.fuzz.shrink", out_of_time)
     report = fuzz(planted(5, 4), edges=7, runs=40, seed=1)
     assert report.verdict == "refuted"
     assert [found.key for found in report.findings] == [found.key for found in reached]

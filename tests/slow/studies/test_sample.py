@@ -3,7 +3,7 @@ from random import Random
 import pytest
 
 from allworlds.maps import CombinatorialMap
-from allworlds.studies.fuzz.sample import GENERATORS
+from allworlds.studies.fuzz import GENERATORS
 from studies import test_sample as quick
 from studies.test_sample import CLASSES, code, drawn
 

@@ -28,16 +28,16 @@ from allworlds.judging.episode import Answered, Undecided, default_step_budget, 
 from allworlds.judging.findings.finding import canonical_world
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
+from allworlds.judging.laws.finished_run import Case
 from allworlds.judging.laws.law_table import LAWS, judge
-from allworlds.judging.laws.laws import Case
 from allworlds.judging.tasks import task_named
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
-from allworlds.maps.counting.sources import SOURCES
+from allworlds.maps.counting import SOURCES
 from allworlds.protocol.choices import Choices
 from allworlds.studies.check.exhaustive import check
 from allworlds.words import plural
 from allworlds.world import Directional, World
-from allworlds.world.lighthouses.kinds import lighthouse_named
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 from bruteforce import rooted_maps_by_permutations
 from enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from errands import WEAK_TASK_JUDGES, WRONG_ERRANDS, WeakTaskJudge, WrongErrand
@@ -155,7 +155,7 @@ _Refused: TypeAlias = tuple[tuple[Any, ...], World, str]
 def _refused_errands(level: int) -> Iterator[_Refused]:
     """Runs of the explorers with other tasks, one a rooted map, that do not do them."""
     for mutant in WRONG_ERRANDS:
-        kind, task = lighthouse_named(mutant.lighthouse), task_named(mutant.task)
+        kind, task = lighthouse_kind(mutant.lighthouse).as_class, task_named(mutant.task)
         player = in_process_subject(mutant.explorer()).player()
         for map_ in rooted_maps(level):
             world = World(map_, next(iter(kind.places(map_, 0))), 0)
@@ -171,7 +171,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
     players = [
         (
             mutant.name,
-            lighthouse_named(mutant.lighthouse),
+            lighthouse_kind(mutant.lighthouse).as_class,
             in_process_subject(mutant.explorer()).player(),
         )
         for mutant in _wrong()

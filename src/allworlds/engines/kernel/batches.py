@@ -7,13 +7,11 @@ order.  A library plays in :mod:`allworlds.engines.kernel.library_player`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
-from typing import Any
 
 from msgspec import Struct
 
-from allworlds.engines.kernel import engine, library_player, records as layout, runs
-from allworlds.engines.kernel.compiling import entry, is_compiled, uncollected
+from allworlds.engines.kernel import engine, records as layout, runs
+from allworlds.engines.kernel.compiling import entry
 from allworlds.engines.kernel.gluing import advance
 from allworlds.engines.kernel.instructions import call
 from allworlds.engines.kernel.records import JOB, LOG_BYTES, NONE, READER, ROBOT, Stretch, new
@@ -49,9 +47,8 @@ class UnitJudge:
     def __init__(
         self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, records: Stretch
     ) -> None:
-        self._stretch, self._records, self.noted = stretch, records, 0
-        self._ahead, self._job = _JOBS.pop() if _JOBS else (new(JOB), new(JOB))
-        self._robot = _robot()
+        self._stretch, self._records, self.worlds, self.noted = stretch, records, stretch.worlds, 0
+        self._ahead, self._job, self._robot = new(JOB), new(JOB), new(ROBOT)
         for job in (self._ahead, self._job):
             engine.set_up(job, self._robot, level)
         self._unit = engine.unit_of(level, prefix, keep)
@@ -67,11 +64,6 @@ class UnitJudge:
         placed = lay_out(ahead, self._unit, stretch.heads, stretch.worlds)
         self.heads = stretch.heads[:placed].copy()
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
-
-    def skip(self, batch: LaidOutRuns) -> None:
-        """Go on behind a batch that is judged elsewhere, without its results."""
-        if self._job.number < batch.until:
-            self.judge(batch, 0)
 
     def judge(self, batch: LaidOutRuns, size: int) -> tuple[Rows, bool]:
         """Judge the logs in the memory; return the rows, and whether all logs could be judged.
@@ -96,19 +88,7 @@ class UnitJudge:
         heads[:, layout.RUN_NUMBER] = 0  # who plays again is not to know which runs these are
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
         rows = engine.rows_of(unit, job, self._robot)
-        if batch.last:
-            _JOBS.append((self._ahead, job))
         return rows, good
-
-
-_JOBS: list[tuple[Any, Any]] = []
-"""Memories of units that are done, for the next ones: they are large."""
-
-
-@cache
-def _robot() -> Any:
-    """The memory of built-in explorers: large, and nobody writes to it where logs are judged."""
-    return new(ROBOT)
 
 
 @entry
@@ -143,39 +123,3 @@ def lay_out(job, unit, heads, worlds):
             job.number += 1
             call(job.lighthouse, (world,))
     return placed
-
-
-def load_native() -> None:
-    """Load or compile the code that native explorers need, but for the lighthouses."""
-    level = any_level()
-    with uncollected():
-        stretch = Stretch(level.edges)
-        unit = UnitJudge(level, (-1,), 1, stretch, stretch)
-        unit.judge(unit.lay_out(0), 0)
-        library_player.load_player()
-
-
-def is_kept() -> bool:
-    """Whether this code has been compiled before."""
-    return all(map(is_compiled, (library_player.play, runs.examine)))
-
-
-def compile_apart() -> None:
-    """Let another process compile it, which is not waited for."""
-    engine.in_another_process(f"from {__name__} import load_native; load_native()")
-
-
-def any_level() -> Level:
-    """A level whose maps have one edge."""
-    return Level(
-        1,
-        2,
-        simple=False,
-        planar=False,
-        explorer="",
-        lighthouse="directional",
-        policy="fifo",
-        laws=(),
-        bounds=[[[0]]] * 3,
-        budgets=(0, 0, 0),
-    )

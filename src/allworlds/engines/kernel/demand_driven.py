@@ -39,12 +39,10 @@ _FEW = 0xFF
 
 
 @entry
-def explore(w, prefix, reached, kept, halt):
+def explore(w, prefix, kept, halt):
     """Walk and tally every world whose gluing begins with ``prefix``, once each.
 
-    ``w.worlds`` becomes their number.  ``reached`` is, by vertices, a cost that is known to be met,
-    and becomes the largest that is.  Worlds are kept as runs at place 0 that break the law 0; of
-    each that is listed: cost, vertices, degrees, then partners.
+    Worlds are kept as runs at place 0 that break the law 0.
     """
     s = w.now
     _begin(w, s, prefix)
@@ -65,8 +63,7 @@ def explore(w, prefix, reached, kept, halt):
             choice.untried, choice.degree = others, 1
             copy(choice.now, s)
         else:
-            w.worlds += 1
-            _tally(w, s, reached, kept)
+            _tally(w, s, kept)
             if w.depth == 0 or halt[0]:
                 return
             _go_back(w, s)
@@ -99,14 +96,13 @@ def _begin(w, s, prefix):
     s.s_darts, s.s_vertices, s.in_s = degree, 1, 1
     s.level = s.parent = s.position = s.passes = s.total = 0
     s.stage = PICK
-    w.depth = w.worlds = 0
+    w.depth = 0
 
 
 @inner
 def _add_vertex(w, s, degree):
     """Add a vertex to W, whose darts are open."""
     v, first = s.vertices, s.darts
-    w.degrees[v] = degree
     for dart in range(first, first + degree):
         w.owner[dart], w.end[dart], w.degree[dart] = v, first + degree, degree
     s.vertices += 1
@@ -148,7 +144,7 @@ def _choose(w, s):
 
 
 @inlined
-def _tally(w, s, reached, kept):
+def _tally(w, s, kept):
     """Tally one world, and the walk in it."""
     n, cost = s.vertices, s.total & COST
     w.counts[n, WORLDS] += 1
@@ -156,10 +152,9 @@ def _tally(w, s, reached, kept):
         w.counts[n, FAILURES] += 1
         _blame(w, s, kept)
         return
-    if cost >= reached[n]:
+    if cost >= w.counts[n, LARGEST]:
         _settle(w, s)
-        if cost > reached[n] or is_less(w.world, kept.most_expensive, n):
-            reached[n] = cost
+        if cost > w.counts[n, LARGEST] or is_less(w.world, kept.most_expensive, n):
             note(w.world, 0, kept.most_expensive[n])
     w.counts[n, TRAVERSALS] += cost
     w.counts[n, LARGEST] = max(w.counts[n, LARGEST], cost)
@@ -169,8 +164,6 @@ def _tally(w, s, reached, kept):
     w.counts[n, PARALLEL_EDGE] += s.total >> 53 & 1
     if cost > w.bound[n]:
         _blame(w, s, kept)
-    if w.worlds <= len(kept.listed):
-        _list(w, s, kept.listed[w.worlds - 1])
 
 
 @inner
@@ -189,17 +182,6 @@ def _blame(w, s, kept):
     """Keep a world in which a law is broken, if it is among the least."""
     _settle(w, s)
     blame(w.world, 0, kept.least, kept.row)
-
-
-@inner
-def _list(w, s, row):
-    """List the world, and what the walk cost."""
-    n = s.vertices
-    row[0], row[1] = s.total & COST, n
-    for v in range(n):
-        row[2 + v] = w.degrees[v]
-    for dart in range(s.darts):
-        row[2 + n + dart] = w.partner[dart]
 
 
 @inlined

@@ -10,25 +10,21 @@ import json
 import subprocess
 import sys
 from collections.abc import Sequence
-from threading import local
 from typing import Any
 
-from numpy import argwhere, array, asarray, int8, int64, maximum, zeros
+from numpy import argwhere, array, asarray, int8, int64, zeros
 
 from allworlds.engines.kernel import demand_driven as walks, runs
 from allworlds.engines.kernel.algorithm1 import explorer_addresses
 from allworlds.engines.kernel.capabilities import EVENTS, EXPLORERS, POLICIES
-from allworlds.engines.kernel.compiling import uncollected
 from allworlds.engines.kernel.gluing import gluing_rule, rule_address
 from allworlds.engines.kernel.laws import LAWS
 from allworlds.engines.kernel.records import JOB, ROBOT, WALK, Kept, new
-from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows
+from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Rows
 from allworlds.engines.kernel.worlds import lighthouse_address
 
 
-def judge(
-    level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None, listed: int = 0
-) -> Rows:
+def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Rows:
     """Play and judge every run of the maps whose gluing begins with ``prefix``.
 
     Args:
@@ -36,13 +32,12 @@ def judge(
         prefix: the first decisions, at least one (:func:`allworlds.maps.enumeration.prefixes`).
         keep: the number of broken runs that are kept, each the least of its law and map.
         halt: an array; once its entry 0 is not 0 the work is given up, and its result is void.
-        listed: the number of runs that are listed.
 
     Cost: some microseconds a run; constant memory.
     """
-    job, robot = _room()
+    job, robot = new(JOB), new(ROBOT)
     set_up(job, robot, level)
-    unit = unit_of(level, prefix, keep, listed)
+    unit = unit_of(level, prefix, keep)
     runs.examine(job, job.explorer, unit, flag() if halt is None else halt)
     return rows_of(unit, job, robot)
 
@@ -61,11 +56,10 @@ def rows_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Rows:
             for row in kept.least.tolist()
             if row[0]
         ),
-        tuple(Listed(LAWS[law], *rest) for law, *rest in kept.listed[: job.number].tolist()),
     )
 
 
-def unit_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0) -> runs.UnitArrays:
+def unit_of(level: Level, prefix: Sequence[int], keep: int = 1) -> runs.UnitArrays:
     """The arrays of the judge, with room for its results."""
     bounds = array(level.bounds, int64)
     return runs.UnitArrays(
@@ -75,25 +69,15 @@ def unit_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0)
         zeros(bounds.shape, int8),
         array(level.budgets, int64),
         zeros((level.edges + 2, runs.COLUMNS), int64),
-        _rooms(level.edges, keep, (listed, runs.LISTED)),
-        zeros(2, int64),
+        _rooms(level.edges, keep),
     )
 
 
-def _rooms(edges: int, keep: int, listed: tuple[int, int]) -> Kept:
+def _rooms(edges: int, keep: int) -> Kept:
     """Room for the runs that are kept."""
     width = 3 + 8 * edges
     most_expensive, least = (zeros((many, width), int64) for many in (edges + 2, keep))
-    return Kept(most_expensive, least, zeros(width, int64), zeros(listed, int64))
-
-
-def load_judge(level: Level) -> None:
-    """Load or compile the judge, without the explorer and the lighthouse."""
-    stop = flag()
-    stop[0] = 1
-    with uncollected():
-        job, _ = _room()
-        runs.examine(job, job.explorer, unit_of(level, (-1,)), stop)
+    return Kept(most_expensive, least, zeros(width, int64))
 
 
 def compile_apart(explorer: str) -> None:
@@ -111,28 +95,16 @@ def in_another_process(code: str) -> subprocess.Popen[bytes]:
     return subprocess.Popen(command, stdin=no, stdout=no, stderr=no)  # noqa: S603  # ours
 
 
-def _room() -> tuple[Any, Any]:
-    """This thread's memory: a job, and a robot."""
-    if not hasattr(_OWN, "job"):
-        _OWN.job, _OWN.robot = new(JOB), new(ROBOT)
-    return _OWN.job, _OWN.robot
-
-
-_OWN = local()
-
-
 def set_up(job: Any, robot: Any, level: Level) -> None:
-    """Fill the job with the request of the level, from the first run on."""
+    """Fill a new job and a new robot with the request of the level."""
     job.lighthouse = lighthouse_address(level.lighthouse)
     job.laws = sum(1 << LAWS.index(law) for law in level.laws)
-    job.number, job.until, job.undefined = 0, 1 << 62, 0
+    job.until = 1 << 62
     gluing = job.gluing
     gluing.edges, gluing.limit = level.edges, level.limit
     gluing.simple, gluing.planar = level.simple, level.planar
     gluing.rule = rule_address() if level.simple or level.planar else 0
-    gluing.darts = gluing.vertices = gluing.open = gluing.depth = 0
     robot.policy, robot.natural = POLICIES[level.policy], level.explorer == "algorithm1-natural"
-    robot.events[:] = 0
     explorer = job.explorer
     if level.explorer in EXPLORERS:
         explorer.start, explorer.step, explorer.answer = explorer_addresses(level.explorer)
@@ -145,27 +117,24 @@ def _at(row: list[int], darts: int) -> At:
     return At(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), code[2 * darts])
 
 
-def walk(
-    level: Level, prefix: Sequence[int], *, keep: int = 1, reached: Any = None, halt: Any = None
-) -> Rows:
+def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Rows:
     """Walk Algorithm 1 once in every map whose gluing begins with ``prefix``.
 
     The class is ``maps``, the lighthouse directional, all laws are checked together, and the
     bound depends on n alone; a walk that costs more than the largest budget has failed.  A broken
     world is one in which some law is broken at some place.
 
-    The arguments are those of :func:`judge`.  The array ``reached`` knows, by vertices, costs that
-    other pieces have met, and learns those of this one; where this one costs less, it looks for no
-    most expensive run.
+    The arguments are those of :func:`judge`.
 
     Cost: less than 100 ns a world; constant memory.
     """
     edges, darts, places = level.edges, 2 * level.edges, -prefix[0]
-    kept = _rooms(edges, keep, (0, 1))
-    known = reached_in(edges) if reached is None else reached
-    now = known.copy()  # other threads may learn, too
-    w = _walked(level, prefix, now, kept, flag() if halt is None else halt)
-    maximum(known, now, out=known)
+    w, viable, kept = new(WALK), gluing_rule(edges), _rooms(edges, keep)
+    w.edges, w.limit, w.policy = edges, level.limit, POLICIES[level.policy]
+    w.fuel = max(level.budgets)
+    w.bound[: len(level.bounds)] = [bound for ((bound, *_), *_) in level.bounds]
+    w.viable[: len(viable), : viable.shape[1]] = viable
+    walks.explore(w, array(prefix, int64), kept, flag() if halt is None else halt)
     rows = w.counts[: edges + 2].tolist()
     return Rows(
         tuple(_walked_counts(n, row, edges, places) for n, row in enumerate(rows) if row[0]),
@@ -174,44 +143,6 @@ def walk(
         tuple(_at(row, darts) for row in kept.most_expensive.tolist() if row[0]),
         tuple(BrokenRun(*_at(row, darts)[:3], None, "") for row in kept.least.tolist() if row[0]),
     )
-
-
-def costs(
-    level: Level, prefix: Sequence[int], worlds: int
-) -> list[tuple[int, tuple[int, ...], tuple[int, ...]]]:
-    """For each world whose walk ended ``(cost, degrees, partners)``: its dart 0 is the start.
-
-    The darts of a vertex are consecutive and clockwise; ``worlds`` is the largest number
-    that is listed.
-    """
-    edges = level.edges
-    kept = _rooms(edges, 1, (worlds, 4 + 3 * edges))
-    w = _walked(level, prefix, reached_in(edges), kept, flag())
-    return [
-        (cost, tuple(rest[:n]), tuple(rest[n : n + 2 * edges]))
-        for cost, n, *rest in kept.listed[: w.worlds].tolist()
-        if n
-    ]
-
-
-def reached_in(edges: int) -> Any:
-    """A fresh array of costs for :func:`walk`, by vertices."""
-    return zeros(edges + 2, int64)
-
-
-def _walked(level: Level, prefix: Sequence[int], reached: Any, kept: Kept, halt: Any) -> Any:
-    """The record of a walk that has been done."""
-    if not hasattr(_OWN, "walk"):
-        _OWN.walk = new(WALK)
-    w = _OWN.walk
-    w.edges, w.limit, w.policy = level.edges, level.limit, POLICIES[level.policy]
-    w.fuel = max(level.budgets)
-    w.bound[: len(level.bounds)] = [bound for ((bound, *_), *_) in level.bounds]
-    viable = gluing_rule(level.edges)
-    w.viable[: len(viable), : viable.shape[1]] = viable
-    w.counts[:] = 0
-    walks.explore(w, array(prefix, int64), reached, kept, halt)
-    return w
 
 
 def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:

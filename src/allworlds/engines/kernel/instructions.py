@@ -7,7 +7,7 @@ integers, and nothing or a 32-bit integer is returned: that is called alike on e
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial, wraps
+from functools import wraps
 from typing import Any
 
 from llvmlite import ir
@@ -58,25 +58,17 @@ def ask(_context, address, arguments):
     return types.int32(address, arguments), _call
 
 
-def _instructions(result: Any, function: Callable[..., Any]) -> Any:
-    """A function of 64-bit integers, whose instructions are built by the decorated one."""
+def expression(function: Callable[..., Any]) -> Any:
+    """Make a function of 64-bit integers of the builder of its instructions."""
 
     @wraps(function)
     def typed(_context: Any, *arguments: Any) -> Any:
-        def generate(target, builder, _signature, values):
-            value = function(builder, *values)
-            return target.get_dummy_value() if value is None else value
+        def generate(_target, builder, _signature, values):
+            return function(builder, *values)
 
-        return result(*(types.int64 for _ in arguments)), generate
+        return types.int64(*(types.int64 for _ in arguments)), generate
 
     return intrinsic(typed)
-
-
-expression: Any = partial(_instructions, types.int64)
-"""A decorator of the builder of a function that returns a 64-bit integer."""
-
-statement: Any = partial(_instructions, types.void)
-"""A decorator of the builder of a function that returns nothing."""
 
 
 def number(value: int) -> Any:
@@ -123,10 +115,11 @@ def entry_of(builder, address, index):
     return builder.sext(builder.load(_at(builder, address, index, _INT)), _LONG)
 
 
-@statement
+@expression
 def put_entry(builder, address, index, value):
-    """Write the 32-bit integer number ``index`` from the address on."""
+    """Write the 32-bit integer number ``index`` from the address on; return it."""
     builder.store(builder.trunc(value, _INT), _at(builder, address, index, _INT), align=1)
+    return value
 
 
 @expression

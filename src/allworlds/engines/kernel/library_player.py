@@ -55,7 +55,7 @@ class LibraryPlayer:
         """The lengths of the logs, and the logs; None if they do not fit, or threads are left."""
         edges, runs, again = batch["edges"], batch["runs"], batch["again"]
         if edges not in self._memories:
-            self._memories[edges] = Stretch(edges)
+            self._memories[edges] = Stretch.of(edges)
         memory = self._memories[edges]
         memory.heads[:runs] = frombuffer(batch["heads"], c_int).reshape(runs, layout.HEAD)
         if again:
@@ -66,7 +66,7 @@ class LibraryPlayer:
             memory.worlds[:runs] = frombuffer(batch["worlds"], uint8).reshape(runs, -1)
         self._handed.library.policy = names.POLICIES[batch["policy"]]
         order = default_rng(batch["seed"]).permutation(runs)
-        size = int(play(self._handed, memory.shared, order, again))
+        size = int(play(self._handed, memory, order, again))
         left = threads_left(self._threads)
         self._threads += left
         if size < 0 or left:
@@ -100,7 +100,7 @@ def load_player() -> None:
     """Load or compile the code by which a library plays."""
     memory = [bytearray(4 * length) for length in (3, 2, 1, 1, 1)]
     handed = _handed([0] * 5, memory, bytearray(16))
-    no_runs = Stretch(1).shared
+    no_runs = Stretch.of(1)
     play(handed, no_runs, array([], int64), again=False)
     move(no_runs.begins, no_runs.begins[:0], no_runs.logs, no_runs.logs)
 

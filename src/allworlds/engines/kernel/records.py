@@ -205,12 +205,11 @@ WALK = _record(
     (int64, "edges limit policy fuel"),
     (int64, "bound", DARTS),
     (uint8, "viable", (DARTS, 2 * DARTS)),
-    # What has been met: worlds, and by vertices what they have shown.
-    (int64, "worlds"),
+    # What has been met, by vertices.
     (int64, "counts", (DARTS, DEPTHS)),
     # W, by darts: the partner, the vertex, the degree there, and the dart behind the last one of
-    # the vertex.  The degrees of the vertices.
-    (uint8, "partner owner degree end degrees", WALKED),
+    # the vertex.
+    (uint8, "partner owner degree end", WALKED),
     # S, by darts: the partner, the vertex, the degree that is expected there, the image in
     # W.  By vertices: the darts, and the vertices joined to each.  By degrees: the darts.
     (uint8, "s_partner s_owner s_degree image", WALKED),
@@ -247,8 +246,6 @@ class Kept(NamedTuple):
     # The least runs that break a law, ascending; room for one of them.
     least: Any
     row: Any
-    # Room for something about each run, as far as it goes.
-    listed: Any
 
 
 def new(kind: Any) -> Any:
@@ -279,8 +276,8 @@ LOG_BYTES = 1 << 20
 """Room for the logs of a batch, and as much for its percepts: 512 bytes a run."""
 
 
-class Shared(NamedTuple):
-    """The memory of a batch as compiled code gets it."""
+class Stretch(NamedTuple):
+    """Memory for a batch of runs."""
 
     # Of each run its budget, the number told, its number, and that of its motions.
     heads: Any
@@ -293,18 +290,13 @@ class Shared(NamedTuple):
     logs: Any
     begins: Any
 
-
-class Stretch:
-    """Memory for a batch of runs, with the parts of :class:`Shared`.
-
-    Args:
-        edges: of each world.
-    """
-
-    def __init__(self, edges: int) -> None:
-        parts = zeros(1, _batch(edges))
-        self.shared = Shared(*(parts[name][0] for name in Shared._fields))
-        self.heads, self.worlds, self.percepts, self.starts, self.logs, self.begins = self.shared
+    @classmethod
+    def of(cls, edges: int) -> Stretch:
+        """Memory for worlds with so many edges."""
+        heads, worlds = zeros((ROWS, HEAD), int32), zeros((ROWS, WIDE * 2 * edges), uint8)
+        percepts, logs = (zeros(LOG_BYTES, uint8) for _ in range(2))
+        starts, begins = (zeros(ROWS + 1, int32) for _ in range(2))
+        return cls(heads, worlds, percepts, starts, logs, begins)
 
     def put(self, logs: Logs) -> int:
         """Write logs, in one piece, here; return the number of bytes, or -1 if there is no room."""
@@ -316,14 +308,3 @@ class Stretch:
         self.begins[:runs] -= begin
         self.logs[:size] = memoryview(logs.message)[begin:]
         return size
-
-
-def _batch(edges: int) -> Any:
-    """The memory of a batch; what is read behind the logs has no meaning."""
-    return _record(
-        (int32, "heads", (ROWS, HEAD)),
-        (int32, "begins starts", ROWS + 1),
-        (uint8, "worlds", (ROWS, WIDE * 2 * edges)),
-        (uint8, "percepts logs", LOG_BYTES),
-        (uint8, "slack", DARTS),
-    )

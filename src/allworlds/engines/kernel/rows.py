@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from msgspec import Struct
@@ -93,22 +92,6 @@ class BrokenRun(Struct, frozen=True):
     law: str
 
 
-class Listed(Struct, frozen=True):
-    """One run.
-
-    Attributes:
-        law: the law that it breaks, or an empty text.
-        cost: its traversals.
-        checkpoints: the number of published ones.
-        walk: a hash of its whole walk (:func:`walk_number`).
-    """
-
-    law: str
-    cost: int
-    checkpoints: int
-    walk: int
-
-
 class Rows(Struct, frozen=True):
     """The outcome of a piece of work.
 
@@ -116,10 +99,8 @@ class Rows(Struct, frozen=True):
         counts: for each number of vertices that occurs.
         events: the number of occurrences of each event of Algorithm 1.
         met: (n, d0, D) for all runs, with 0 for numbers on which the bound does not depend.
-        most_expensive: for each number of vertices the least of the runs that cost most; none where
-            more expensive ones were known elsewhere.
+        most_expensive: for each number of vertices the least of the runs that cost most.
         broken: the least runs that break a law, ascending.
-        listed: the first runs, as many as were asked for.
     """
 
     counts: tuple[Counts, ...]
@@ -127,13 +108,3 @@ class Rows(Struct, frozen=True):
     met: tuple[tuple[int, int, int], ...]
     most_expensive: tuple[At, ...]
     broken: tuple[BrokenRun, ...]
-    listed: tuple[Listed, ...] = ()
-
-
-def walk_number(steps: Sequence[tuple[int, int, int, int]]) -> int:
-    """The hash of a walk: of its motions, each with degree, marks and bearing (-1: none)."""
-    number = 0
-    for step in steps:
-        for part in step:
-            number = (number * 31 + part + 1) % 2147483647
-    return number

@@ -31,9 +31,6 @@ WORLDS, RUNS, TRAVERSALS, TRAVERSALS_ROOTED, LARGEST = range(5)
 CHECKPOINTS, LEFT_OUT, LOOP_EDGE, PARALLEL_EDGE = range(5, 9)
 COLUMNS = 9
 
-LISTED = 4
-"""The columns of a listed run: law, cost, checkpoints, and the hash of its walk."""
-
 # What a bound is worth that has no value for some sizes.
 UNDEFINED = -(1 << 62)
 
@@ -52,10 +49,8 @@ class UnitArrays(NamedTuple):
     # The largest number of traversals, by vertices; the tally, added to.
     budgets: Any
     counts: Any
-    # The runs that are kept, and those that are listed.
+    # The runs that are kept.
     kept: Kept
-    # The number of the current run, and the explorer's turns in it.
-    beat: Any
 
 
 @entry
@@ -80,17 +75,14 @@ def examine(job, player, unit, halt):
             job.number += 1
         while world.place != NONE:
             counts[n, RUNS] += 1
-            unit.beat[0] = job.number
             bound = _bound_of(world, unit.bounds, unit.met)
             if bound == UNDEFINED:
                 job.undefined = 1
                 return True
-            law = _judged_run(job, player, unit.budgets[n], bound, unit.beat)
+            law = _judged_run(job, player, unit.budgets[n], bound)
             _count_run(world, job.log, law, counts, unit.kept.most_expensive)
             if law:
                 blame(world, law, unit.kept.least, unit.kept.row)
-            if job.number < len(unit.kept.listed):
-                _list(world, job.log, law, unit.kept.listed[job.number])
             job.number += 1
             call(job.lighthouse, (world,))
     return False
@@ -124,27 +116,11 @@ def _count_run(world, log, law, counts, most_expensive):
 
 
 @inner
-def _list(world, log, law, row):
-    """List the run: law, cost, checkpoints, and a hash of its whole walk."""
-    walk, before = 0, 0
-    for step in range(log.cost):
-        dart = log.arrived[step]
-        motion = world.alpha[dart] - before
-        if motion < 0:
-            motion += world.degree[before]
-        before = dart
-        for part in (motion, world.degree[dart], world.marks[dart], world.bearing[dart]):
-            walk = (walk * 31 + part + 1) % 2147483647
-    row[0], row[1], row[2], row[3] = law, log.cost, log.checkpoints, walk
-
-
-@inner
-def _judged_run(job, player, budget, bound, beat):
+def _judged_run(job, player, budget, bound):
     """Play and judge a run; return the first law that it breaks, or 0."""
     world, log, judged = job.world, job.log, job.judged
     judged.broken = judged.shown = 0
-    law = play(world, player, budget, beat, log, judged)
-    beat[1] = 0
+    law = play(world, player, budget, log, judged)
     if law:
         return law
     checked = job.laws
@@ -172,30 +148,26 @@ def play(*arguments: Any) -> int:
 
 
 @overload(play, inline="always")
-def _play(world, player, budget, beat, log, judged):
-    def met(world, player, budget, beat, log, judged):
-        return _meet(world, player, budget, beat, log, judged)
+def _play(world, player, budget, log, judged):
+    def met(world, player, budget, log, judged):
+        return _meet(world, player, budget, log, judged)
 
-    def read(world, player, budget, beat, log, judged):
+    def read(world, player, budget, log, judged):
         return _follow(world, player, budget, log, judged)
 
     return read if player == RECORD(READER) else met
 
 
 @inner
-def _meet(world, explorer, budget, beat, log, judged):
+def _meet(world, explorer, budget, log, judged):
     """Play an episode of an explorer behind its C interface."""
     percept, action = explorer.percept, explorer.action
     log.cost = log.checkpoints = log.walked = 0
     dart = 0
     _sense(world, dart, percept)
     action.kind = 0
-    turn = 1
-    beat[1] = turn
     call(explorer.start, (explorer.state, percept, int32(world.told), action))
     while True:
-        turn += 1
-        beat[1] = turn
         if action.kind == MOVE:
             if log.cost == budget:
                 return laws.BUDGET

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from allworlds.explorers.loading import is_program
-from allworlds.inputs.checks import InputError, an_integer
+from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.explanations.slips import bearings_anticlockwise, mirror_image, the_slip
 from allworlds.judging.explanations.story import (
@@ -17,7 +17,6 @@ from allworlds.judging.explanations.story import (
     Telling,
     Walked,
     round_at_the_end,
-    spending,
 )
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import Parting
@@ -137,11 +136,11 @@ def ending(how: str) -> Teller:
     def tell(story: Story) -> Telling:
         finding = story.finding
         line = telling_line(finding.detail)
-        told = [how.format(seen=finding.seen), *_advice(finding)]
-        told += [*_tell_first_wrong(story), _say_last_step(story)]
+        sentences = [how.format(seen=finding.seen), *_advice(finding)]
+        sentences += [*_tell_first_wrong(story), _say_last_step(story)]
         if line not in str(finding.seen):
-            told.append(f"Its last message: {line}")
-        return Telling(told, story.checkpoint)
+            sentences.append(f"Its last message: {line}")
+        return Telling(sentences, story.checkpoint)
 
     return tell
 
@@ -160,19 +159,19 @@ def tell_no_estimate(story: Story) -> Telling:
         return ending("The explorer ended without an answer that could be judged.")(story)
     built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
     message = seen.removeprefix(NO_MAP)
-    told = [f"The answer is no map: {message}."]
+    sentences = [f"The answer is no map: {message}."]
     if built:
-        told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
-        told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
+        sentences = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
+        sentences += [f"The call is {line.removeprefix(BUILT)}." for line in built]
         if "must be a permutation" in message:
-            told.append(ANTICLOCKWISE)
-    return Telling([*told, *_tell_first_wrong(story), _say_last_step(story)], story.checkpoint)
+            sentences.append(ANTICLOCKWISE)
+    return Telling([*sentences, *_tell_first_wrong(story), _say_last_step(story)], story.checkpoint)
 
 
 def tell_nondeterministic(story: Story) -> Telling:
     """Tell that two plays differ, and what is mostly the cause."""
-    told = "In a second run of the same world the explorer acted differently."
-    return Telling([told, *_advice(story.finding), _say_last_step(story)])
+    how = "In a second run of the same world the explorer acted differently."
+    return Telling([how, *_advice(story.finding), _say_last_step(story)])
 
 
 SHOW = (
@@ -204,12 +203,12 @@ def tell_whose_budget(finding: Finding) -> str:
     value = rules.budget(map_)
     new, closing = paper_terms(map_.vertex_count, map_.edge_count)
     world = size(map_.edge_count, map_.vertex_count)
-    told = "the bound that the explorer names"
+    origin = "the bound that the explorer names"
     if value == default_step_budget(new + closing):
-        told = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
+        origin = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
     return (
-        f"In a world with {world} the budget is {plural(value, 'traversal')}, {told}. An explorer "
-        "that is right and walks more needs a larger budget: --step-budget N."
+        f"In a world with {world} the budget is {plural(value, 'traversal')}, {origin}. An "
+        "explorer that is right and walks more needs a larger budget: --step-budget N."
     )
 
 
@@ -233,16 +232,19 @@ def tell_rounds(story: Walked) -> list[str]:
     found = round_at_the_end([*zip(actions, story.walked[1:], strict=True)])
     if found:
         steps = plural(found.length, "step")
-        told = f"From step {found.first} on it repeated {steps} {found.times} times"
-        return [f"{told}, until the end.", *_tell_ways_back(story, found.first + found.length - 1)]
+        repeats = f"From step {found.first} on it repeated {steps} {found.times} times"
+        return [
+            f"{repeats}, until the end.",
+            *_tell_ways_back(story, found.first + found.length - 1),
+        ]
     found_at = story.discoveries
     if not found_at:
         return []
     left = story.map.edge_count - len(found_at)
     step = f"After step {found_at[-1]}"
     if left:
-        told = f"{step} it met no new edge; {plural(left, 'edge')} it never met."
-        return [told, *_tell_ways_back(story, len(actions))]
+        since = f"{step} it met no new edge; {plural(left, 'edge')} it never met."
+        return [since, *_tell_ways_back(story, len(actions))]
     return [
         f"{step} it had walked every edge of the world, and yet it went on.",
         LOST,
@@ -264,8 +266,8 @@ def _tell_first_wrong(story: Story) -> list[str]:
     if story.checkpoint is None:
         return []
     what = story.finding.wrong_checkpoint or "it shows another S than the explored part"
-    told = f"The checkpoint after step {story.checkpoint} is wrong already: {what}."
-    return [f"{told} Mend that first: all that followed may be built on it."]
+    wrong = f"The checkpoint after step {story.checkpoint} is wrong already: {what}."
+    return [f"{wrong} Mend that first: all that followed may be built on it."]
 
 
 def _say_last_step(story: Story) -> str:
@@ -290,12 +292,12 @@ def tell_map(story: Story) -> Telling:
     slip, parting = the_slip(belief), tell_parting(belief)
     name = slip.name if slip else ""
     if slip:
-        told = [slip.sentence, *parting]
+        sentences = [slip.sentence, *parting]
     elif belief.walk.parting is None:
-        told, name = parting, GUESSED
+        sentences, name = parting, GUESSED
     else:
-        told = [_say_sizes(story.map, belief.answer.map), *parting]
-    return Telling(told, belief.step, belief.answer, slip=name)
+        sentences = [_say_sizes(story.map, belief.answer.map), *parting]
+    return Telling(sentences, belief.step, belief.answer, slip=name)
 
 
 def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
@@ -370,18 +372,18 @@ def tell_pose(story: Story) -> Telling:
     turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
     name = TURNED if turned else ELSEWHERE
     bearings = bearings_anticlockwise(belief)
-    told = [f"The map is right, but 'here' is wrong: {where}."]
+    sentences = [f"The map is right, but 'here' is wrong: {where}."]
     if mirror_image(belief):
         causes = ["'here' is wrong", "the rotations are anticlockwise"]
         causes += ["the bearings are counted anticlockwise"] if bearings else []
-        told = [
+        sentences = [
             f"Either {', or '.join(causes)}: {where}.",
             "This world is its own mirror image and does not show which.",
         ]
     elif bearings:
         name = bearings.name
-        told.append(f"Or: {bearings.sentence}")
-    return Telling([*told, *tell_parting(belief)], belief.step, belief.answer, slip=name)
+        sentences.append(f"Or: {bearings.sentence}")
+    return Telling([*sentences, *tell_parting(belief)], belief.step, belief.answer, slip=name)
 
 
 def _images(belief: Belief) -> list[Dart]:
@@ -405,16 +407,16 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
     near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
     if not near:
         said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
-        told = f"{stands} {story.place(said)}, which is another vertex"
+        where = f"{stands} {story.place(said)}, which is another vertex"
     else:
         said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
         turned, degree = map_.offset(said, robot), map_.degree_at[robot]
         back = degree - turned
         darts, way = (turned, "anticlockwise") if turned < back else (back, "clockwise")
-        told = f"{stands} dart {said} of the same vertex, {plural(darts, 'dart')} too far {way}"
+        where = f"{stands} dart {said} of the same vertex, {plural(darts, 'dart')} too far {way}"
     if said != map_.alpha[robot] or len(story.walked) == 1:
-        return told
-    return f"{told}; dart {said} is the other end of the edge by which the robot came"
+        return where
+    return f"{where}; dart {said} is the other end of the edge by which the robot came"
 
 
 def tell_ambiguity(story: Story) -> Telling:
@@ -434,14 +436,14 @@ def checkpoint(broken: str) -> Teller:
     """Tell in that sentence what is broken, and the checkpoint that shows it."""
 
     def tell(story: Story) -> Telling:
-        told, step = [broken], story.checkpoint
+        sentences, step = [broken], story.checkpoint
         if step is not None:
-            told.append(
+            sentences.append(
                 f"The checkpoint came after step {step}, where the robot stood at "
                 f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
             )
         # Where a pass brings no progress S may be right: there the walks do not diverge.
-        return Telling(told, None if story.finding.law == "variant" else step)
+        return Telling(sentences, None if story.finding.law == "variant" else step)
 
     return tell
 
@@ -476,14 +478,14 @@ def tell_open_darts(story: Story) -> list[str]:
     open_ = f"where {listed(named)} {'lead' if len(named) > 1 else 'leads'}"
     copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
     twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
-    told = [f"After this walk it is not known {open_}."]
+    sentences = [f"After this walk it is not known {open_}."]
     if twice:
         one = "each of these" if len(twice) > 1 else "this"
-        told.append(
+        sentences.append(
             f"The robot came to {listed(twice)}, and the log does not show that {one} is one "
             "vertex."
         )
-    return told
+    return sentences
 
 
 def another_world(world: World, transcript: Transcript) -> World | None:
@@ -512,9 +514,9 @@ def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
     unsettled = [dart for dart, end in enumerate(folded.alpha) if dart == end]
     for leaves in range(len(unsettled) % 2, len(unsettled) + 1, 2):
         for pairs in _matchings(unsettled, leaves):
-            yield _completed(folded, pairs, [1] * leaves)
+            yield _completed(folded, pairs)
     # Leaves everywhere may be the world itself; then one of them goes on.
-    yield _completed(folded, [], [2, *[1] * (len(unsettled) - 1)])
+    yield _completed(folded, [], longer=unsettled[0])
 
 
 def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart]]]:
@@ -531,31 +533,20 @@ def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart
 
 
 def _completed(
-    folded: Folded, pairs: list[tuple[Dart, Dart]], degrees: list[int]
+    folded: Folded, pairs: list[tuple[Dart, Dart]], longer: Dart | None = None
 ) -> CombinatorialMap:
-    """The folded log with these darts joined; the others lead to new vertices of these degrees.
+    """The folded log with these darts joined; each of the others leads to a leaf.
 
-    From a new vertex of degree 2 an edge leads on to a leaf.
+    From one dart a ``longer`` way of two edges leads there, if it is named.
     """
     sigma, alpha = [*folded.sigma], [*folded.alpha]
-
-    def join(a: Dart, b: Dart) -> None:
-        alpha[a], alpha[b] = b, a
-
-    def grow(degree: int) -> list[Dart]:
-        new = [*range(len(sigma), len(sigma) + degree)]
-        sigma.extend([*new[1:], new[0]])
-        alpha.extend(new)
-        return new
-
     for a, b in pairs:
-        join(a, b)
-    unsettled = [dart for dart, end in enumerate(alpha) if dart == end]
-    for dart, degree in zip(unsettled, degrees, strict=True):
-        back, *onward = grow(degree)
-        join(dart, back)
-        for end in onward:
-            join(end, *grow(1))
+        alpha[a], alpha[b] = b, a
+    for dart in [dart for dart, end in enumerate(alpha) if dart == end]:
+        new = len(sigma)
+        alpha[dart] = new
+        sigma += [new] if dart != longer else [new + 1, new, new + 2]
+        alpha += [dart] if dart != longer else [dart, new + 2, new + 1]
     return CombinatorialMap(sigma, alpha)
 
 
@@ -574,15 +565,14 @@ def tell_folding(story: Story) -> Telling:
 
 def tell_bound(story: Story) -> Telling:
     """Tell that the answer is right, whose bound was exceeded, and the uses of the traversals."""
-    spent = spending(story, an_integer("expected", story.finding.expected))
-    traversals = plural(spent.cost, "traversal")
-    out = spent.cost - spent.back
-    told = [
+    cost, back = story.transcript.cost, story.steps_back
+    made = plural(cost, "traversal")
+    sentences = [
         *tell_whose_bound(story.finding),
-        f"The robot made {traversals}: {out} forward and {spent.back} back along the way it came.",
-        f"Of those forward {len(spent.found)} found a new edge.",
+        f"The robot made {made}: {cost - back} forward and {back} back along the way it came.",
+        f"Of those forward {len(story.discoveries)} found a new edge.",
     ]
-    return Telling(told, spent=spent)
+    return Telling(sentences)
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:

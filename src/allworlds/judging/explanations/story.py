@@ -1,4 +1,4 @@
-"""The story of a run: its walk in names, what it was spent on, and the round in which it ended."""
+"""The story of a run: its walk in names, and the round in which it ended."""
 
 from __future__ import annotations
 
@@ -15,43 +15,6 @@ from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
-
-
-class Spending(Struct, frozen=True):
-    """The traversals of a walk, and the edges that they found.
-
-    Attributes:
-        found: for each edge that was walked the traversal that first went along it, ascending.
-        back: the traversals that take back the last one not yet taken back.
-        cost: the number of all traversals.
-        bound: the largest legal number.
-    """
-
-    found: tuple[int, ...]
-    back: int
-    cost: int
-    bound: int
-
-
-def spending(walked: Walked, bound: int) -> Spending:
-    """The purposes of the traversals of a walk.  Cost: linear in the steps."""
-    back, cost, found = 0, 0, []
-    path: list[Dart] = []
-    discoveries = set(walked.discoveries)
-    for step, (action, before, arrived) in enumerate(
-        zip(walked.transcript.actions, walked.walked, walked.walked[1:], strict=False), 1
-    ):
-        if type(action) is not Move:
-            continue
-        cost += 1
-        if path and walked.map.turn(before, action.k) == path[-1]:
-            path.pop()
-            back += 1
-        else:
-            path.append(arrived)
-        if step in discoveries:
-            found.append(cost)
-    return Spending(tuple(found), back, cost, bound)
 
 
 class Walked:
@@ -85,6 +48,22 @@ class Walked:
             if type(action) is Move:
                 first.setdefault(min(arrived, self.map.alpha[arrived]), step)
         return (*first.values(),)
+
+    @property
+    def steps_back(self) -> int:
+        """The number of traversals that take back the last one not yet taken back."""
+        back, path = 0, list[Dart]()
+        for action, before, arrived in zip(
+            self.transcript.actions, self.walked, self.walked[1:], strict=False
+        ):
+            if type(action) is not Move:
+                continue
+            if path and self.map.turn(before, action.k) == path[-1]:
+                path.pop()
+                back += 1
+            else:
+                path.append(arrived)
+        return back
 
     def vertex(self, dart: Dart) -> str:
         """The name of a dart's vertex: ``v1``."""
@@ -137,8 +116,12 @@ class Belief:
     """
 
     def __init__(self, story: Story) -> None:
-        self.story = story
-        self.answer = _answer(story.finding.seen)
+        seen = story.finding.seen
+        if not isinstance(seen, Estimate):
+            raise InputError(
+                f"seen = {show(seen)} is no rooted map, but the law is about the answer"
+            )
+        self.story, self.answer = story, seen
         self.walk = believed_walk(story.world, self.answer, story.transcript)
 
     @property
@@ -146,12 +129,6 @@ class Belief:
         """The first step at which belief and truth diverge."""
         parting = self.walk.parting
         return parting.step if parting else None
-
-
-def _answer(seen: object) -> Estimate:
-    if not isinstance(seen, Estimate):
-        raise InputError(f"seen = {show(seen)} is no rooted map, but the law is about the answer")
-    return seen
 
 
 LONGEST = 200
@@ -200,7 +177,6 @@ class Telling(Struct, frozen=True):
         other: another world that agrees with the log; None if the law is not about that.
         slip: the name of the one difference between answer and world; empty if it is no known
             slip.
-        spent: the purposes of the traversals; None if the law is not about the cost.
     """
 
     sentences: list[str]
@@ -208,7 +184,6 @@ class Telling(Struct, frozen=True):
     answer: Estimate | None = None
     other: World | None = None
     slip: str = ""
-    spent: Spending | None = None
 
 
 Teller: TypeAlias = Callable[[Story], Telling]

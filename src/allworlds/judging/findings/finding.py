@@ -25,8 +25,8 @@ from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bo
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
 from allworlds.inputs.requests import SCOPE, Argument, Named, Option, Request
 from allworlds.judging.findings.rules import RecordedRules, Rules
+from allworlds.judging.laws.finished_run import Value
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName
-from allworlds.judging.laws.laws import Value
 from allworlds.maps.canonical import Code, numbering, rooted_code
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
@@ -53,7 +53,7 @@ EXPECTED, SEEN = (read_by(Value, partial(_value, name)) for name in ("expected",
 """How the values of two keys are read."""
 
 
-class Finding(Document, Paged, forbid_unknown_fields=False):
+class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
     A refuting run, as it is written: enough to replay it with nothing else. Where one is read,
@@ -90,9 +90,6 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
         bool, about("a fresh process did the same, from the recorded percepts alone")
     ] = False
     minimal: Annotated[bool, about("no smaller world of the scope refutes")] = False
-    reproduce: Annotated[str, about("a shell command that runs it again")] = computed(
-        lambda finding: finding.command
-    )
     step: Annotated[
         IfAny[Natural | None],
         about(
@@ -124,6 +121,11 @@ class Finding(Document, Paged, forbid_unknown_fields=False):
     at: Aside[int | None] = None
     under: Aside[Rules | None] = None
     machine: Aside[bool] = False
+
+    @computed
+    def reproduce(self) -> str:
+        """A shell command that runs it again."""
+        return self.command
 
     @cached_property
     def rules(self) -> Rules:
@@ -293,7 +295,7 @@ class FindingWords(Request):
         return self.chosen().finding
 
 
-class AskedFinding(Request, kw_only=False):
+class FindingOptions(Request, kw_only=False):
     """The part of a request that names a finding."""
 
     finding: Annotated[Finding, Named(FindingWords, "the finding")]

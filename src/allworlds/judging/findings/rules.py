@@ -8,7 +8,15 @@ from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
-from allworlds.document.struct import Different, Document, IfAny, Positive, Text, about
+from allworlds.document.struct import (
+    Different,
+    Document,
+    IfAny,
+    Positive,
+    Text,
+    about,
+    with_options,
+)
 from allworlds.explorers.loading import Subject, is_library, own_bound
 from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
 from allworlds.inputs.requests import (
@@ -93,7 +101,7 @@ def _step_budget(given: object) -> int | None:
     return budget
 
 
-class AskedTask(Request):
+class TaskOptions(Request):
     """The part of a request that says what counts as done."""
 
     task: Annotated[
@@ -112,7 +120,7 @@ class AskedTask(Request):
     ] = Taken(task_named, MAP)
 
 
-class AskedRules(AskedTask):
+class RuleOptions(TaskOptions):
     """The part of a request that says how runs are played and judged.
 
     Each field that stands for another value, where nothing is given, follows from those before it.
@@ -183,9 +191,9 @@ class AskedRules(AskedTask):
         Raises:
             InputError: naming the offending option and what would be legal.
         """
-        told = values_of(AskedRules, self)
+        options = values_of(RuleOptions, self)
         if self.step_budget is None:
-            told["step_budget"] = subject.step_budget
+            options["step_budget"] = subject.step_budget
         kind = lighthouse_kind(lighthouse)
         told_numbers = numbers_told(kind)
         if len(told_numbers) > 1 and is_library(subject.name):
@@ -195,7 +203,7 @@ class AskedRules(AskedTask):
                 "an explorer that reads lines of JSON"
             )
         own = own_bound(subject.name, str(kind))
-        return Rules(lighthouse, promised=promised, own_bound=own, among=among, **told)
+        return Rules(lighthouse, promised=promised, own_bound=own, among=among, **options)
 
 
 class Among(NamedTuple):
@@ -218,7 +226,7 @@ class Among(NamedTuple):
         return cls(where.name, AND.join(digests) or None)
 
 
-class Rules(AskedRules, kw_only=False):
+class Rules(RuleOptions, kw_only=False):
     """The rules by which a run is played and judged, in any world.
 
     A bound, or laws, that are named and are what would be checked anyway are None here.
@@ -328,10 +336,10 @@ class Rules(AskedRules, kw_only=False):
         """The options of ``run`` that give these rules, and these answers to the first choices."""
         answered = any(script) or (script and self.policy != DEFAULT_POLICY)
         choices = ["--choices", ",".join(map(str, script))] if answered else []
-        return [*given_again(AskedRules, self), *choices]
+        return [*given_again(RuleOptions, self), *choices]
 
     @property
-    def told(self) -> dict[str, Any]:
+    def in_effect(self) -> dict[str, Any]:
         """The options as they took effect, by the keys of documents."""
         effective = {
             "task": None if self.task.is_map else self.task,
@@ -339,21 +347,22 @@ class Rules(AskedRules, kw_only=False):
             "laws": self.judged,
             "lighthouse": self.lighthouse,
         }
-        return told_by(AskedRules, self) | {key: as_json(each) for key, each in effective.items()}
+        return told_by(RuleOptions, self) | {key: as_json(each) for key, each in effective.items()}
 
     @cached_property
     def recorded(self) -> RecordedRules:
         """The options as they stand in a finding."""
-        told = {key: value for key, value in self.told.items() if key != "lighthouse"}
+        options = {key: value for key, value in self.in_effect.items() if key != "lighthouse"}
         return RecordedRules(
-            **told,
+            **options,
             task_digest=self.task.code.digest if self.task.code else None,
             where=self.among.name if self.among else None,
             where_digest=self.among.digest if self.among else None,
         )
 
 
-class RecordedRules(Document, of=AskedRules, forbid_unknown_fields=False):
+@with_options(RuleOptions)
+class RecordedRules(Document, forbid_unknown_fields=False):
     """Options of a run.
 
     How it was played and judged. An option that is left out where it is read has its default.
@@ -378,20 +387,20 @@ class RecordedRules(Document, of=AskedRules, forbid_unknown_fields=False):
         Raises:
             InputError: naming the offending option.
         """
-        told = {field.name: getattr(self, field.name) for field in fields_of(AskedRules)}
+        options = {field.name: getattr(self, field.name) for field in fields_of(RuleOptions)}
         bare = Rules(
             kind_of(world.lighthouse),
-            task=told["task"] or MAP,
+            task=options["task"] or MAP,
             own_bound=own_bound,
             among=Among(self.where, self.where_digest) if self.where else None,
         )
         if bare.task.code:
             bare.task.code.ensure_recorded(self.task_digest)
-        if told["laws"] is not None:
-            laws = {*told["laws"]} - {TASK}
-            if (told["bound"] or str(bare.default_bound)) == str(NO_BOUND):
+        if options["laws"] is not None:
+            laws = {*options["laws"]} - {TASK}
+            if (options["bound"] or str(bare.default_bound)) == str(NO_BOUND):
                 laws -= {"bound"}
             elif "bound" not in laws:
-                told["bound"] = None
-            told["laws"] = laws if laws or bare.task.is_map else None
-        return replace(bare, **{**told, "task": bare.task})
+                options["bound"] = None
+            options["laws"] = laws if laws or bare.task.is_map else None
+        return replace(bare, **{**options, "task": bare.task})

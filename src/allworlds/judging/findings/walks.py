@@ -14,8 +14,7 @@ from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.transcript import Transcript
-from allworlds.world.lighthouses.base import WalkInAnswer
-from allworlds.world.state import State
+from allworlds.world.lighthouses.base import State, WalkInAnswer
 from allworlds.world.world import World
 
 

@@ -5,7 +5,7 @@ inside of a world nor any explorer.
 
 ``law_table``
     **the** table of the laws;
-``laws``
+``finished_run``
     a finished run with the truth beside it, and each law as a function of it;
 ``folding``, ``bounds``
     the parts of laws: the folded log, the bounds.

@@ -1,7 +1,8 @@
 """The laws that a finished run is held to.
 
-A new one is a function of a :class:`~allworlds.judging.laws.laws.Case` and an entry of ``LAWS``;
-a law that ends a run before it is finished, such as ``timeout``, stands in ``ALWAYS`` alone.
+A new one is a function of a :class:`~allworlds.judging.laws.finished_run.Case` and an entry of
+``LAWS``; a law that ends a run before it is finished, such as ``timeout``, stands in ``ALWAYS``
+alone.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 
 from allworlds.document.struct import one_of
-from allworlds.judging.laws.laws import (
+from allworlds.judging.laws.finished_run import (
     Case,
     Violation,
     ambiguity_law,

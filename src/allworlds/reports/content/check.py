@@ -211,7 +211,7 @@ def _which(report: CheckReport) -> str:
     if isinstance(report.asked.coverage, Sample | Given):
         return "one start and marker"
     some = tried_places(report.asked.rules.lighthouse, report.extent)
-    return "every start and the places told below" if some else "every start and marker"
+    return "every start and the places named below" if some else "every start and marker"
 
 
 def _maps(report: CheckReport) -> str:

@@ -22,7 +22,7 @@ from allworlds.reports.parts import (
     Table,
     so_far,
 )
-from allworlds.studies.ledger.checked_claims import CheckedClaim, LedgerReport
+from allworlds.studies.ledger import CheckedClaim, LedgerReport
 from allworlds.words import number, plural
 
 LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"

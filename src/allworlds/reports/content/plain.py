@@ -72,7 +72,7 @@ def _cell(value: Any) -> Cell:
 
 
 def merge_content(merged: Report) -> ReportContent:
-    """The telling of the verb whose shards were merged."""
+    """The content of the report of the verb whose shards were merged."""
     return content_of(verb_of(type(merged)), merged)
 
 

@@ -10,16 +10,15 @@ from allworlds.document.struct import replace
 from allworlds.engines.single import SingleRun
 from allworlds.explorers.loading import is_program
 from allworlds.judging.episode import Answered, Over, Said, Undecided
-from allworlds.judging.explanations.story import Belief, Spending, Story, Walked
+from allworlds.judging.explanations.story import Belief, Story, Walked
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.findings.walks import believed_walk, find_parting, true_trail
-from allworlds.judging.laws.laws import BrokenInvariant, embed
+from allworlds.judging.laws.finished_run import embed
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports.drawing.scene import walk_in_answer, walk_in_world
 from allworlds.reports.parts import (
-    Bars,
     Block,
     CsvRows,
     DataRecord,
@@ -55,7 +54,7 @@ def known(run: SingleRun) -> ShownMap | None:
     seen = ShownMap({}, {})
     for step, checkpoint in episode.checkpoints:
         place = embed(world.map, trail[step], checkpoint)
-        if isinstance(place, BrokenInvariant):
+        if isinstance(place, str):
             return None
         for dart, other in enumerate(checkpoint.alpha):
             seen.darts.setdefault(place[dart], step)
@@ -183,9 +182,6 @@ def _quotient(answer: Ambiguous) -> list[Block]:
 LONGEST_LIST = 60
 """The choices of a longer list are shown from both ends."""
 
-LONGEST_BARS = 12
-"""Of more edges not each has a bar of its own."""
-
 
 def headline_of(finding: Finding) -> str:
     """One line: the explorer, the broken law and the world's size."""
@@ -206,7 +202,7 @@ def finding_section(
 
     Args:
         finding: which one.
-        number: which of those that are told.
+        number: which of those that are shown.
         origin: where it comes from; empty where a check has come upon it by itself.
         title: in place of its number, its explorer and its law.
         checked: it comes from a check, which has confirmed it, or tried to.
@@ -221,7 +217,6 @@ def finding_section(
     blocks = [
         _law(finding),
         _walk(story, explanation, f"The walk of finding {number}"),
-        *([_bars(explanation.spent)] if explanation.spent else []),
         FactList([*_remarks(finding, origin, checked=checked)]),
         Quote("command", "reproduce", finding.reproduce, command=True),
         *_detail(finding),
@@ -231,18 +226,11 @@ def finding_section(
     return Section(f"finding-{number}", title, blocks)
 
 
-def _bars(spent: Spending) -> Bars:
-    """The traversals up to each edge that was found, then all of them and the bound."""
-    found = [(f"edge {i}", traversals) for i, traversals in enumerate(spent.found, 1)]
-    step = len(found) // LONGEST_BARS + 1
-    return Bars("found", [*found[::step], ("all", spent.cost), ("bound", spent.bound)])
-
-
 def _detail(finding: Finding) -> list[Block]:
     """The detail of the finding, under what it is."""
     detail = finding.detail
     if finding.law == "no-estimate":
-        # The explanation has told the line of the call.
+        # The explanation names the line of the call.
         detail = "" if detail.startswith(BUILT) else detail.partition(f"\n\n{BUILT}")[0]
         title = "the permutations that were tried"
     elif finding.law == "nondeterministic":

@@ -97,7 +97,7 @@ def viewer(
 ) -> ET.Element:
     """Pictures with the walk along which keys step in all of them.
 
-    What is told about them stands before the pictures, and on a phone behind them.
+    What is said about them stands before the pictures, and on a phone behind them.
     """
     return tag(
         "div",

@@ -26,7 +26,7 @@ from allworlds.reports.web.frame import figure, framed, read
 from allworlds.studies.play import Play, Walker
 from allworlds.words import plural
 from allworlds.world.lighthouses.kinds import parts_of
-from allworlds.world.lighthouses.placeless import Movable, NumberRoom
+from allworlds.world.lighthouses.placeless import Movable, Whiteboard
 from allworlds.world.world import World
 
 NAMES = {
@@ -92,7 +92,7 @@ def world_data(world: World) -> dict[str, Any]:
             f"under the lighthouse {world.lighthouse.written} the robot leaves marks in a way of "
             "your own, which a page cannot do; leave -o out to play in the terminal"
         )
-    written = marking if isinstance(marking, NumberRoom) else None
+    written = marking if isinstance(marking, Whiteboard) else None
     spots = None
     if written:
         spots = [written.place_of_number(map_, dart) for dart in map_.darts]

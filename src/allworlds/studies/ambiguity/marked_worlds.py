@@ -22,13 +22,13 @@ from allworlds.document.struct import (
     WhichShard,
     about,
     computed,
+    with_options,
 )
 from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import here_or
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import (
-    GATE,
     SweptReport,
     ToldGate,
     TriedPlaces,
@@ -45,11 +45,10 @@ from allworlds.maps.quotient import Quotient, class_size, is_ambiguous
 from allworlds.outcome import Disagreement, Ending
 from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
 from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
-from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.lighthouses.options import InvalidWorld
-from allworlds.world.own_condition import WhereOptions
+from allworlds.world.selection import WhereOptions, tried_kind
 from allworlds.world.world import World
 
 BATCH = 200
@@ -263,7 +262,7 @@ LargestClass: TypeAlias = Annotated[
 ]
 
 
-class CensusRow(Document):
+class CensusRow(Document, kw_only=True):
     """The marked maps with one number of edges.
 
     ``rooted`` is the number of rooted maps found, ``counted`` the number according to the
@@ -294,7 +293,8 @@ class CensusCell(Document):
     largest_class: LargestClass = None
 
 
-class CensusScope(Document, of=CensusRequest):
+@with_options(CensusRequest)
+class CensusScope(Document):
     """The scope of a census."""
 
     places: TriedPlaces
@@ -307,10 +307,6 @@ class AmbiguityCensus(SweptReport):
     Every level of a class of maps; twins are looked for inside the class only.
     """
 
-    scope: Annotated[CensusScope, about("what was classified")] = computed(
-        lambda c: told_scope(CensusScope, c.request, places=c.places, shard=str(c.portion))
-    )
-    gate: ToldGate = GATE
     rows: Annotated[tuple[CensusRow, ...], about("one a number of edges, ascending")]
     by_vertices: Annotated[
         tuple[CensusCell, ...], about("one for each (edges, vertices) with a world, ascending")
@@ -322,6 +318,16 @@ class AmbiguityCensus(SweptReport):
         IfAny[tuple[tuple[Natural, ...], ...]],
         about("of that pair: for each world the class of each dart"),
     ] = ()
+
+    @computed
+    def scope(self) -> CensusScope:
+        """What was classified."""
+        return told_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
+
+    @computed
+    def gate(self) -> ToldGate:
+        """Count gate, if there is anything to compare."""
+        return self.compared
 
     @property
     def places(self) -> str:

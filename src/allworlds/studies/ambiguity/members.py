@@ -206,22 +206,28 @@ class AmbiguityClass(Report):
 
     world: Annotated[World, about("as it was understood")]
     map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    ambiguous: Annotated[bool, about("whether another world looks the same")] = computed(
-        lambda found: found.size > 1
-    )
     size: Annotated[Positive, about("the number of worlds in the ambiguity class")]
     poses: Annotated[Positive, about("how many pairs of a world and a dart where the robot can be")]
     sheets: Annotated[Positive, about("of the world as a cover of its quotient")]
-    listed: Annotated[Positive, about("the number of worlds listed")] = computed(
-        lambda found: len(found.worlds)
-    )
-    notice: Annotated[Text | None, about("a remark on worlds left out, if any")] = computed(
-        lambda found: found.left_out
-    )
     worlds: Annotated[
         Some[World], about("the given one first; each with start 0, where the robot could be")
     ]
     quotient: Annotated[SensedQuotient, about("what a robot can know")]
+
+    @computed
+    def ambiguous(self) -> bool:
+        """Whether another world looks the same."""
+        return self.size > 1
+
+    @computed
+    def listed(self) -> Positive:
+        """The number of worlds listed."""
+        return len(self.worlds)
+
+    @computed
+    def notice(self) -> Text | None:
+        """A remark on worlds left out, if any."""
+        return self.left_out
 
     @property
     def left_out(self) -> str | None:

@@ -46,12 +46,6 @@ class ComparedWorlds(Report):
         Relation,
         about("`same`: one world; `same-map`: one world entered at two darts; `different`"),
     ]
-    distinguishable: Annotated[bool, about("whether any motion tells them apart")] = computed(
-        lambda compared: compared.bisimulation is UNSET
-    )
-    twins: Annotated[bool, about("different, and not distinguishable")] = computed(
-        lambda compared: compared.relation == "different" and not compared.distinguishable
-    )
     motions: Annotated[
         tuple[Natural, ...] | UnsetType,
         about("if distinguishable: the shortest motions that tell them apart"),
@@ -68,6 +62,16 @@ class ComparedWorlds(Report):
         Pair[Annotated[tuple[Natural, ...], narrowed(minItems=2)]] | UnsetType,
         about("if not: for each world the class of each dart"),
     ] = UNSET
+
+    @computed
+    def distinguishable(self) -> bool:
+        """Whether any motion tells them apart."""
+        return self.bisimulation is UNSET
+
+    @computed
+    def twins(self) -> bool:
+        """Different, and not distinguishable."""
+        return self.relation == "different" and not self.distinguishable
 
 
 @answers(TwinsRequest)

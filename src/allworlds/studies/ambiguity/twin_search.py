@@ -13,10 +13,8 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    EXIT_CODE,
     Aside,
     Document,
-    ExitCode,
     Natural,
     Pair as Two,
     Positive,
@@ -34,7 +32,7 @@ from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
 from allworlds.inputs.requests import answers
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.outcome import COMPLETED, Disagreement, Ending, Exit, ended
+from allworlds.outcome import COMPLETED, Disagreement, Ending, ended
 from allworlds.studies.ambiguity.formulas import (
     Block,
     Formula,
@@ -86,12 +84,6 @@ class Searched(Document):
     with two starts; ``twins`` holds the decoded worlds, if the formula has a model.
     """
 
-    edges: Annotated[Two[Positive], about("of each world")] = computed(
-        lambda level: tuple(size.edges for size in level.sizes)
-    )
-    vertices: Annotated[Two[Two[Positive]], about("for each world the fewest and the most")] = (
-        computed(lambda level: tuple((size.fewest, size.most) for size in level.sizes))
-    )
     status: Annotated[Status, about("the solver's answer to this formula")]
     formula: Annotated[Path, about("the path of the DIMACS file")]
     proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")]
@@ -100,17 +92,24 @@ class Searched(Document):
     same_map: Aside[tuple[Twins, ...]] = ()
     twins: Aside[Twins | None] = None
 
+    @computed
+    def edges(self) -> Two[Positive]:
+        """Of each world."""
+        return tuple(size.edges for size in self.sizes)
 
-class SearchResult(EndedReport):
+    @computed
+    def vertices(self) -> Two[Two[Positive]]:
+        """For each world the fewest and the most."""
+        return tuple((size.fewest, size.most) for size in self.sizes)
+
+
+class SearchResult(EndedReport, kw_only=True):
     """Report of 'search'.
 
     If it was interrupted by the user, the status is `unknown`, or twins had been found before.
     """
 
     status: Annotated[Status, about("`sat`: a pair; `unsat`: there is none in the bounds")]
-    exit_code: Annotated[
-        ExitCode, one_of(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
-    ] = EXIT_CODE
     pair: Annotated[Two[World] | None, about("two worlds that look alike; null unless `sat`")] = (
         None
     )
@@ -121,25 +120,35 @@ class SearchResult(EndedReport):
         Path | None, about("the path of the certificate; null: see [answers](ambiguity.md#answers)")
     ] = None
     vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
-    lighthouse: Annotated[str, one_of(*SEARCHED), about("its kind")] = computed(
-        lambda r: r.question.lighthouse
-    )
-    map_class: Annotated[MapClass, about("the class of maps")] = computed(
-        lambda result: result.question.map_class, name="class"
-    )
-    vertices: Annotated[Positive, about("at most so many")] = computed(
-        lambda result: result.question.vertices
-    )
-    edges: Annotated[Positive, about("at most so many")] = computed(
-        lambda result: result.question.edges
-    )
     directory: Annotated[Path, about("the directory of the formulas")]
     levels: Annotated[tuple[Searched, ...], about("in the order of the search")]
-    same_map: Annotated[
-        tuple[Two[World], ...], about("pairs that look alike but are one map with two starts")
-    ] = computed(lambda r: tuple(same.pair for level in r.levels for same in level.same_map))
     notices: Annotated[tuple[Text, ...], about("sentences for the reader")]
     question: Aside[Question]
+
+    @computed
+    def lighthouse(self) -> Annotated[str, one_of(*SEARCHED)]:
+        """Its kind."""
+        return self.question.lighthouse
+
+    @computed
+    def map_class(self) -> MapClass:
+        """The class of maps."""
+        return self.question.map_class
+
+    @computed
+    def vertices(self) -> Positive:
+        """At most so many."""
+        return self.question.vertices
+
+    @computed
+    def edges(self) -> Positive:
+        """At most so many."""
+        return self.question.edges
+
+    @computed
+    def same_map(self) -> tuple[Two[World], ...]:
+        """Pairs that look alike but are one map with two starts."""
+        return tuple(same.pair for level in self.levels for same in level.same_map)
 
     @property
     @override

@@ -37,7 +37,7 @@ from allworlds.engines.engine_table import (
 from allworlds.engines.job_records import Identity
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import Listener, Once, Silent
-from allworlds.engines.scope import Given, LevelRuns, Scope
+from allworlds.engines.scope import Given, Scope
 from allworlds.engines.single import subject_of
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.engines.units import (
@@ -193,8 +193,8 @@ class CheckSweep(TallySweep[CheckReport]):
     verb, asked = "check", CheckRequest
 
     def __init__(self, request: CheckRequest, job: Job, engine: EngineKind) -> None:
-        told = None if isinstance(job.scope.coverage, Given) else job.scope.extent
-        super().__init__(request, job.scope, job.subject, job.keep, told)
+        extent = None if isinstance(job.scope.coverage, Given) else job.scope.extent
+        super().__init__(request, job.scope, job.subject, job.keep, extent)
         self._engine = engine
         named = request.corpus
         self._corpus = None if named is None else UserCorpus(a_path("corpus", named))
@@ -333,19 +333,25 @@ Sampled: TypeAlias = Annotated[
 Rate: TypeAlias = Annotated[
     Figure | None, about("of these a second; null: none was finished in time")
 ]
-Takes: TypeAlias = Annotated[Seconds | None, about("for all: a guess; null where there is no rate")]
 
 
-def _seconds(guess: Guess | TimeEstimate) -> float | None:
-    """Duration for all worlds at this rate. Smaller worlds take less."""
-    if not guess.rate:
-        return None
-    if guess.worlds > LONGEST * guess.rate:
-        return LONGEST
-    return round(guess.worlds / guess.rate, 1)
+class _Lasting:
+    """The time that so many ``worlds`` take at that ``rate``."""
+
+    worlds: int
+    rate: float | None
+
+    @computed
+    def seconds(self) -> Seconds | None:
+        """For all: a guess, since smaller worlds take less; null where there is no rate."""
+        if not self.rate:
+            return None
+        if self.worlds > LONGEST * self.rate:
+            return LONGEST
+        return round(self.worlds / self.rate, 1)
 
 
-class Guess(Document):
+class Guess(Document, _Lasting):
     """Estimated duration of a check with this number of edges."""
 
     edges: Largest
@@ -353,10 +359,9 @@ class Guess(Document):
     worlds: ToBeTried
     sampled: Sampled
     rate: Rate
-    seconds: Takes = computed(_seconds)
 
 
-class TimeEstimate(Report):
+class TimeEstimate(Report, _Lasting):
     """Estimate.
 
     How long a check will take: what `check --estimate` writes.
@@ -370,7 +375,6 @@ class TimeEstimate(Report):
     worlds: ToBeTried
     sampled: Sampled
     rate: Rate
-    seconds: Takes = computed(_seconds)
     larger: Annotated[tuple[Guess, ...], about("the same check with more edges")]
     counted: Aside[bool] = True
 
@@ -441,5 +445,4 @@ def _pieces(job: Job, worlds: int) -> Iterator[Any]:
     extent = job.scope.extent
     draw = Random(0)  # noqa: S311  # the same pieces each time
     units = drawn_units(extent, extent.levels[-1], worlds, draw)
-    for unit in islice(units, PIECES):
-        yield LevelRuns(unit.edges, unit.prefix)
+    yield from islice(units, PIECES)

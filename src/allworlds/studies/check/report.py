@@ -8,7 +8,6 @@ from typing import Annotated, Any, Literal, TypeAlias
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    EXIT_CODE,
     Aside,
     Different,
     Document,
@@ -21,6 +20,7 @@ from allworlds.document.struct import (
     WhichShard,
     about,
     computed,
+    with_options,
 )
 from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import EngineName
@@ -29,7 +29,6 @@ from allworlds.engines.scope import Given, Sample, Scope
 from allworlds.engines.single import SingleRun, single_run, subject_of
 from allworlds.engines.swept_report import (
     EndedReport,
-    SweptExit,
     TriedPlaces,
     told_scope,
     tried_places,
@@ -123,7 +122,8 @@ Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the mer
 """The state of the count gate."""
 
 
-class CheckedScope(Document, of=CheckRequest):
+@with_options(CheckRequest)
+class CheckedScope(Document):
     """The scope of a check: every option that its counts and its verdict depend on."""
 
     places: TriedPlaces
@@ -175,54 +175,8 @@ class CheckReport(EndedReport):
     smallest findings, ``cells`` are the comparisons of the count gate.
     """
 
-    verdict: Annotated[Verdict, about("about this scope alone")] = computed(
-        lambda report: report.judged
-    )
-    exit_code: SweptExit = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     engine: Annotated[EngineName, about("the engine that ran")]
-    scope: Annotated[CheckedScope, about("what was checked")] = computed(
-        lambda report: report.checked_scope()
-    )
-    worlds: Annotated[Natural, about("rooted maps")] = computed(lambda report: report.tally.worlds)
-    runs: Annotated[Natural, about("worlds x places of the lighthouse")] = computed(
-        lambda report: report.tally.runs
-    )
-    episodes: Annotated[Natural, about("runs x schedules")] = computed(
-        lambda report: sum(row.episodes for row in report.tally.rows.values())
-    )
-    left_out: Annotated[Natural, about("worlds without a place for the lighthouse")] = computed(
-        lambda report: report.tally.left_out
-    )
-    traversals: Annotated[Natural, about("summed over the episodes")] = computed(
-        lambda report: report.tally.traversals
-    )
-    checkpoints: Annotated[Natural, about("the number of checkpoints")] = computed(
-        lambda report: report.tally.checkpoints
-    )
-    rows: Annotated[tuple[CheckRow, ...], about("one for each (edges, vertices), ascending")] = (
-        computed(lambda report: tuple(_rows(report.tally)))
-    )
-    witnesses: Annotated[
-        dict[str, Positive],
-        about("how often each [event](verdicts.md#witnesses) occurred"),
-    ] = computed(lambda report: dict(sorted(report.tally.witnesses.items())))
-    missing_witnesses: Annotated[
-        Different[Text], about("witnesses that must occur and did not")
-    ] = computed(
-        lambda report: report.ending.missing if isinstance(report.ending, Completed) else ()
-    )
-    remarks: Annotated[
-        tuple[Text, ...],
-        about("remarks about processes, which refute nothing, each once"),
-    ] = computed(lambda report: tuple(_remarks(report.tally)))
-    corpus: Annotated[CorpusReport | None, about("null without `--corpus`")] = computed(
-        lambda report: report.past.report if report.past else None
-    )
-    findings: Annotated[
-        tuple[Finding, ...],
-        about("ascending by (edges, vertices, canonical code, place, choices)"),
-    ] = computed(lambda report: tuple(report.tally.findings))
     asked: Aside[Scope]
     request: Aside[Any]
     extent: Aside[Extent]
@@ -231,6 +185,76 @@ class CheckReport(EndedReport):
     cells: Aside[tuple[GateCell, ...]] = ()
     past: Aside[UserCorpus | None] = None
     symmetry: Aside[str] = ""
+
+    @computed
+    def verdict(self) -> Verdict:
+        """About this scope alone."""
+        return self.judged
+
+    @computed
+    def scope(self) -> CheckedScope:
+        """What was checked."""
+        return self.checked_scope()
+
+    @computed
+    def worlds(self) -> Natural:
+        """Rooted maps."""
+        return self.tally.worlds
+
+    @computed
+    def runs(self) -> Natural:
+        """Worlds x places of the lighthouse."""
+        return self.tally.runs
+
+    @computed
+    def episodes(self) -> Natural:
+        """Runs x schedules."""
+        return sum(row.episodes for row in self.tally.rows.values())
+
+    @computed
+    def left_out(self) -> Natural:
+        """Worlds without a place for the lighthouse."""
+        return self.tally.left_out
+
+    @computed
+    def traversals(self) -> Natural:
+        """Summed over the episodes."""
+        return self.tally.traversals
+
+    @computed
+    def checkpoints(self) -> Natural:
+        """The number of checkpoints."""
+        return self.tally.checkpoints
+
+    @computed
+    def rows(self) -> tuple[CheckRow, ...]:
+        """One for each (edges, vertices), ascending."""
+        return tuple(_rows(self.tally))
+
+    @computed
+    def witnesses(self) -> dict[str, Positive]:
+        """How often each [event](verdicts.md#witnesses) occurred."""
+        return dict(sorted(self.tally.witnesses.items()))
+
+    @computed
+    def missing_witnesses(self) -> Different[Text]:
+        """Witnesses that must occur and did not."""
+        return self.ending.missing if isinstance(self.ending, Completed) else ()
+
+    @computed
+    def remarks(self) -> tuple[Text, ...]:
+        """Remarks about processes, which refute nothing, each once."""
+        return tuple(_remarks(self.tally))
+
+    @computed
+    def corpus(self) -> CorpusReport | None:
+        """Null without ``--corpus``."""
+        return self.past.report if self.past else None
+
+    @computed
+    def findings(self) -> tuple[Finding, ...]:
+        """Ascending by (edges, vertices, canonical code, place, choices)."""
+        return tuple(self.tally.findings)
 
     @property
     @override
@@ -305,8 +329,8 @@ class CheckReport(EndedReport):
 def _rows(tally: Tally) -> Iterator[CheckRow]:
     counts = CheckRow.__struct_fields__[2:]
     for (edges, vertices), row in sorted(tally.rows.items()):
-        told = {name: getattr(row, name) for name in counts}
-        yield CheckRow(edges=edges, vertices=vertices, **told)
+        values = {name: getattr(row, name) for name in counts}
+        yield CheckRow(edges=edges, vertices=vertices, **values)
 
 
 def _remarks(tally: Tally) -> Iterator[str]:

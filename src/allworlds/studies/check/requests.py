@@ -14,11 +14,10 @@ from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import files_of_explorer
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Option, Taken
-from allworlds.judging.findings.rules import Among, AskedRules, Rules
+from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
 from allworlds.protocol.choices import Schedule, a_schedule
-from allworlds.world.asked_lighthouse import LighthouseOptions
-from allworlds.world.own_condition import WhereOptions, files_of_condition
+from allworlds.world.selection import LighthouseOptions, WhereOptions, files_of_condition
 from allworlds.world.world import World
 
 SharedFile: TypeAlias = Annotated[
@@ -39,7 +38,7 @@ def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
     return next((file.name for file in files if file in theirs), "")
 
 
-class ManyWorlds(AskedListener, Limits, AskedRules, LighthouseOptions, ClassOptions):
+class ManyWorlds(AskedListener, Limits, RuleOptions, LighthouseOptions, ClassOptions):
     """Many worlds of a class, under rules, with an effort."""
 
     def rules(self, subject: Subject) -> Rules:

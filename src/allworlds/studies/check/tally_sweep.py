@@ -38,7 +38,7 @@ from allworlds.explorers.sources import content_digest
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import as_json, meant
 from allworlds.judging.findings.finding import DIGITS, Finding, digest_of
-from allworlds.judging.findings.rules import Among, AskedRules, Rules
+from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.protocol.user_code import OtherText
@@ -305,14 +305,14 @@ def rules_record(rules: Rules) -> dict[str, Any]:
     return {name: as_json(getattr(rules, name)) for name in names}
 
 
-def rules_known(request: object, told: Mapping[str, Any]) -> Rules:
+def rules_known(request: object, record: Mapping[str, Any]) -> Rules:
     """The rules of a request with this record."""
-    names = [each.name for each in fields(AskedRules)]
+    names = [each.name for each in fields(RuleOptions)]
     asked = {name: getattr(request, name) for name in names if hasattr(request, name)}
-    asked["step_budget"] = told["step_budget"]
-    kept = {name: told[name] for name in ("promised", "own_bound", "shared_file")}
+    asked["step_budget"] = record["step_budget"]
+    kept = {name: record[name] for name in ("promised", "own_bound", "shared_file")}
     among = Among.of(getattr(request, "where", None))
-    return Rules(told["lighthouse"], among=among, **kept, **asked)
+    return Rules(record["lighthouse"], among=among, **kept, **asked)
 
 
 def record_of(subject: Subject) -> dict[str, Any]:
@@ -328,9 +328,9 @@ def record_of(subject: Subject) -> dict[str, Any]:
     }
 
 
-def subject_of_record(told: Mapping[str, Any]) -> Subject:
+def subject_of_record(record: Mapping[str, Any]) -> Subject:
     """The explorer of such a record. Its code is not loaded, because its results are known."""
-    return Subject(told["name"], frozenset(told["keywords"]))
+    return Subject(record["name"], frozenset(record["keywords"]))
 
 
 Answer = TypeVar("Answer")

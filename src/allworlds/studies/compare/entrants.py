@@ -15,7 +15,6 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    EXIT_CODE,
     Aside,
     Document,
     Natural,
@@ -26,6 +25,7 @@ from allworlds.document.struct import (
     about,
     computed,
     replace,
+    with_options,
 )
 from allworlds.engines.effort import AskedCluster, AskedDirectory
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
@@ -37,7 +37,6 @@ from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import (
     AskedRows,
     By,
-    SweptExit,
     SweptReport,
     TriedPlaces,
     by_named,
@@ -51,16 +50,15 @@ from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Named, Option, Taken
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps.classes import Extent, ExtentOptions
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import FORMS
 from allworlds.outcome import Completed, Ending, Verdict
 from allworlds.studies.check.requests import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
-from allworlds.world.asked_lighthouse import LighthouseOptions
 from allworlds.world.named import HOLES
-from allworlds.world.own_condition import WhereOptions
+from allworlds.world.selection import LighthouseOptions, WhereOptions
 from allworlds.world.world import World
 
 
@@ -340,48 +338,55 @@ class ComparedName(Document):
     name: Annotated[Text, about("the explorer's")]
 
 
-class Compared(ComparedName, of=(LighthouseOptions, AskedRules)):
+@with_options(LighthouseOptions, RuleOptions)
+class Compared(ComparedName):
     """An explorer of a comparison, with the rules of its runs."""
 
     places: TriedPlaces
     shared_file: SharedFile
 
 
-class ContestScope(Document, of=ContestWorldsOptions):
+@with_options(ContestWorldsOptions)
+class ContestScope(Document):
     """The worlds of a comparison."""
 
     shard: WhichShard
 
 
-class ContestReport(SweptReport):
+class ContestReport(SweptReport, kw_only=True):
     """The report of explorers that were run in the same worlds.
 
     ``entrants`` were run; rows for programs are wanted ``by`` world or run.
     """
 
-    verdict: Annotated[Verdict, about("whether a run of any explorer broke a law")] = computed(
-        lambda report: report.judged
-    )
-    exit_code: SweptExit = EXIT_CODE
-    explorers: Annotated[Some[Compared], about("in the order in which they were named")] = computed(
-        lambda report: tuple(
-            Compared(
-                name=one.name,
-                **one.rules.told,
-                places=tried_places(one.rules.lighthouse, report.extent),
-                shared_file=one.rules.shared_file,
-            )
-            for one in report.entrants
-        )
-    )
-    scope: Annotated[ContestScope, about("the worlds in which they were run")] = computed(
-        lambda report: told_scope(ContestScope, report.request, shard=str(report.portion))
-    )
     findings: Annotated[
         tuple[Finding, ...], about("the smallest of each explorer that broke a law")
     ] = ()
     entrants: Aside[tuple[Entrant, ...]]
     by: Aside[By | None] = None
+
+    @computed
+    def verdict(self) -> Verdict:
+        """Whether a run of any explorer broke a law."""
+        return self.judged
+
+    @computed
+    def explorers(self) -> Some[Compared]:
+        """In the order in which they were named."""
+        return tuple(
+            Compared(
+                name=one.name,
+                **one.rules.in_effect,
+                places=tried_places(one.rules.lighthouse, self.extent),
+                shared_file=one.rules.shared_file,
+            )
+            for one in self.entrants
+        )
+
+    @computed
+    def scope(self) -> ContestScope:
+        """The worlds in which they were run."""
+        return told_scope(ContestScope, self.request, shard=str(self.portion))
 
     @property
     def judged(self) -> Verdict:

@@ -225,32 +225,48 @@ class GrowRow(Document):
         Positive | None,
         about("different rooted maps that seeds draw; null: they draw more than the start"),
     ]
-    worlds: Annotated[Positive, about("different rooted maps among them")] = computed(
-        lambda row: len(row.members)
-    )
-    places: Annotated[Positive, about("places of the lighthouse in these worlds")] = computed(
-        lambda row: sum(one.places for one in row.members)
-    )
-    runs: Annotated[Positive, about("places in which it was run")] = computed(
-        lambda row: sum(len(one.costs) for one in row.members)
-    )
-    mean: Annotated[
-        Figure, about("traversals: over the worlds, in each over the places of its runs")
-    ] = computed(lambda row: round(_mean(row), 6))
     exact: Annotated[bool, about("every world that seeds draw was run, in every place")]
-    interval: Annotated[Range, about("of the mean")] = computed(
-        lambda row: None if row.exact else _rounded(mean_interval(row.means))
-    )
-    least: Annotated[Natural, about("traversals of a run")] = computed(
-        lambda row: min(min(one.costs) for one in row.members)
-    )
-    worst: Annotated[
-        Natural, about("the most traversals of a run; of all, if `runs` = `places`")
-    ] = computed(lambda row: max(max(one.costs) for one in row.members))
-    bound: Annotated[int | None, about("the largest of a run; null without a bound")] = computed(
-        lambda row: max((m.bound for m in row.members if m.bound is not None), default=None)
-    )
     members: Annotated[Some[GrownWorld], about("the worlds, by seed")]
+
+    @computed
+    def worlds(self) -> Positive:
+        """Different rooted maps among them."""
+        return len(self.members)
+
+    @computed
+    def places(self) -> Positive:
+        """Places of the lighthouse in these worlds."""
+        return sum(one.places for one in self.members)
+
+    @computed
+    def runs(self) -> Positive:
+        """Places in which it was run."""
+        return sum(len(one.costs) for one in self.members)
+
+    @computed
+    def mean(self) -> Figure:
+        """Traversals: over the worlds, in each over the places of its runs."""
+        return round(_mean(self), 6)
+
+    @computed
+    def interval(self) -> Range:
+        """Of the mean."""
+        return None if self.exact else _rounded(mean_interval(self.means))
+
+    @computed
+    def least(self) -> Natural:
+        """Traversals of a run."""
+        return min(min(one.costs) for one in self.members)
+
+    @computed
+    def worst(self) -> Natural:
+        """The most traversals of a run; of all, if ``runs`` = ``places``."""
+        return max(max(one.costs) for one in self.members)
+
+    @computed
+    def bound(self) -> int | None:
+        """The largest of a run; null without a bound."""
+        return max((m.bound for m in self.members if m.bound is not None), default=None)
 
     @property
     def means(self) -> list[float]:
@@ -270,7 +286,7 @@ class CostRatio(Document):
     interval: Annotated[Range, about("of the ratio")]
 
 
-class Growth(ContestReport):
+class Growth(ContestReport, kw_only=True):
     """Report of 'compare --to'.
 
     Explorers in worlds that grow.
@@ -279,12 +295,14 @@ class Growth(ContestReport):
     """
 
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
-    ratios: Annotated[
-        tuple[CostRatio, ...], about("one for each family, size and explorer but the first")
-    ] = computed(lambda report: tuple(_ratios(report)))
     left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
     families: Aside[tuple[str, ...]]
     begun: Aside[tuple[GrowRow, ...]] = ()
+
+    @computed
+    def ratios(self) -> tuple[CostRatio, ...]:
+        """One for each family, size and explorer but the first."""
+        return tuple(_ratios(self))
 
     @property
     @override

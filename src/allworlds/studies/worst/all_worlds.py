@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, cast, get_args
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    EXIT_CODE,
     Aside,
     Document,
     Edges,
@@ -19,6 +18,7 @@ from allworlds.document.struct import (
     WhichShard,
     about,
     computed,
+    with_options,
 )
 from allworlds.engines.dask import Dask
 from allworlds.engines.effort import (
@@ -33,7 +33,7 @@ from allworlds.engines.engine_table import COMPILER, ReadyEngine
 from allworlds.engines.here import Threads
 from allworlds.engines.single import SingleRun, single_run
 from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import GATE, SweptExit, SweptReport, ToldGate, told_scope
+from allworlds.engines.swept_report import SweptReport, ToldGate, told_scope
 from allworlds.engines.units import WHOLE, AskedShard, SweptLevel, cells_of_level
 from allworlds.explorers.asked import DEFAULT_EXPLORER
 from allworlds.explorers.builtin.algorithm1 import algorithm1
@@ -42,15 +42,15 @@ from allworlds.inputs.checks import InputError, an_integer, ensure_installed, in
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Option, Request, Taken, answers
 from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import AskedRules, Rules
+from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps.classes import ClassOptions, Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.words import size
-from allworlds.world.asked_lighthouse import LighthouseOptions
 from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.selection import LighthouseOptions
 from allworlds.world.world import World
 
 if TYPE_CHECKING:
@@ -164,7 +164,8 @@ class WorstRow(Document):
         return bool(self.wrong_tests) or (self.bound is not None and self.worst > self.bound)
 
 
-class WorstScope(Document, of=(ClassOptions, LighthouseOptions, WorstRequest, AskedRules)):
+@with_options(ClassOptions, LighthouseOptions, WorstRequest, RuleOptions)
+class WorstScope(Document):
     """The scope of a search for the worst case."""
 
     schedules: Annotated[Literal["all"], about("each was searched")]
@@ -172,7 +173,7 @@ class WorstScope(Document, of=(ClassOptions, LighthouseOptions, WorstRequest, As
     shard: WhichShard
 
 
-class WorstReport(SweptReport):
+class WorstReport(SweptReport, kw_only=True):
     """Report of 'worst'.
 
     The worst and best costs of Algorithm 1, by size.
@@ -181,25 +182,34 @@ class WorstReport(SweptReport):
     run by the ``rules``.
     """
 
-    exit_code: SweptExit = EXIT_CODE
-    explorer: Annotated[Text, about("its name")] = computed(lambda r: r.subject.name)
-    scope: Annotated[WorstScope, about("what was searched")] = computed(
-        lambda r: told_scope(
-            WorstScope,
-            r.request,
-            r.rules,
-            schedules="all",
-            symmetry="one world for each start vertex: every choice of dart is tried, so the dart "
-            "faced at the start and the bearing make no difference",
-            shard=str(r.portion),
-        )
-    )
-    gate: ToldGate = GATE
     rows: Annotated[tuple[WorstRow, ...], about("one for each (edges, vertices), ascending")]
     findings: Annotated[tuple[Finding, ...], about("always empty: `wrong_tests` counts")] = ()
     subject: Aside[Subject]
     rules: Aside[Rules]
     disagreement: Aside[str] = ""
+
+    @computed
+    def explorer(self) -> Text:
+        """Its name."""
+        return self.subject.name
+
+    @computed
+    def scope(self) -> WorstScope:
+        """What was searched."""
+        return told_scope(
+            WorstScope,
+            self.request,
+            self.rules,
+            schedules="all",
+            symmetry="one world for each start vertex: every choice of dart is tried, so the dart "
+            "faced at the start and the bearing make no difference",
+            shard=str(self.portion),
+        )
+
+    @computed
+    def gate(self) -> ToldGate:
+        """Count gate, if there is anything to compare."""
+        return self.compared
 
     @property
     @override
@@ -244,7 +254,7 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
         super().__init__(request, Extent(request.map_class, request.edges))
         self.result = ScheduleCostsBySize  # type: ignore[misc]  # loaded now, with the kernel
         self._subject = load("algorithm1")
-        self._rules = AskedRules().rules_of(self._subject, Directional.kind)
+        self._rules = RuleOptions().rules_of(self._subject, Directional.kind)
         self._rows: list[WorstRow] = []
         self._missing = ""
 

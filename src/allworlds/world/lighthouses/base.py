@@ -1,4 +1,4 @@
-"""The base of every lighthouse, and what it may look at."""
+"""The base of every lighthouse, and the values that it looks at."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from itertools import islice
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 
-from allworlds.document.struct import about, plain
+from allworlds.document.struct import Natural, about, plain
 from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Percept, Write
@@ -22,13 +22,11 @@ from allworlds.world.lighthouses.options import (
     OptionValue,
     ensure_legal,
     kind_with,
-    name_of,
     named_with,
     options_of,
     place_keys,
     values_in,
 )
-from allworlds.world.state import State
 
 
 class Where(Enum):
@@ -68,6 +66,34 @@ class Sensing:
 def _percept(degree: int, marks: int = 0, bearing: int | None = None) -> Percept:
     """A percept; equal ones are one object."""
     return Percept(degree, marks, bearing)
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """The part of a world that the robot's actions change.
+
+    Attributes:
+        dart: by which the robot has arrived; at the start the one it faces.
+        lying: the vertices at which markers lie that the robot has dropped, ascending; one that
+            has several stands there several times.
+        hand: the number of markers in the robot's hand.
+        written: where a number other than 0 stands, with the number, ascending.
+    """
+
+    dart: Dart
+    lying: tuple[int, ...] = ()
+    hand: Natural = 0
+    written: tuple[tuple[int, int], ...] = ()
+
+    def number_at(self, where: int) -> int:
+        """The number that stands there."""
+        return dict(self.written).get(where, 0)
+
+    def with_number(self, where: int, number: int) -> State:
+        """The state after that number was written there."""
+        written = {**dict(self.written), where: number}
+        kept = tuple(sorted((at, each) for at, each in written.items() if each))
+        return replace(self, written=kept)
 
 
 StandsAt: TypeAlias = Annotated[Dart, about("where it stands")]
@@ -210,9 +236,8 @@ class Lighthouse(ABC):
         """
         for place in cls.places(map_, start):
             return place
-        raise InvalidWorld(
-            f"the lighthouse {name_of(cls)} has no place in this map with start {start}"
-        )
+        name = named_with(cls, cls.chosen)
+        raise InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
         """The number of this place among the places of the rooted map; 0 if it is none of them."""
@@ -302,11 +327,3 @@ class PlacelessLighthouse(ReferenceLighthouse):
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any
         """Raise InvalidWorld unless its options are legal; every map and every start will do."""
         ensure_legal(self)
-
-    def number(self, map_: CombinatorialMap, start: Dart) -> int:  # noqa: ARG002  # the only one
-        """0."""
-        return 0
-
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Lighthouse:  # noqa: ARG002
-        """The lighthouse itself, as it stands nowhere."""
-        return self

@@ -13,10 +13,9 @@ from typing_extensions import override
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.player import Told
-from allworlds.world.lighthouses.base import Lighthouse, WalkInAnswer
+from allworlds.world.lighthouses.base import Lighthouse, State, WalkInAnswer
 from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.lighthouses.placeless import Knowledge
-from allworlds.world.state import State
 
 PLUS = "+"
 """The text between the parts of a name."""

@@ -27,7 +27,7 @@ from allworlds.world.lighthouses.options import (
     InvalidWorld,
     ensure_options,
     kind_with,
-    name_of,
+    named_with,
     options_in,
     options_of,
     place_keys,
@@ -94,15 +94,6 @@ def lighthouse_kind(given: object) -> LighthouseKind:
     return found
 
 
-def lighthouse_named(text: str) -> type[Lighthouse]:
-    """The kind of lighthouse of ``KIND[:key=value,...]`` as a class.
-
-    Raises:
-        InvalidWorld: naming the legal kinds, or the option that the kind does not have.
-    """
-    return lighthouse_kind(text).as_class
-
-
 def kind_of(lighthouse: Lighthouse) -> LighthouseKind:
     """The kind of a lighthouse that stands somewhere."""
     codes = [
@@ -148,7 +139,7 @@ LIGHTHOUSE = Role("lighthouse", "allworlds.lighthouses", known=tuple(LIGHTHOUSES
 def _of_class(kind: type[Lighthouse]) -> str | UserCode:
     ours = kind.__module__.startswith("allworlds.")
     if {"code", "chosen"} & {*vars(kind)} or ours:
-        name = name_of(kind)
+        name = named_with(kind, kind.chosen)
         return name if kind.code is None else replace(kind.code, name=name)
     return LIGHTHOUSE.of(kind)
 

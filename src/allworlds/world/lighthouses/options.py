@@ -45,14 +45,13 @@ class FieldOption(NamedTuple):
 
     Attributes:
         default: the value where none is given; its type is that of every value.
-        least, most: of an integer; None: there is no such limit.
+        limits: of an integer; None: there are none.
         legal: of a tuple, the words that it may hold, each once.
         always: whether a document holds it even if it is the default.
     """
 
     default: OptionValue
-    least: int | None = None
-    most: int | None = None
+    limits: Meta | None = None
     legal: tuple[str, ...] = ()
     always: bool = True
 
@@ -80,12 +79,11 @@ class FieldOption(NamedTuple):
         kind = type(self.default)
         if kind is int:
             value = the_integer(what, value)
-            if self.least is not None and value < self.least:
-                raise InvalidWorld(
-                    f"{what} = {show(value)} is less than {self.least}, the least one"
-                )
-            if self.most is not None and value > self.most:
-                raise InvalidWorld(f"{what} = {show(value)} is more than {self.most}")
+            least, most = self.limits and self.limits.ge, self.limits and self.limits.le
+            if least is not None and value < least:
+                raise InvalidWorld(f"{what} = {show(value)} is less than {least}, the least one")
+            if most is not None and value > most:
+                raise InvalidWorld(f"{what} = {show(value)} is more than {most}")
         elif kind is tuple:
             legal = f"legal are {', '.join(self.legal)}, each once"
             if not isinstance(value, list | tuple) or not value:
@@ -120,13 +118,9 @@ def _option(field: Any, hint: Any) -> FieldOption | None:
     of_place = field.name in PLACE or ASIDE in notes
     if of_place or not field.init or type(field.default) not in (int, str, bool, tuple):
         return None
-    limits: Any = [note for note in notes if isinstance(note, Meta)]
+    limits = (note for note in notes if isinstance(note, Meta) and note.ge is not None)
     return FieldOption(
-        field.default,
-        next((note.ge for note in limits if note.ge is not None), None),
-        next((note.le for note in limits if note.le is not None), None),
-        _words_in(hint),
-        IF_ANY not in notes,
+        field.default, next(limits, None), _words_in(hint), always=IF_ANY not in notes
     )
 
 
@@ -211,11 +205,6 @@ def ensure_legal(place: Any) -> None:
     kind: Any = type(place)
     for key, option in options_of(kind).items():
         option.checked(f"lighthouse.{key}", getattr(place, key))
-
-
-def name_of(kind: Any) -> str:
-    """The name of a kind, with its options."""
-    return named_with(kind, kind.chosen)
 
 
 def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:

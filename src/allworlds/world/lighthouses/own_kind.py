@@ -17,9 +17,8 @@ from allworlds.protocol.actions import Percept
 from allworlds.protocol.importing import attempted
 from allworlds.protocol.player import Told
 from allworlds.protocol.user_code import UserCode
-from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.options import InvalidWorld, kind_with, options_in
-from allworlds.world.state import State
 
 SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 

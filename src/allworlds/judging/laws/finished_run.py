@@ -19,7 +19,7 @@ from allworlds.inputs.checks import show
 from allworlds.judging.laws.folding import fold
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.maps.quotient import Quotient, is_ambiguous, project
+from allworlds.maps.quotient import is_ambiguous, project
 from allworlds.protocol.actions import Move
 from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
 from allworlds.protocol.transcript import Transcript
@@ -147,15 +147,12 @@ def ambiguity_law(case: Case) -> Violation | None:
             "the map: no other world looks like this one",
             f"Ambiguous, {_words(_canonical(answer))}",
         )
-    truth = _of(quotient.rerooted(classes[case.trail[-1]]))
+    rooted = quotient.rerooted(classes[case.trail[-1]])
+    labels = tuple([label for label in rooted.labels if isinstance(label, int)])
+    truth = Ambiguous(rooted.sigma, rooted.alpha, rooted.degree, labels, 0)
     if _canonical(answer) == truth:
         return None
     return Violation("ambiguity", _words(truth), _words(_canonical(answer)))
-
-
-def _of(quotient: Quotient) -> Ambiguous:
-    marks = tuple([label for label in quotient.labels if isinstance(label, int)])
-    return Ambiguous(quotient.sigma, quotient.alpha, quotient.degree, marks, 0)
 
 
 def _canonical(answer: Ambiguous) -> Ambiguous:
@@ -173,15 +170,8 @@ def _canonical(answer: Ambiguous) -> Ambiguous:
 
 def _words(answer: Ambiguous) -> str:
     """The rooted quotient in a sentence."""
-    parts = (
-        f"{name} {list(values)}"
-        for name, values in (
-            ("sigma", answer.sigma),
-            ("alpha", answer.alpha),
-            ("degree", answer.degree),
-            ("marks", answer.marks),
-        )
-    )
+    names = ("sigma", "alpha", "degree", "marks")
+    parts = (f"{name} {list(getattr(answer, name))}" for name in names)
     return f"the quotient rooted at 0 with {', '.join(parts)}"
 
 
@@ -216,12 +206,6 @@ def folding_law(case: Case) -> Violation | None:
 # ---------------------------------------------------------------- the checkpoints (Section V)
 
 
-class BrokenInvariant(Struct, frozen=True):
-    """The reason why a published S cannot be embedded."""
-
-    reason: str
-
-
 def invariant_1(case: Case) -> Violation | None:
     """I-1: S is the explored subgraph of the world, in the same cyclic orders.
 
@@ -234,7 +218,7 @@ def invariant_1(case: Case) -> Violation | None:
     return None
 
 
-def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> BrokenInvariant | None:
+def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
     """The reason why S is wrong; where it is right with another ``here``, that is the reason."""
     broken = _wrong_part(case, steps, checkpoint)
     darts = len(checkpoint.sigma)
@@ -242,19 +226,17 @@ def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> BrokenInvariant 
         for here in range(darts):
             if _wrong_part(case, steps, replace(checkpoint, here=here)) is None:
                 shown = show(checkpoint.here)
-                return BrokenInvariant(
-                    f"S is right, but here = {shown}; the robot stands at dart {here} of S"
-                )
+                return f"S is right, but here = {shown}; the robot stands at dart {here} of S"
     return broken
 
 
-def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> BrokenInvariant | None:
+def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
     embedding = embed(case.map, case.trail[steps], checkpoint)
-    if isinstance(embedding, BrokenInvariant):
+    if isinstance(embedding, str):
         return embedding
     for d, e in enumerate(checkpoint.alpha):
         if e != d and case.walked.get(embedding[d], steps) >= steps:
-            return BrokenInvariant(f"S holds an edge at its dart {d} that has never been walked")
+            return f"S holds an edge at its dart {d} that has never been walked"
     return None
 
 
@@ -275,13 +257,11 @@ def invariant_2(case: Case) -> Violation | None:
     return None
 
 
-def _half_entered(checkpoint: Checkpoint) -> BrokenInvariant | None:
+def _half_entered(checkpoint: Checkpoint) -> str | None:
     alpha = checkpoint.alpha
     for d, e in enumerate(alpha):
         if e != d and 0 <= e < len(alpha) and alpha[e] == e:
-            return BrokenInvariant(
-                f"dart {e} is in U, but it is the other end of the explored dart {d}"
-            )
+            return f"dart {e} is in U, but it is the other end of the explored dart {d}"
     return None
 
 
@@ -295,7 +275,7 @@ def variant(case: Case) -> Violation | None:
             return Violation(
                 "variant",
                 f"t = |E_G| - |E_S| below {previous} after the next pass",
-                f"t = {t} {at_checkpoint(steps)}",
+                f"t = {t} at the checkpoint after step {steps}",
                 steps,
             )
         previous = t
@@ -304,9 +284,7 @@ def variant(case: Case) -> Violation | None:
     return None
 
 
-def embed(
-    map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint
-) -> list[Dart] | BrokenInvariant:
+def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
     """The dart of the world for each dart of S, or the reason why there is none.
 
     A dart in U whose partner claims it (the fault of I-2) is embedded by its partner.
@@ -315,9 +293,7 @@ def embed(
     sigma, alpha = checkpoint.sigma, checkpoint.alpha
     size, here = len(sigma), checkpoint.here
     if len(alpha) != size or not 0 <= here < size:
-        return BrokenInvariant(
-            f"here = {show(here)}, with {size} darts in sigma and {len(alpha)} in alpha"
-        )
+        return f"here = {show(here)}, with {size} darts in sigma and {len(alpha)} in alpha"
     image, free = [-1] * size, [True] * len(map_.sigma)
     image[here], free[dart] = dart, False
     claims = {e: d for d, e in enumerate(alpha) if e != d and 0 <= e < size and alpha[e] == e}
@@ -329,18 +305,14 @@ def embed(
             if y == x and name == "alpha":
                 continue  # An open dart leads nowhere yet.
             if not 0 <= y < size:
-                return BrokenInvariant(f"{name}({x}) = {show(y)} is no dart of S")
+                return f"{name}({x}) = {show(y)} is no dart of S"
             if image[y] == -1 and free[true]:
                 image[y], free[true] = true, False
                 queue.append(y)
             elif image[y] != true:
-                return BrokenInvariant(
-                    f"with the robot at dart {here}, {name}({x}) = {y} is not so in the world"
-                )
+                return f"with the robot at dart {here}, {name}({x}) = {y} is not so in the world"
     if len(queue) < size:
-        return BrokenInvariant(
-            f"dart {image.index(-1)} of S is not connected with the robot's dart"
-        )
+        return f"dart {image.index(-1)} of S is not connected with the robot's dart"
     return image
 
 
@@ -348,14 +320,9 @@ def first_wrong(case: Case) -> tuple[int, str] | None:
     """The steps before the first checkpoint that breaks an invariant, and what is wrong with it."""
     for steps, checkpoint in case.checkpoints:
         if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
-            return steps, broken.reason
+            return steps, broken
     return None
 
 
-def at_checkpoint(steps: int) -> str:
-    """The words in which a violation names the checkpoint after that step."""
-    return f"at the checkpoint after step {steps}"
-
-
-def _violation(law: str, expected: str, steps: int, broken: BrokenInvariant) -> Violation:
-    return Violation(law, expected, f"{at_checkpoint(steps)}: {broken.reason}", steps)
+def _violation(law: str, expected: str, steps: int, broken: str) -> Violation:
+    return Violation(law, expected, f"at the checkpoint after step {steps}: {broken}", steps)

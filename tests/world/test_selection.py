@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds.world import InvalidWorld
-from allworlds.world.asked_lighthouse import tried_kind
+from allworlds.world.selection import tried_kind
 
 MINE = """
 from dataclasses import dataclass

@@ -1,0 +1,487 @@
+"""``fuzz``: worlds far beyond the exhaustive bound, and the way back to small ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
+from itertools import count, takewhile
+from random import Random
+from typing import Annotated, TypeAlias
+
+from msgspec import Struct
+from typing_extensions import override
+
+from allworlds.engines.effort import AskedCluster, AskedDirectory, TimeIsUp
+from allworlds.engines.engine_table import ReadyEngine, players_for
+from allworlds.engines.job_records import Identity
+from allworlds.engines.lanes import workers_for
+from allworlds.engines.progress import Listener, Silent
+from allworlds.engines.scope import GivenWorlds, Sample, Scope
+from allworlds.engines.single import played_again, subject_of
+from allworlds.engines.sweep import gather
+from allworlds.engines.tally import RunCounter, Tally
+from allworlds.engines.units import (
+    AskedShard,
+    Placed,
+    Portion,
+    Shard,
+    SweptLevel,
+    Transport,
+    shards_of,
+)
+from allworlds.explorers.loading import Subject
+from allworlds.inputs.checks import InputError, an_integer, integer_of, show
+from allworlds.inputs.requests import SCOPE, Option, Request, answers
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps.build import lattice
+from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.classes import Condition, Extent, MapClass, narrowing
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.enumeration import Gluing
+from allworlds.maps.families import random_map
+from allworlds.maps.surgery import contracted, deleted, moved
+from allworlds.outcome import Completed, Ending
+from allworlds.studies.check.report import CheckReport
+from allworlds.studies.check.requests import ManyRuns
+from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.selection import WhereOptions
+from allworlds.world.world import World
+
+
+class SampleOptions(Request):
+    """Options for drawing worlds: their sizes and their number."""
+
+    edges: Annotated[int, Option(SCOPE, "M", "At most M edges.", parse=integer_of)]
+    min_edges: Annotated[
+        int,
+        Option(
+            SCOPE,
+            "L",
+            "At least L edges; choose more than an exhaustive check has tried.",
+            parse=integer_of,
+        ),
+    ] = 1
+    runs: Annotated[int, Option(SCOPE, "R", "The number of worlds.", parse=integer_of)]
+    seed: Annotated[int, Option(SCOPE, "S", "Which sample.", parse=integer_of)] = 0
+
+
+class MapsRequest(ManyRuns, WhereOptions):
+    """Request for runs in given maps: an explorer, the class and a condition, rules and effort."""
+
+
+class FuzzRequest(AskedDirectory, AskedCluster, AskedShard, MapsRequest, SampleOptions):
+    """Request of ``fuzz``: an explorer, the sample, rules and effort."""
+
+
+@answers(FuzzRequest)
+def fuzz(request: FuzzRequest) -> CheckReport:
+    """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
+
+    The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
+    the class, ``where``, ``edges``, ``min_edges``, ``runs`` and ``seed`` alone, and the finding is
+    the smallest that the shrinker reaches from the smallest refuting world of the sample; that may
+    have fewer than ``min_edges`` edges.  Shrinking ends with the time limit.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    subject = subject_of(request.explore, request.limits)
+    scope = scope_of(request, request.rules(subject))
+    return FuzzSweep(request, scope, subject).answer(request.run)
+
+
+def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
+    """The scope of a request: the drawn worlds and the rules.
+
+    Raises:
+        InputError: for numbers out of range.
+    """
+    sample = Sample(request.runs, request.seed, request.min_edges, request.shard)
+    edges = an_integer("edges", request.edges)
+    if edges < 1:
+        raise InputError(f"edges = {show(edges)} is not positive")
+    if sample.min_edges > edges:
+        raise InputError(f"min-edges = {show(sample.min_edges)} is more than edges = {edges}")
+    return Scope(Extent(request.map_class, edges, where=request.where), rules, coverage=sample)
+
+
+class FuzzSweep(TallySweep[CheckReport]):
+    """The sweep of a sample. It is one level, of which every finished part is reported.
+
+    Args:
+        request: what was asked for.
+        scope: the worlds and the rules.
+        subject: the explorer.
+        shards: the number of parts that are joined, if they were done apart.
+    """
+
+    verb, asked = "fuzz", FuzzRequest
+
+    def __init__(
+        self, request: FuzzRequest, scope: Scope, subject: Subject, shards: int = 1
+    ) -> None:
+        super().__init__(request, scope, subject)
+        self._shards = max(shards, shards_of(self.portion))
+        self._tally = self.empty()
+
+    @override
+    @classmethod
+    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> FuzzSweep:
+        request = cls.asked_then(identity, portion, listener)
+        rules = rules_known(request, identity.parameters)
+        subject = subject_of_record(identity.explorer)
+        return cls(request, scope_of(request, rules), subject, identity.shards)
+
+    @override
+    def levels(self) -> Iterable[SweptLevel]:
+        sample, edges = self.scope.coverage, self.request.edges
+        assert isinstance(sample, Sample)
+        yield SweptLevel(edges, sample.runs, batches(sample, self._shards))
+
+    @override
+    def ready(self) -> ReadyEngine:
+        return ReadyEngine(players_for(self.job), RunCounter(self.scope, self.job.keep))
+
+    @override
+    def finish(self, level: SweptLevel, total: Tally) -> None:
+        self._tally = total
+
+    leave = finish
+
+    @override
+    def conclude(self, ending: Ending) -> Ending:
+        """Shrink the findings of the whole sample, and confirm the result."""
+        settled = self.confirmation
+        if isinstance(ending, Completed):
+            self._tally.findings = [
+                settled.replaced("shrunk", found, self._shrunk) for found in self._tally.findings
+            ]
+        self._tally.findings = settled.confirmed(self._tally.findings)
+        if self._tally.findings and settled.is_late:
+            raise TimeIsUp  # it may have been given up
+        return ending
+
+    def _shrunk(self, found: Finding) -> Finding:
+        job = self.job
+        with workers_for(job.subject, job.limits, self.deadline) as workers:
+            return smallest_from(found, workers, self.scope)
+
+    @override
+    def report(self, ending: Ending) -> CheckReport:
+        return CheckReport(
+            **self.ended(ending, self.scope.extent),
+            explorer=self.job.subject.name,
+            engine="python",
+            asked=self.scope,
+            tally=self._tally,
+            levels=(),
+        )
+
+
+# ---------------------------------------------------------------- the way back
+
+Refute: TypeAlias = Callable[[Sequence[GivenWorlds]], Finding | None]
+"""The smallest finding among these worlds, or None."""
+
+CHUNK = 50
+"""The worlds that one worker tries at a time."""
+
+WAVE = 8
+"""The chunks that are tried before the next, larger worlds are begun."""
+
+
+def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
+    """Yield ever smaller refuting worlds, until no neighbour in the size order refutes.
+
+    First an edge is deleted or contracted as long as that is possible; then, with as many
+    edges, a dart may move and the start and the marker may turn, towards fewer vertices and
+    the smaller code.  Every neighbour is rooted everywhere and lit from every place, and the
+    smallest refuting one is taken, so the result depends on nothing but the finding.
+
+    Cost: O(m^3) runs for each step with fewer edges.
+    """
+    smaller: Finding | None = finding
+    while smaller:
+        finding, map_ = smaller, smaller.world.map
+        smaller = _smallest(refute, _smaller(scope, finding, _fewer_edges(map_)))
+        if smaller is None:
+            smaller = _smallest(refute, _smaller(scope, finding, [map_, *moved(map_)]))
+        if smaller:
+            yield smaller
+
+
+def _smallest(refute: Refute, chunks: Sequence[GivenWorlds]) -> Finding | None:
+    """The smallest finding among worlds in ascending order; larger ones are not tried."""
+    waves = (refute(chunks[i : i + WAVE]) for i in range(0, len(chunks), WAVE))
+    return next((found for found in waves if found), None)
+
+
+def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
+    for dart, _ in map_.edges:
+        for other in (deleted(map_, dart), contracted(map_, dart)):
+            if other is not None:
+                yield other
+
+
+def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
+    """Rootings and places of these maps that are smaller than the finding, ascending."""
+    size = finding.key[:4]
+    placed = takewhile(lambda each: each[0] < size, _placed(maps, scope))
+    return _in_chunks([world for _, world in placed])
+
+
+def _placed(
+    maps: Iterable[CombinatorialMap], scope: Scope
+) -> Iterator[tuple[tuple[int, int, Code, int], tuple[World, int]]]:
+    """Rootings of these maps, each once and with every place; ascending by what is beside them.
+
+    That is: edges, vertices, code, place.  The maps are of the class of the extent, and its
+    condition is true of them; its bounds do not matter.
+    """
+    extent = scope.extent
+    rootings = {
+        (map_.edge_count, map_.vertex_count, rooted_code(map_.sigma, map_.alpha, start))
+        for map_ in maps
+        if extent.map_class.includes(map_) and extent.admits(map_)
+        for start in map_.darts
+    }
+    for key in sorted(rootings):
+        map_ = CombinatorialMap.trusted(*key[2])
+        for place, lighthouse in enumerate(scope.rules.kind.places(map_, 0)):
+            yield (*key, place), (World(map_, lighthouse), place)
+
+
+def _in_chunks(worlds: Sequence[tuple[World, int]]) -> list[GivenWorlds]:
+    """Worlds with the numbers of their places, in pieces that one worker tries at a time."""
+    return [GivenWorlds(tuple(worlds[i : i + CHUNK])) for i in range(0, len(worlds), CHUNK)]
+
+
+def smallest_from(finding: Finding, workers: Transport[RunCounter], scope: Scope) -> Finding:
+    """The smallest finding that the shrinker reaches from this one, or has when the time is up."""
+
+    def refute(given: Sequence[GivenWorlds]) -> Finding | None:
+        found = Tally(keep=1)
+        gather(workers, RunCounter(scope, found.keep), given, found, Silent())
+        return found.findings[0] if found.findings else None
+
+    with suppress(TimeIsUp):
+        for smaller in shrink(finding, scope, refute):
+            finding = smaller
+    return finding
+
+
+def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Finding | None:
+    """The smallest finding that the shrinker reaches from these maps; None where no law is broken.
+
+    The explorer starts at every dart of each map, with every place of the lighthouse.  Maps
+    that are not of the class, or of which the condition is not true, are left out.
+
+    Args:
+        maps: of any size.
+        request: for an explorer, the class, a condition, rules and limits.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+        TimeIsUp: at the time limit.
+        Unsettled: if what happened to the explorer cannot be told.
+
+    Cost: O(m) runs for each map with m edges.
+    """
+    limits = request.limits
+    subject = subject_of(request.explore, limits)
+    rules = request.rules(subject)
+    tried = [*maps]
+    most = max((map_.edge_count for map_ in tried), default=1)
+    scope = Scope(Extent(request.map_class, most, where=request.where), rules)
+    given = [world for _, world in _placed(tried, scope)]
+    if not given:
+        return None
+    tally = Tally(keep=1)
+    with workers_for(subject, limits, limits.deadline()) as workers:
+        gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, Silent())
+        for found in tally.findings:
+            smallest = smallest_from(found, workers, scope)
+            return played_again(smallest, subject, limits)
+    return None
+
+
+# ---------------------------------------------------------------- the sample
+
+BATCH = 64
+"""The runs that one worker does at a time."""
+
+PATIENCE = 1000
+"""The number of maps of one generator that are rejected before another one is used."""
+
+LONGEST = 2 * PATIENCE
+"""The number of maps that are rejected before a condition is refused."""
+
+DEAD_ENDS = 5
+"""The number of histories under a condition that may come to nothing."""
+
+
+def batches(sample: Sample, shards: int) -> Iterator[Batch]:
+    """The sample in pieces, or its part for a shard: run numbers, dealt out evenly.
+
+    They do not depend on the number of workers.
+
+    Args:
+        sample: the whole, or the part of a shard.
+        shards: the number of parts, each of which is cut by itself.
+    """
+    parts = [sample.portion.index] if isinstance(sample.portion, Shard) else range(shards)
+    for part in parts:
+        first, end = (at * sample.runs // shards for at in (part, part + 1))
+        for begin in range(first, end, BATCH):
+            yield Batch(sample.seed, begin, min(begin + BATCH, end), sample.min_edges)
+
+
+class Batch(Struct, frozen=True):
+    """The runs ``first .. last - 1`` of the sample with that seed and least number of edges."""
+
+    seed: int
+    first: int
+    last: int
+    min_edges: int = 1
+
+    @property
+    def key(self) -> str:
+        """Key of the batch in a run directory: ``SEED/FIRST``."""
+        return f"{self.seed}/{self.first}"
+
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+        """One world a run: a random map with a random place of the lighthouse.
+
+        Under a class every map that is none of it, or is too small, is drawn again; a generator
+        that brings none for long gives way to the first, whose maps have the size that is asked.
+        """
+        generators = _generators(extent)
+        for run in range(self.first, self.last):
+            random = Random(f"{self.seed}/{run}")  # noqa: S311  # reproducible, not secret
+            in_turn = generators[run % len(generators)], generators[0]
+            map_ = self._drawn(extent, in_turn, random)
+            places = list(enumerate(kind.places(map_, 0)))
+            yield map_, [random.choice(places)] if places else []
+
+    def _drawn(
+        self, extent: Extent, generators: tuple[Generator, Generator], random: Random
+    ) -> CombinatorialMap:
+        """A map of the extent; by the second generator where the first one brings none for long.
+
+        Raises:
+            InputError: if the second one brings none for long that the condition admits.
+        """
+        size = random.randint(self.min_edges, extent.levels[-1])
+        for tries in count():
+            map_ = generators[tries >= PATIENCE](size, random)
+            large = map_.edge_count >= self.min_edges
+            if large and extent.map_class.includes(map_) and extent.admits(map_):
+                return map_
+            if extent.where is not None:
+                if tries == LONGEST:
+                    break
+                size = random.randint(self.min_edges, extent.levels[-1])
+        assert extent.where is not None
+        raise InputError(
+            f"where {show(extent.where.name)}: {tries + 1} maps of the class {extent.map_class} "
+            f"with {self.min_edges} to {extent.levels[-1]} edges were drawn, and it is true of "
+            "none; legal is one that is true of more of them"
+        )
+
+
+Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
+"""A function that draws a map of the size that is asked, or less."""
+
+
+def _generators(extent: Extent) -> tuple[Generator, ...]:
+    """The generators of an extent; of a condition with a name its own histories alone."""
+    map_class, where = extent.map_class, extent.where
+    if narrowing(where):
+        return (glued(map_class, where),)
+    return GENERATORS.get(map_class, (glued(map_class),))
+
+
+def _rerooted(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
+    """The map with a random root, which becomes dart 0."""
+    code = rooted_code(map_.sigma, map_.alpha, random.choice(map_.darts))
+    return CombinatorialMap.trusted(*code)
+
+
+def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
+    """Draw a random sequence of gluings, every decision uniform: any class, not a uniform map.
+
+    Where a condition lets no map with that many edges begin, it is another map of the class.
+    """
+
+    def generate(edges: int, random: Random) -> CombinatorialMap:
+        for tries in count():
+            gluing = Gluing(edges, map_class, where=where if tries < DEAD_ENDS else None)
+            while not gluing.finished:
+                following = list(gluing.successors())
+                if not following:
+                    break
+                gluing = random.choice(following)[1]
+            else:
+                return gluing.finish()
+        raise AssertionError  # it goes on for ever
+
+    return generate
+
+
+def a_lattice(edges: int, random: Random) -> CombinatorialMap:
+    """Draw a lattice with holes, with at most that many edges."""
+
+    def size(rows: int, columns: int) -> int:
+        return rows * (columns - 1) + columns * (rows - 1)
+
+    sizes = [
+        (r, c)
+        for r in range(1, edges + 2)
+        for c in range(max(r, 2), edges + 2)
+        if size(r, c) <= edges
+    ]
+    rows, columns = random.choice(sizes[-4:])
+    total = size(rows, columns)
+    # What is left must be connected.
+    holes = random.randint(0, total - (rows * columns - 1)) / total
+    return _rerooted(lattice(rows, columns, holes, random.getrandbits(32)), random)
+
+
+def dense(edges: int, random: Random) -> CombinatorialMap:
+    """Draw a gluing with at most three vertices, which have many darts each."""
+    vertices = random.randint(1, 3)
+    while True:
+        map_ = random_map(edges, random)
+        if map_.vertex_count <= vertices or edges + 1 < vertices:
+            return map_
+
+
+def looped_tree(edges: int, random: Random) -> CombinatorialMap:
+    """Draw a random plane tree in which some edges are loops instead, at random corners."""
+    rotations: list[list[int]] = [[]]
+    alpha: list[int] = []
+    for _ in range(edges):
+        dart = len(alpha)
+        alpha += [dart + 1, dart]
+        vertex = random.choice(rotations)
+        vertex.insert(random.randint(0, len(vertex)), dart)
+        other = vertex if random.random() < 1 / 3 else []
+        if other is not vertex:
+            rotations.append(other)
+        other.insert(random.randint(0, len(other)), dart + 1)
+    sigma = [0] * len(alpha)
+    for vertex in rotations:
+        for d, following in zip(vertex, [*vertex[1:], *vertex[:1]], strict=True):
+            sigma[d] = following
+    return _rerooted(CombinatorialMap(sigma, alpha), random)
+
+
+GENERATORS: dict[MapClass, tuple[Generator, ...]] = {
+    MapClass.MAPS: (random_map, looped_tree, glued(MapClass.PLANAR), a_lattice, dense),
+    MapClass.PLANAR: (glued(MapClass.PLANAR), a_lattice),
+    MapClass.SIMPLE: (glued(MapClass.SIMPLE), a_lattice, glued(MapClass.PLANAR_SIMPLE)),
+    MapClass.PLANAR_SIMPLE: (glued(MapClass.PLANAR_SIMPLE), a_lattice),
+}
+"""The generators of a class, taken in turn; of one that has none here, its random histories."""

@@ -1,0 +1,508 @@
+"""``ledger``: the sentences of a paper that can be checked, each with the check that decides it.
+
+Expected verdicts and numbers stand in ``ledger.toml`` alone; the functions that find them do not
+read it.
+"""
+
+from __future__ import annotations
+
+import re
+import time
+import tomllib
+import traceback
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import KW_ONLY
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Annotated, Any, Literal, TypeAlias, cast, get_args
+
+from msgspec import Meta, Struct, field
+from typing_extensions import override
+
+from allworlds.document.reading import taken
+from allworlds.document.struct import (
+    Aside,
+    Document,
+    Natural,
+    Positive,
+    Text,
+    about,
+    computed,
+    key,
+)
+from allworlds.engines.effort import AskedListener, AskedWorkers
+from allworlds.engines.progress import Listener
+from allworlds.engines.swept_report import RowsReport
+from allworlds.engines.tally import EnginesDisagree
+from allworlds.inputs.checks import InputError, a_path, read_text, show
+from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Option, Taken, answers
+from allworlds.outcome import Disagreement, Verdict, until_interrupted
+from allworlds.protocol.importing import attribute_of, module_of_text, text_of
+from allworlds.studies.check.report import CheckReport
+from allworlds.world.world import World
+
+# ---------------------------------------------------------------- what decides a claim
+
+Truth: TypeAlias = Literal["holds", "refuted"]
+Budget: TypeAlias = Literal["quick", "full"]
+Shown: TypeAlias = int | float | str | Sequence[int | float | str]
+"""A figure of a claim: a number, a name, or a list of these."""
+
+
+class Picture(Struct, frozen=True):
+    """A world to be drawn beside a claim."""
+
+    caption: str
+    world: World
+
+
+class Found(Struct, frozen=True):
+    """The result of checking a sentence, independent of any expectation.
+
+    Attributes:
+        verdict: whether it holds in the scope that was asked for.
+        witnesses: how often each thing was met that the sentence is about; where one of them was
+            never met nothing was checked.
+        figures: the numbers that the sentence names.
+        pictures: worlds that show it.
+        told: in words, what refutes it or what is to be seen; may be empty.
+    """
+
+    verdict: Truth
+    witnesses: Mapping[str, int]
+    figures: Mapping[str, Shown] = field(default_factory=dict)
+    pictures: tuple[Picture, ...] = ()
+    told: str = ""
+
+
+class NotChecked(Struct, frozen=True):
+    """The reason why the sentence could not be checked here."""
+
+    reason: str
+
+
+class Unfinished(RuntimeError):
+    """Raised where another part of the program gives no answer: the claim counts as refuted."""
+
+
+class Means(Struct, frozen=True):
+    """Resources for checking claims.
+
+    Attributes:
+        workers: processes, or threads.
+        budget: how much may be done.
+    """
+
+    workers: int = 1
+    budget: Budget = "quick"
+
+
+Check: TypeAlias = Callable[..., Found | NotChecked]
+"""Takes the means, and the bounds of its scope as keywords."""
+
+
+def truth(holds: object) -> Truth:
+    """The verdict for a truth value."""
+    return "holds" if holds else "refuted"
+
+
+def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
+    """The outcome of an exhaustive check. Its worlds, runs and named events are witnesses.
+
+    Raises:
+        Unfinished: where it neither holds nor is refuted.
+    """
+    whole = report.uninterrupted()
+    if whole.verdict not in (Verdict.HOLDS, Verdict.REFUTED):
+        raise Unfinished(f"the check of {whole.explorer} ended as {whole.verdict.value}")
+    seen: dict[str, Any] = {"worlds": whole.worlds, "runs": whole.runs}
+    seen |= {event: whole.tally.witnesses.get(event, 0) for event in events}
+    pictures = tuple(
+        Picture(f"the smallest world in which {whole.explorer} fails", finding.world)
+        for finding in whole.findings[:1]
+    )
+    refutation = "".join(
+        f"the law {finding.law} is broken in a world with {finding.world.map.edge_count} edges and "
+        f"{finding.world.map.vertex_count} vertices"
+        for finding in whole.findings[:1]
+    )
+    return Found(truth(whole.verdict is Verdict.HOLDS), seen, figures, pictures, refutation)
+
+
+# ---------------------------------------------------------------- ledger.toml
+
+
+class ClaimScope(Document, kw_only=True):
+    """The scope of a claim under a budget, and the numbers that must be found there.
+
+    The bounds are the keywords of its function.
+    """
+
+    bounds: dict[str, Any] = key(default_factory=dict)
+    witnesses: Annotated[dict[str, Positive], Meta(min_length=1)]
+    figures: dict[str, Shown] = key(default_factory=dict)
+
+
+class Sentence(Document):
+    """A sentence that can be checked, and the expected verdict."""
+
+    id: Annotated[Text, about("its name, for `--only` and `--require`")]
+    section: Annotated[Text, about("of the paper")]
+    statement: Annotated[Text, about("the sentence in short")]
+    method: Annotated[Text, about("how it is decided")]
+    scope: Annotated[Text, about("on what it was decided under this budget")]
+    source: Annotated[
+        Text, about("where the sentence stands, and where the expected numbers come from")
+    ]
+    expected: Annotated[Truth, about("the verdict that it must get; `refuted`: an erratum")]
+
+
+class Claim(Sentence):
+    """A sentence and its expected outcome: a table of ``ledger.toml``.
+
+    ``{names}`` in the scope are those of the bounds.
+    """
+
+    quick: ClaimScope
+    full: ClaimScope | None = None
+
+    @property
+    def scopes(self) -> Mapping[Budget, ClaimScope]:
+        """The scopes of the claim, by budget."""
+        return {"quick": self.quick, "full": self.full or self.quick}
+
+    def scope_under(self, budget: Budget) -> str:
+        """The scope under a budget, in words."""
+        return self.scope.format(**self.scopes[budget].bounds)
+
+    @property
+    def function(self) -> str:
+        """The name of the function that decides it: the id with ``_`` for ``-``."""
+        return self.id.replace("-", "_")
+
+
+def claims_in(file: Path) -> tuple[Claim, ...]:
+    """The claims of a ``ledger.toml``, as they stand in it.
+
+    Raises:
+        InputError: naming the file, the claim and what is wrong with it.
+    """
+    text = read_text(str(file))
+    try:
+        tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"file {show(str(file))} is not TOML: {error}") from None
+    return tuple(_claim(file, name, table) for name, table in tables.items())
+
+
+def _claim(file: Path, name: str, table: Any) -> Claim:
+    said = f"file {show(str(file))}: claim {name}"
+    if not re.fullmatch(r"[a-zA-Z][a-zA-Z0-9-]*", name):
+        raise InputError(f"{said}: an id is a letter, and then letters, digits and '-'")
+    if not isinstance(table, dict):
+        raise InputError(f"{said}: {show(table)} is no table")
+    try:
+        claim = taken({"id": name, **table}, Claim, "it")
+    except InputError as error:
+        raise InputError(f"{said}: {error}") from None
+    for budget, scope in claim.scopes.items():
+        try:
+            claim.scope_under(budget)
+        except (KeyError, IndexError, ValueError):
+            raise InputError(
+                f"{said}: scope {show(claim.scope)} does not fit the bounds "
+                f"{', '.join(scope.bounds) or '(none)'} of {budget}"
+            ) from None
+    return claim
+
+
+# ---------------------------------------------------------------- found beside expected
+
+Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked", "error"]
+Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
+
+LEDGER, CLAIMS = "ledger.toml", "claims.py"
+"""The files of a ledger: what is claimed, and a function for each claim."""
+
+FAULTS = (Unfinished, Disagreement, EnginesDisagree)
+"""The faults of this program that refute the claim that meets them."""
+
+BUDGETS: tuple[str, ...] = get_args(Budget)
+
+
+class ProgramFault(Struct, frozen=True):
+    """The reason why no answer counts: two parts of this program disagree, or one has no answer."""
+
+    reason: str
+
+
+class InternalError(Struct, frozen=True):
+    """An error by which nothing is known of the sentence.
+
+    Attributes:
+        reason: the error in a line.
+        traceback: where it was raised.
+    """
+
+    reason: str
+    traceback: str
+
+
+Outcome: TypeAlias = Found | NotChecked | ProgramFault | InternalError
+"""The outcome of a claim, as the ledger keeps it."""
+
+
+class CheckedClaim(Sentence):
+    """A sentence that can be checked, with the expected outcome and the one found.
+
+    ``truth`` is the verdict of its function, None if nothing was checked; checking took
+    ``seconds``. Each of the ``worlds`` has its caption. A ``disagreement`` within this program
+    refutes a claim, whatever is expected of it; an ``error`` of this program leaves it open.
+    """
+
+    witnesses: Annotated[
+        dict[str, Natural], about("how often each case occurred that the sentence is about")
+    ]
+    expected_witnesses: Annotated[dict[str, Positive], about("how often it must occur")]
+    figures: Annotated[dict[str, Shown], about("the numbers that the sentence names, as found")]
+    expected_figures: Annotated[dict[str, Shown], about("the expected numbers")]
+    told: Annotated[
+        str, about("the refutation, an explanation, why it was not checked, or a traceback")
+    ]
+    worlds: Annotated[tuple[World, ...], about("worlds that show it")]
+    captions: Aside[tuple[str, ...]]
+    truth: Aside[Truth | None]
+    disagreement: Aside[str]
+    error: Aside[str]
+    seconds: Aside[float]
+
+    @computed
+    def verdict(self) -> Seen:
+        """The verdict found; ``vacuous``: a witness is missing; ``error``: this program failed."""
+        if self.error:
+            return "error"
+        if self.truth is None:
+            return "not-checked"
+        if self.disagreement:
+            return "refuted"
+        seen = self.witnesses
+        met = seen and all(seen.values()) and seen.keys() >= self.expected_witnesses.keys()
+        return self.truth if met else "vacuous"
+
+    @computed
+    def standing(self) -> Standing:
+        """Whether verdict, witnesses and figures are as expected."""
+        if self.verdict in ("not-checked", "vacuous"):
+            return self.verdict
+        return "unexpected" if self.differences else "as-expected"
+
+    @computed
+    def differences(self) -> tuple[str, ...]:
+        """The differences from the expected outcome, in words."""
+        if self.error:
+            return (f"an error of this program: {self.error}",)
+        if self.truth is None:
+            return ()
+        if self.disagreement:
+            return (f"a disagreement within this program: {self.disagreement}",)
+        differ = []
+        if self.verdict != self.expected:
+            differ.append(f"verdict: {self.expected} expected, {self.verdict} found")
+        for expected, seen in (
+            (self.expected_witnesses, self.witnesses),
+            (self.expected_figures, self.figures),
+        ):
+            differ += [
+                f"{name}: {expected.get(name)} expected, {seen.get(name)} found"
+                for name in sorted({*expected, *seen})
+                if expected.get(name) != seen.get(name)
+            ]
+        return tuple(differ)
+
+
+class LedgerReport(RowsReport):
+    """Report of 'ledger'.
+
+    The ledger, as far as it was made.
+    """
+
+    budget: Annotated[Budget, about("how much was done")]
+    required: Annotated[tuple[str, ...], about("the claims that had to be checked")]
+    claims: Annotated[tuple[CheckedClaim, ...], about("in the order of the file")]
+
+    @property
+    def _standings(self) -> set[str]:
+        return {one.standing for one in self.claims}
+
+    @property
+    @override
+    def agrees(self) -> bool:
+        return not any(one.error for one in self.claims)
+
+    @property
+    @override
+    def refuted(self) -> bool:
+        return "unexpected" in self._standings
+
+    @property
+    @override
+    def undecided(self) -> bool:
+        return bool(self.missed)
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return "vacuous" in self._standings or self._standings <= {"not-checked"}
+
+    @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"claim_seconds": [one.seconds for one in self.claims]}
+
+    @property
+    def missed(self) -> list[str]:
+        """The required claims that were not checked."""
+        return [
+            one.id
+            for one in self.claims
+            if one.id in self.required and one.standing == "not-checked"
+        ]
+
+
+def _budget(given: object) -> Budget:
+    if given not in BUDGETS:
+        raise InputError(f"budget {show(given)} is not one of {', '.join(BUDGETS)}")
+    return cast("Budget", given)
+
+
+def _names(given: Iterable[str]) -> tuple[str, ...]:
+    return (given,) if isinstance(given, str) else tuple(given)
+
+
+class LedgerRequest(AskedListener, AskedWorkers, kw_only=False):
+    """Request of ``ledger``: of which paper, which of its claims, and how much of each."""
+
+    directory: Annotated[
+        str | Path,
+        Argument("", "DIR", "The folder of a paper, with ledger.toml and claims.py."),
+    ]
+    _: KW_ONLY
+    only: Annotated[
+        Taken[Iterable[str], tuple[str, ...]],
+        Option(SCOPE, "ID", "Only this claim; may be repeated.", repeated=True),
+    ] = Taken(_names, ())
+    require: Annotated[
+        Taken[Iterable[str], tuple[str, ...]],
+        Option(
+            SCOPE,
+            "ID",
+            "A claim that must be checked, else the exit code is 3; may be repeated.",
+            repeated=True,
+        ),
+    ] = Taken(_names, ())
+    budget: Annotated[
+        Taken[str, Budget],
+        Option(
+            EFFORT,
+            "quick|full",
+            "How much is checked: the bounds of ledger.toml for quick, or for full.",
+        ),
+    ] = Taken(_budget, "quick")
+
+
+@answers(LedgerRequest)
+def ledger(request: LedgerRequest) -> LedgerReport:
+    """Check the sentences of a paper, each on its scope, and compare with what is expected.
+
+    ``claims.py`` in the folder has a function for each claim of ``ledger.toml``.  It takes
+    ``Means`` and the bounds of the claim as keywords, and returns a ``Found`` or a ``NotChecked``
+    (see ``allworlds.claims``).
+
+    Raises:
+        InputError: naming the offending value and what would be legal.
+    """
+    folder = a_path("directory", request.directory)
+    claims = claims_in(folder / LEDGER)
+    for option in ("only", "require"):
+        _ensure_named(option, getattr(request, option), [claim.id for claim in claims])
+    checks = _checks(folder / CLAIMS, claims)
+    chosen, required = request.only, request.require
+    wanted = [c for c in claims if not chosen or c.id in {*chosen, *required}]
+    means = Means(request.workers, request.budget)
+    request.listener.stage("claims", len(wanted), "claims")
+    entries, ending = until_interrupted(_entries(wanted, checks, means, request.listener))
+    return LedgerReport(ending=ending, budget=means.budget, required=required, claims=entries)
+
+
+def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, Check]:
+    """The function of each claim, by its id.
+
+    Raises:
+        InputError: if the file is not there, does not import, or lacks a function.
+    """
+    source = text_of(str(file))
+    assert source is not None
+    module = module_of_text(str(file), source)
+    return {claim.id: attribute_of(module, claim.function, str(file)) for claim in claims}
+
+
+def _entries(
+    wanted: Sequence[Claim], checks: Mapping[str, Check], means: Means, listener: Listener
+) -> Iterator[CheckedClaim]:
+    for claim in wanted:
+        yield entry_of(claim, checks[claim.id], means)
+        listener.progress(1)
+
+
+def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
+    """Check the claim and return its entry."""
+    began = time.monotonic()
+    found = found_by(check, means, claim.scopes[means.budget].bounds)
+    return entry_with(claim, means.budget, found, time.monotonic() - began)
+
+
+def found_by(check: Check, means: Means, bounds: Mapping[str, Any]) -> Outcome:
+    """The outcome of a claim's function, or the fault or error of this program that it met."""
+    try:
+        return check(means, **bounds)
+    except FAULTS as fault:
+        return ProgramFault(str(fault))
+    except Exception as error:  # noqa: BLE001  # of one claim: the others are checked all the same
+        reason = "".join(traceback.format_exception_only(error)).strip()
+        return InternalError(reason, traceback.format_exc())
+
+
+def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
+    """The claim with the outcome found on its scope."""
+    scope = claim.scopes[budget]
+    if isinstance(found, Found):
+        shown = found
+    else:
+        reason = found.traceback if isinstance(found, InternalError) else found.reason
+        shown = Found("refuted", {}, told=reason)
+    sentence = {name: getattr(claim, name) for name in Sentence.__struct_fields__}
+    return CheckedClaim(
+        **{**sentence, "scope": claim.scope_under(budget)},
+        witnesses=dict(shown.witnesses),
+        expected_witnesses=scope.witnesses,
+        figures=dict(shown.figures),
+        expected_figures=scope.figures,
+        told=shown.told,
+        worlds=tuple(picture.world for picture in shown.pictures),
+        captions=tuple(picture.caption for picture in shown.pictures),
+        truth=None if isinstance(found, NotChecked | InternalError) else shown.verdict,
+        disagreement=found.reason if isinstance(found, ProgramFault) else "",
+        error=found.reason if isinstance(found, InternalError) else "",
+        seconds=seconds,
+    )
+
+
+def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> None:
+    """Raise InputError, naming the first that is none, unless all of these are claims."""
+    for name in names:
+        if name not in legal:
+            near = get_close_matches(str(name), legal, 3, 0.4)
+            hint = f"near it are {', '.join(near)}"
+            if not near:
+                hint = f"the first of {len(legal)} are {', '.join(legal[:3])}"
+            raise InputError(f"{option} {show(name)} is no claim; {hint}")

@@ -1,0 +1,394 @@
+"""The worlds that are meant: a condition on the maps, and the kind of the lighthouse.
+
+Code of the user's is tried in small maps before it is used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
+from pathlib import Path
+from random import Random
+from typing import Annotated, ClassVar, Literal, TypeAlias
+
+from msgspec import Struct
+
+from allworlds.document.struct import IfAny, Text, about
+from allworlds.inputs.checks import InputError, a_text, one_of, show
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Option, Request, Taken
+from allworlds.maps.classes import (
+    AND,
+    DEFAULT_EDGES,
+    LEGAL,
+    AllOf,
+    Condition,
+    Extent,
+    MapClass,
+    condition_named,
+)
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.enumeration import Gluing, rooted_maps
+from allworlds.protocol.actions import Action, Drop, Move, Pick, Write
+from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol.importing import attempted
+from allworlds.protocol.user_code import LocalCode, Role, UserCode
+from allworlds.world.lighthouses.base import Lighthouse, State
+from allworlds.world.lighthouses.kinds import (
+    LIGHTHOUSES,
+    OWN,
+    GivenLighthouse,
+    LighthouseKind,
+    lighthouse_kind,
+)
+from allworlds.world.lighthouses.options import InvalidWorld
+from allworlds.world.world import World
+
+TRIED_EDGES = 3
+"""Code of the user's is tried in all maps with so many edges."""
+
+PLACED_EDGES = 4
+"""In one of the maps with so many edges a lighthouse must have a place."""
+
+STEPS = 12
+"""The length of a walk on which the robot leaves marks."""
+
+
+def _renamed(edges: int) -> Iterator[tuple[CombinatorialMap, Sequence[int]]]:
+    """Every map with so many edges at most, with other names for its darts."""
+    names = Random(edges)  # noqa: S311  # any names
+    for level in range(1, edges + 1):
+        for map_ in rooted_maps(level):
+            other = [*map_.darts]
+            names.shuffle(other)
+            yield map_, other
+
+
+# ---------------------------------------------------------------- conditions on maps
+
+
+PREDICATE = Role(
+    "where",
+    "allworlds.predicates",
+    "def predicate(map), which returns True or False",
+    (LEGAL,),
+)
+
+Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
+
+
+class OwnCondition(Struct, frozen=True):
+    """A predicate of the user's; it is loaded where maps are made.
+
+    Its function may have an attribute ``begins``: a function of a partial gluing that says whether
+    a map of which the predicate is true may begin so.
+    """
+
+    code: UserCode | LocalCode
+    dual: ClassVar[bool] = False
+
+    @property
+    def name(self) -> str:
+        """As ``--where`` takes it."""
+        return self.code.name
+
+    @property
+    def codes(self) -> tuple[UserCode, ...]:
+        """The predicate, if other processes can load it."""
+        return (self.code,) if isinstance(self.code, UserCode) else ()
+
+    def holds(self, map_: CombinatorialMap) -> bool:
+        """Whether the predicate says so.
+
+        Raises:
+            InputError: if it raises, or says neither True nor False.
+        """
+        return self._decided("", self.code(map_))
+
+    @property
+    def narrows(self) -> bool:
+        """Whether the function has ``begins``."""
+        return hasattr(self.code.function, "begins")
+
+    def may_begin(self, gluing: Gluing) -> bool:
+        """Whether a map of which the predicate is true may begin so, as ``begins`` says.
+
+        Raises:
+            InputError: as :meth:`holds`.
+        """
+        begins = self.code.function.begins
+        what = f"begins of where {show(self.name)} raises"
+        return self._decided("begins of ", attempted(what, lambda: begins(gluing)))
+
+    def _decided(self, part: str, found: object) -> bool:
+        if type(found) is not bool:
+            raise InputError(
+                f"{part}where {show(self.name)} returns {show(found)}, not True or False"
+            )
+        return found
+
+    def __str__(self) -> str:
+        return self.name
+
+
+def a_condition(given: object, *, local: bool = False) -> Condition | None:
+    """The condition of a name or function, or all of several; the user's are tried on small maps.
+
+    Args:
+        given: names, functions, or conditions.
+        local: whether it is used in this process alone, so that any function will do.
+
+    Raises:
+        InputError: naming the legal ones, or two numberings of one map that it takes apart.
+    """
+    if given is None:
+        return None
+    several = given.split(AND) if isinstance(given, str) else given
+    if not isinstance(several, list | tuple):
+        return _one_condition(given, local=local)
+    parts = tuple(dict.fromkeys(_one_condition(each, local=local) for each in several))
+    return AllOf(parts) if len(parts) > 1 else next(iter(parts), None)
+
+
+def _one_condition(given: object, *, local: bool) -> Condition:
+    if isinstance(getattr(given, "name", None), str) and hasattr(given, "holds"):
+        return given  # type: ignore[return-value]  # it has what conditions have
+    if isinstance(given, str) and (ours := condition_named(given)) is not None:
+        return ours
+    if not callable(given):
+        code: UserCode | LocalCode = PREDICATE.find(a_text("where", given))
+    else:
+        code = LocalCode(PREDICATE, given) if local else PREDICATE.of(given)
+    return _tried(OwnCondition(code))
+
+
+def _tried(own: OwnCondition) -> OwnCondition:
+    """The condition itself, unless it was recorded, and so tried before.
+
+    Raises:
+        InputError: if it is no function of the map, or if ``begins`` cuts off a map that it is
+            true of.
+    """
+    if own.codes and own.codes[0].recorded:
+        return own
+    begun = {map_ for m in range(1, TRIED_EDGES + 1) for map_ in rooted_maps(m, where=own)}
+    for map_, other in _renamed(TRIED_EDGES):
+        says, renamed = own.holds(map_), map_.relabelled(other)
+        wrong = ""
+        if own.holds(map_) != says:
+            wrong = (
+                f"is no function of the map: asked twice, it says {says} and {not says} of {map_}"
+            )
+        elif own.holds(renamed) != says:
+            wrong = (
+                f"depends on the numbering of the darts: it says {says} of {map_}, and {not says} "
+                f"of the same map as {renamed}"
+            )
+        elif says and map_ not in begun:
+            wrong = (
+                f"is true of {map_}, and its begins says that no such map begins as this one does"
+            )
+        if wrong:
+            raise InputError(f"where {show(own.name)} {wrong}")
+    return own
+
+
+def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
+    """The files of the user's that a condition needs."""
+    return tuple(file for code in getattr(condition, "codes", ()) for file in code.files)
+
+
+# ---------------------------------------------------------------- kinds of lighthouses
+
+
+def tried_kind(given: object) -> LighthouseKind:
+    """The kind of a name, or of a class; one of the user's is tried in all small maps.
+
+    Raises:
+        InvalidWorld: naming the legal kinds, or the map in which it is no function of the world.
+    """
+    kind = lighthouse_kind(given)
+    if any(not code.recorded for code in kind.codes):
+        _try(kind)
+    return kind
+
+
+@cache
+def _try(kind: LighthouseKind) -> None:
+    for wrong in flaws_of(kind, TRIED_EDGES):
+        raise InvalidWorld(wrong)
+    maps = (map_ for level in range(1, PLACED_EDGES + 1) for map_ in rooted_maps(level))
+    if not any(True for map_ in maps for _ in kind.as_class.places(map_, 0)):
+        raise InvalidWorld(
+            f"the lighthouse {kind} has no place in any map with at most {PLACED_EDGES} edges"
+        )
+
+
+def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
+    """Why a lighthouse is no function of the world, for each small map where it is none.
+
+    Each place is there once. Asked twice it senses and tells the same. Under other names of the
+    darts there are the same places in the same order, the same is sensed and told there, and the
+    robot may do the same with marks. It gives marks and bearings, and lets the robot leave some,
+    only if it says so. It is read again as it was written.
+    """
+    for map_, other in _renamed(edges):
+        if wrong := _flaw(kind.as_class, map_, other):
+            yield f"the lighthouse {kind} in {map_}: {wrong}"
+
+
+def _flaw(kind: type[Lighthouse], map_: CombinatorialMap, other: Sequence[int]) -> str:
+    places = [*kind.places(map_, 0)]
+    for number, place in enumerate(places):
+        if place in places[:number]:
+            return f"the place {place} is there twice"
+    if places != [*kind.places(map_, 0)]:
+        return "asked twice, it has other places"
+    renamed = [*kind.places(map_.relabelled(other), other[0])]
+    if renamed != [place.relabelled(other) for place in places]:
+        return f"with the darts renamed to {[*other]}, it has the places {renamed}"
+    found = (_flaw_at(World(map_, place), other) for place in places)
+    return next((wrong for wrong in found if wrong), "")
+
+
+def _flaw_at(world: World, other: Sequence[int]) -> str:
+    place, sensed, renamed = world.lighthouse, world.percepts, world.relabelled(other)
+    named = f"with the darts renamed to {[*other]}"
+    if sensed != place.percepts(world.map):
+        return f"asked twice, {place} senses something else"
+    for dart in world.map.darts:
+        if (there := renamed.percepts[other[dart]]) != sensed[dart]:
+            return f"{place} senses '{sensed[dart]}' at dart {dart}, and '{there}' {named}"
+    if world.told != world.told:
+        return f"asked twice, {place} tells something else"
+    if world.told != renamed.told:
+        return f"{place} tells {world.told}, and {renamed.told} {named}"
+    if not place.as_kind.gives_marks and any(percept.marks for percept in sensed):
+        return f"{place} gives marks, but gives_marks is False"
+    if not place.as_kind.gives_bearings and any(percept.bearing is not None for percept in sensed):
+        return f"{place} gives bearings, but gives_bearings is False"
+    if World.from_json(world.to_json()) != world:
+        return f"{place} is read otherwise than it is written"
+    return _flaw_on_a_walk(world, renamed, named)
+
+
+def _flaw_on_a_walk(world: World, renamed: World, named: str) -> str:
+    """Why the marks that the robot leaves are no function of what it does; empty if they are."""
+    kind, state, there = world.lighthouse.as_kind, world.initial, renamed.initial
+    if state.hand != there.hand:
+        return f"in_hand is {state.hand}, and {there.hand} {named}"
+    random, done = Random(len(world.map.darts)), ""  # noqa: S311  # any walk
+    for _ in range(STEPS if kind.leaves_marks else 1):
+        moves = [Move(k) for k in range(world.percepts[state.dart].degree)]
+        free = [a for a in (Drop(), Pick(), Write(0), Write(1)) if _legal(world, state, a)]
+        if free and not kind.leaves_marks:
+            return f"the robot may {free[0]}, but leaves_marks is False"
+        action = random.choice([*moves, *free * len(moves)])
+        done += f"{', ' if done else ''}{action}"
+        if not _legal(renamed, there, action):
+            return f"'{action}' is legal after '{done}', and not so {named}"
+        after = world.step(state, action)
+        if world.step(state, action) != after:
+            return f"done twice, '{done}' leads to something else"
+        state, (there, sensed) = after[0], renamed.step(there, action)
+        if sensed != after[1]:
+            return f"after '{done}' it senses '{after[1]}', and '{sensed}' {named}"
+    return ""
+
+
+def _legal(world: World, state: State, action: Action) -> bool:
+    try:
+        world.step(state, action)
+    except IllegalAction:
+        return False
+    return True
+
+
+# ---------------------------------------------------------------- every world
+
+
+def worlds(
+    *,
+    edges: int | None = None,
+    vertices: int | None = None,
+    map_class: str = "maps",
+    lighthouse: GivenLighthouse = "directional",
+    places: Literal["all", "first"] = "first",
+    where: str | Predicate | Condition | None = None,
+) -> Iterator[World]:
+    """Every world of a class, in the fixed order.
+
+    Args:
+        edges: the largest number of edges (default: one that takes seconds).
+        vertices: the largest number of vertices.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
+        lighthouse: the kind of lighthouse.
+        places: ``first``: one world a rooted map, as reports count worlds; ``all``: one for
+            every place of the lighthouse, as reports count runs.
+        where: what besides is true of the maps, as ``--where`` takes it, or any function of a map.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    if edges is None and vertices is None:
+        edges = DEFAULT_EDGES
+    extent = Extent(MapClass.named(map_class), edges, vertices, a_condition(where, local=True))
+    kind = tried_kind(lighthouse).as_class
+    if places not in ("all", "first"):
+        raise InputError(f"places {show(places)} is not one of all, first")
+    return _worlds(extent, kind, places)
+
+
+def _worlds(extent: Extent, kind: type[Lighthouse], places: str) -> Iterator[World]:
+    for level in extent.levels:
+        bounds = (level, extent.map_class, extent.vertices)
+        for map_ in rooted_maps(*bounds, where=extent.where):
+            for placed in kind.places(map_, 0):
+                yield World(map_, placed, 0)
+                if places == "first":
+                    break
+
+
+# ---------------------------------------------------------------- options
+
+
+class WhereOptions(Request):
+    """The part of a request that adds a condition on the maps."""
+
+    where: Annotated[
+        Taken[
+            str | Predicate | Condition | Sequence[str | Predicate | Condition] | None,
+            Condition | None,
+        ],
+        Option(
+            RARE_SCOPE,
+            "WHERE",
+            f"Only maps of which that is true: {LEGAL}, or path/to/file.py:predicate, a function "
+            "of a map. Of several, each is true: repeat the option.",
+            repeated=True,
+            told=Annotated[IfAny[Text | None], about("what besides is true of the maps")],
+        ),
+    ] = Taken(a_condition, None)
+
+    @property
+    def condition(self) -> Condition | None:
+        """The condition, for the extent."""
+        return self.where
+
+
+def _lighthouse(given: object) -> LighthouseKind | None:
+    return None if given is None else tried_kind(given)
+
+
+class LighthouseOptions(Request):
+    """The part of a request that names the kind of lighthouse."""
+
+    lighthouse: Annotated[
+        Taken[GivenLighthouse | None, LighthouseKind | None],
+        Option(
+            SCOPE,
+            "KIND",
+            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, {OWN}, or several with + between them "
+            "[default: directional, or the one that a built-in explorer is written for].",
+            told=Annotated[Text, about("`KIND[:key=value,...]`")],
+        ),
+    ] = Taken(_lighthouse, None)
