@@ -168,7 +168,7 @@ def without_workers_unless_the_test_is_about_them(request):
 
 def is_slow(item):
     """Whether a test is left out of the quick run."""
-    return "/slow/" in item.nodeid or item.get_closest_marker("slow") is not None
+    return item.nodeid.startswith("tests/slow/")
 
 
 def needs_kernel(item):

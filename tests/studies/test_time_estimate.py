@@ -18,7 +18,7 @@ pytestmark = pytest.mark.usefixtures("compiled")
 
 
 @pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("engine", [pytest.param("python", marks=pytest.mark.slow), "kernel"])
+@pytest.mark.parametrize("engine", ["kernel"])
 def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
     monkeypatch.setattr("allworlds.studies.check.exhaustive.SECONDS", 0.05)
     monkeypatch.setattr("allworlds.studies.check.exhaustive.one_larger", lambda _: None)
