@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from collections import Counter
 from random import Random
 
 import pytest
@@ -10,7 +11,7 @@ import pytest
 from allworlds import check
 from allworlds.document.struct import replace
 from allworlds.engines import compiled_engine as agreement
-from allworlds.engines.compiled_engine import compare_engines, compared_to
+from allworlds.engines.compiled_engine import compare_engines, compared_to, level_of
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.scope import Scope
 from allworlds.explorers.loading import load
@@ -20,7 +21,6 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.counting import rooted_maps as counted
 from allworlds.maps.enumeration import Gluing, prefixes
 from engines import test_agreement as quick
-from engines.test_agreement import asked, level
 
 fresh_comparison = quick.fresh_comparison
 
@@ -174,3 +174,34 @@ def test_both_modes_agree_on_random_pieces_of_the_largest_levels(policy):
             assert walked == judged
             assert walked.counts
             assert not walked.broken
+
+
+def asked(edges, policy="fifo", limit=None):
+    return level_of("algorithm1", Rules(policy=policy), Extent(MapClass.MAPS, edges, limit), edges)
+
+
+def level(does, edges, policy="fifo", limit=None):
+    """{vertices: worlds, runs, traversals, and so on}, and the events, summed over the units."""
+    total, events = {}, Counter()
+    for prefix in prefixes(edges, vertices=limit, depth=2):
+        rows = does(asked(edges, policy, limit), prefix)
+        assert not rows.broken
+        events.update(rows.events)
+        for row in rows.counts:
+            total.setdefault(row.vertices, Counter()).update(
+                {name: getattr(row, name) for name in ("worlds", "runs", "traversals", "loops")},
+                rooted=row.traversals_rooted,
+                parallels=row.parallels,
+                checkpoints=row.checkpoints,
+            )
+            kept = total[row.vertices]
+            kept["largest"] = max(kept["largest"], row.largest)
+    return total, events
+
+
+def test_a_limit_of_vertices_leaves_the_other_worlds_as_they_are():
+    whole, _ = level(walk, 5)
+    for limit in range(2, 6):
+        walked = level(walk, 5, limit=limit)
+        assert walked[0] == {n: row for n, row in whole.items() if n <= limit}
+        assert level(judge, 5, limit=limit) == walked
