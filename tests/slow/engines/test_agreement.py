@@ -11,7 +11,7 @@ import pytest
 from allworlds import check
 from allworlds.document.struct import replace
 from allworlds.engines import compiled_engine as agreement
-from allworlds.engines.compiled_engine import compare_engines, compared_to, level_of
+from allworlds.engines.compiled_engine import AGREED, compare_engines, compared_to, level_of
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.scope import Scope
 from allworlds.explorers.loading import load
@@ -20,11 +20,15 @@ from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import rooted_maps as counted
 from allworlds.maps.enumeration import Gluing, prefixes
-from engines import test_agreement as quick
-
-fresh_comparison = quick.fresh_comparison
 
 pytestmark = pytest.mark.usefixtures("compiled")
+
+
+@pytest.fixture(autouse=True)
+def fresh_comparison():
+    AGREED.clear()
+    yield
+    AGREED.clear()
 
 
 POLICIES = ["fifo", "lifo", "nearest"]
