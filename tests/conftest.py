@@ -144,7 +144,8 @@ def without_workers(monkeypatch):
             running.enter_context(here.running())
             return here
 
-        def player(setup, _seed, notice=None):
+        def player(setup, seed, notice=None):
+            del seed  # of hashes: they are those of this process
             subject = loaded(setup.subject, setup.limits)
             explorer = subject.player(notice) if notice and subject.own else subject.player()
             return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
