@@ -9,7 +9,7 @@ from native_libraries import FOLDER, PROJECT, built
 HERE = PROJECT / "tests" / "support" / "explorers_for_tests"
 SOON_KILLED = ("lucky-guess", "crashes-at-leaves", "no-answer", "drops-markers")
 
-pytestmark = pytest.mark.usefixtures("compiled")
+pytestmark = [pytest.mark.processes, pytest.mark.usefixtures("compiled")]
 
 
 def twin(mutant):
