@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from random import Random
-from typing import Annotated, ClassVar, Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Struct
 
@@ -27,10 +27,9 @@ from allworlds.maps.classes import (
     condition_named,
 )
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.enumeration import Gluing, rooted_maps
+from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol.actions import Action, Drop, Move, Pick, Write
 from allworlds.protocol.faults import IllegalAction
-from allworlds.protocol.importing import attempted
 from allworlds.protocol.user_code import LocalCode, Role, UserCode
 from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.kinds import (
@@ -77,14 +76,9 @@ Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
 
 
 class OwnCondition(Struct, frozen=True):
-    """A predicate of the user's; it is loaded where maps are made.
-
-    Its function may have an attribute ``begins``: a function of a partial gluing that says whether
-    a map of which the predicate is true may begin so.
-    """
+    """A predicate of the user's; it is loaded where maps are made."""
 
     code: UserCode | LocalCode
-    dual: ClassVar[bool] = False
 
     @property
     def name(self) -> str:
@@ -102,28 +96,9 @@ class OwnCondition(Struct, frozen=True):
         Raises:
             InputError: if it raises, or says neither True nor False.
         """
-        return self._decided("", self.code(map_))
-
-    @property
-    def narrows(self) -> bool:
-        """Whether the function has ``begins``."""
-        return hasattr(self.code.function, "begins")
-
-    def may_begin(self, gluing: Gluing) -> bool:
-        """Whether a map of which the predicate is true may begin so, as ``begins`` says.
-
-        Raises:
-            InputError: as :meth:`holds`.
-        """
-        begins = self.code.function.begins
-        what = f"begins of where {show(self.name)} raises"
-        return self._decided("begins of ", attempted(what, lambda: begins(gluing)))
-
-    def _decided(self, part: str, found: object) -> bool:
+        found: object = self.code(map_)
         if type(found) is not bool:
-            raise InputError(
-                f"{part}where {show(self.name)} returns {show(found)}, not True or False"
-            )
+            raise InputError(f"where {show(self.name)} returns {show(found)}, not True or False")
         return found
 
     def __str__(self) -> str:
@@ -165,30 +140,23 @@ def _tried(own: OwnCondition) -> OwnCondition:
     """The condition itself, unless it was recorded, and so tried before.
 
     Raises:
-        InputError: if it is no function of the map, or if ``begins`` cuts off a map that it is
-            true of.
+        InputError: if it is no function of the map.
     """
     if own.codes and own.codes[0].recorded:
         return own
-    begun = {map_ for m in range(1, TRIED_EDGES + 1) for map_ in rooted_maps(m, where=own)}
+    where = f"where {show(own.name)}"
     for map_, other in _renamed(TRIED_EDGES):
         says, renamed = own.holds(map_), map_.relabelled(other)
-        wrong = ""
         if own.holds(map_) != says:
-            wrong = (
-                f"is no function of the map: asked twice, it says {says} and {not says} of {map_}"
+            raise InputError(
+                f"{where} is no function of the map: asked twice, it says {says} and {not says} "
+                f"of {map_}"
             )
-        elif own.holds(renamed) != says:
-            wrong = (
-                f"depends on the numbering of the darts: it says {says} of {map_}, and {not says} "
-                f"of the same map as {renamed}"
+        if own.holds(renamed) != says:
+            raise InputError(
+                f"{where} depends on the numbering of the darts: it says {says} of {map_}, and "
+                f"{not says} of the same map as {renamed}"
             )
-        elif says and map_ not in begun:
-            wrong = (
-                f"is true of {map_}, and its begins says that no such map begins as this one does"
-            )
-        if wrong:
-            raise InputError(f"where {show(own.name)} {wrong}")
     return own
 
 
