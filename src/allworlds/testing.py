@@ -231,10 +231,9 @@ def assert_lighthouse(lighthouse: GivenLighthouse, *, edges: int = LIGHTHOUSE_ED
     """Assert that a lighthouse is a function of the world in every small map.
 
     Each place is there once. Asked twice it senses and tells the same. Under other names of the
-    darts there are the same places in the same order, and the same is sensed and told there. On a
-    walk the robot may drop, pick up and write the same under other names, and senses the same
-    then. The lighthouse gives marks and bearings, and lets the robot leave some, only if it says
-    so. It is read again as it was written, and has a place in some map.
+    darts there are the same places in the same order, and the same is sensed and told there. The
+    lighthouse gives marks and bearings only if it says so. It is read again as it was written, and
+    has a place in some map.
 
     Args:
         lighthouse: a class, or a name as on the command line.

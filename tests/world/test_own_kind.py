@@ -6,7 +6,7 @@ import pickle
 import pytest
 
 from allworlds.inputs.checks import InputError
-from allworlds.protocol.actions import Percept
+from allworlds.protocol.actions import Drop, Percept
 from allworlds.protocol.user_code import OtherText
 from allworlds.world import InvalidWorld, Lighthouse, Position, World, worlds
 from allworlds.world.lighthouses.kinds import kind_of, lighthouse_kind
@@ -248,6 +248,10 @@ def test_what_is_no_lighthouse_is_refused_in_one_line(folder, name, said):
     assert "\n" not in str(error.value)
 
 
+def leave_a_mark(world):
+    world.step(world.initial, Drop())
+
+
 @pytest.mark.parametrize(
     ("kind", "said"),
     [
@@ -274,7 +278,7 @@ def test_what_is_no_lighthouse_is_refused_in_one_line(folder, name, said):
 )
 def test_an_error_in_a_lighthouse_is_bad_input_that_names_it(folder, kind, said):
     with pytest.raises(InvalidWorld, match=said) as error:
-        next(worlds(edges=1, lighthouse=f"bad.py:{kind}"))
+        leave_a_mark(next(worlds(edges=1, lighthouse=f"bad.py:{kind}")))
     assert f"bad.py:{kind}" in str(error.value)
     assert "object at 0x" not in str(error.value) or kind == "Tells"
 

@@ -46,9 +46,6 @@ from allworlds.protocol.user_code import bytes_of, module_file
 MOST_OF_A_COMMAND = 20
 """The number of characters that stand for a command, if they tell it from others."""
 
-SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
-"""The endings of the source of a shared library, looked for beside it."""
-
 
 # ---------------------------------------------------------------- names
 
@@ -196,19 +193,14 @@ def place_of_explorer(name: str) -> SourceLine | None:
     """The place of an explorer's code; None for a built-in explorer, or if it is unknown.
 
     For a Python explorer the place is the line of its function, for a program the first line of
-    the last file that its command names, for a shared library the source of the same name beside
-    it, or else the library.
+    the last file that its command names, for a shared library that of the library.
     """
     files, name = files_of_explorer(name), innermost(name)
     if not files:
         return None
-    if is_program(name):
-        return SourceLine(files[-1].resolve())
-    (file,) = files
-    if is_library(name):
-        stems = sorted({file.stem, file.stem.removeprefix("lib")})
-        beside = [file.with_name(stem + end) for end in SOURCES for stem in stems]
-        return SourceLine(next((each for each in beside if each.is_file()), file).resolve())
+    file = files[-1]
+    if is_program(name) or is_library(name):
+        return SourceLine(file.resolve())
     try:
         return SourceLine(file, _line(ast.parse(file.read_bytes()), _place(name)[1]))
     except (OSError, ValueError, SyntaxError):

@@ -28,10 +28,8 @@ from allworlds.maps.classes import (
 )
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
-from allworlds.protocol.actions import Action, Drop, Move, Pick, Write
-from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.user_code import LocalCode, Role, UserCode
-from allworlds.world.lighthouses.base import Lighthouse, State
+from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
     OWN,
@@ -47,9 +45,6 @@ TRIED_EDGES = 3
 
 PLACED_EDGES = 4
 """In one of the maps with so many edges a lighthouse must have a place."""
-
-STEPS = 12
-"""The length of a walk on which the robot leaves marks."""
 
 
 def _renamed(edges: int) -> Iterator[tuple[CombinatorialMap, Sequence[int]]]:
@@ -195,9 +190,8 @@ def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
     """Why a lighthouse is no function of the world, for each small map where it is none.
 
     Each place is there once. Asked twice it senses and tells the same. Under other names of the
-    darts there are the same places in the same order, the same is sensed and told there, and the
-    robot may do the same with marks. It gives marks and bearings, and lets the robot leave some,
-    only if it says so. It is read again as it was written.
+    darts there are the same places in the same order, and the same is sensed and told there. It
+    gives marks and bearings only if it says so. It is read again as it was written.
     """
     for map_, other in _renamed(edges):
         if wrong := _flaw(kind.as_class, map_, other):
@@ -236,39 +230,7 @@ def _flaw_at(world: World, other: Sequence[int]) -> str:
         return f"{place} gives bearings, but gives_bearings is False"
     if World.from_json(world.to_json()) != world:
         return f"{place} is read otherwise than it is written"
-    return _flaw_on_a_walk(world, renamed, named)
-
-
-def _flaw_on_a_walk(world: World, renamed: World, named: str) -> str:
-    """Why the marks that the robot leaves are no function of what it does; empty if they are."""
-    kind, state, there = world.lighthouse.as_kind, world.initial, renamed.initial
-    if state.hand != there.hand:
-        return f"in_hand is {state.hand}, and {there.hand} {named}"
-    random, done = Random(len(world.map.darts)), ""  # noqa: S311  # any walk
-    for _ in range(STEPS if kind.leaves_marks else 1):
-        moves = [Move(k) for k in range(world.percepts[state.dart].degree)]
-        free = [a for a in (Drop(), Pick(), Write(0), Write(1)) if _legal(world, state, a)]
-        if free and not kind.leaves_marks:
-            return f"the robot may {free[0]}, but leaves_marks is False"
-        action = random.choice([*moves, *free * len(moves)])
-        done += f"{', ' if done else ''}{action}"
-        if not _legal(renamed, there, action):
-            return f"'{action}' is legal after '{done}', and not so {named}"
-        after = world.step(state, action)
-        if world.step(state, action) != after:
-            return f"done twice, '{done}' leads to something else"
-        state, (there, sensed) = after[0], renamed.step(there, action)
-        if sensed != after[1]:
-            return f"after '{done}' it senses '{after[1]}', and '{sensed}' {named}"
     return ""
-
-
-def _legal(world: World, state: State, action: Action) -> bool:
-    try:
-        world.step(state, action)
-    except IllegalAction:
-        return False
-    return True
 
 
 # ---------------------------------------------------------------- every world
