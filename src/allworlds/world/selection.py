@@ -43,9 +43,6 @@ from allworlds.world.world import World
 TRIED_EDGES = 3
 """Code of the user's is tried in all maps with so many edges."""
 
-PLACED_EDGES = 4
-"""In one of the maps with so many edges a lighthouse must have a place."""
-
 
 def _renamed(edges: int) -> Iterator[tuple[CombinatorialMap, Sequence[int]]]:
     """Every map with so many edges at most, with other names for its darts."""
@@ -179,15 +176,12 @@ def tried_kind(given: object) -> LighthouseKind:
 def _try(kind: LighthouseKind) -> None:
     for wrong in flaws_of(kind, TRIED_EDGES):
         raise InvalidWorld(wrong)
-    maps = (map_ for level in range(1, PLACED_EDGES + 1) for map_ in rooted_maps(level))
-    if not any(True for map_ in maps for _ in kind.as_class.places(map_, 0)):
-        raise InvalidWorld(
-            f"the lighthouse {kind} has no place in any map with at most {PLACED_EDGES} edges"
-        )
 
 
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
     """Why a lighthouse is no function of the world, for each small map where it is none.
+
+    It has a place in some map with one edge more at most.
 
     Each place is there once. Asked twice it senses and tells the same. Under other names of the
     darts there are the same places in the same order, and the same is sensed and told there. It
@@ -196,6 +190,9 @@ def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
     for map_, other in _renamed(edges):
         if wrong := _flaw(kind.as_class, map_, other):
             yield f"the lighthouse {kind} in {map_}: {wrong}"
+    maps = (map_ for level in range(1, edges + 2) for map_ in rooted_maps(level))
+    if not any(True for map_ in maps for _ in kind.as_class.places(map_, 0)):
+        yield f"the lighthouse {kind} has no place in any map with at most {edges + 1} edges"
 
 
 def _flaw(kind: type[Lighthouse], map_: CombinatorialMap, other: Sequence[int]) -> str:
