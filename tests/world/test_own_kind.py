@@ -317,7 +317,7 @@ def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):
     )
     for name, said in (
         ("mine.py:Lamp:height=4", "has no option 'height'; legal: often, name, lit"),
-        ("mine.py:Lamp:bright=1", "'bright'; its field of that name is 0.5, no integer"),
+        ("mine.py:Lamp:bright=1", "no option 'bright'; legal: often, name, lit"),
         ("mine.py:Lamp:lit=3", "option lit = '3' is neither true nor false"),
         ("mine.py:Careless", "sets often = 4 without a type, and so the field keeps 1"),
         ("parity.py:forgets?modulus=5", "sets modulus = 5 without a type"),
