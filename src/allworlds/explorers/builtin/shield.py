@@ -34,7 +34,6 @@ from allworlds.inputs.checks import integer, let_users_interrupt, show
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.faults import ExplorerFault
-from allworlds.protocol.playing import closed
 
 MOST_CHECKPOINTS = 1000
 """The largest number of checkpoints between two motions: an explorer with more is out."""
@@ -58,7 +57,7 @@ class Shield:
         try:
             here = yield from _take_turns(log, here, (stranger, _Guest(log, here, algorithm1)))
         finally:
-            closed(stranger.walk)
+            stranger.dismiss()
         return estimate(log, here)
 
 
@@ -69,7 +68,6 @@ class _Guest:
         here: the dart of the log by which it has come; at the start the one that it faces.
         steps: its traversals.
         out: whether it makes no more motions.
-        walk: its generator; None before its first turn.
     """
 
     def __init__(
@@ -77,19 +75,19 @@ class _Guest:
     ) -> None:
         self.here, self.steps, self.out = here, 0, False
         self._log, self._explorer = log, explorer
-        self.walk: Generator[Any, Any, Any] | None = None
+        self._walk: Generator[Any, Any, Any] | None = None
 
     def next_dart(self) -> int | None:
         """The dart by which it leaves; None once it is out."""
-        reply = None if self.walk is None else self._percept()
-        self.walk = self.walk or self._explorer(self._percept())
-        message = self.walk.send(reply)
+        reply = None if self._walk is None else self._percept()
+        self._walk = self._walk or self._explorer(self._percept())
+        message = self._walk.send(reply)
         published = 0
         while type(message) is Checkpoint:
             published += 1
             if published > MOST_CHECKPOINTS:
                 raise ValueError(f"{published} checkpoints between two motions")
-            message = self.walk.send(None)
+            message = self._walk.send(None)
         if type(message) is not Move:
             raise ValueError(f"{show(message)} is no motion")
         return self._log.turn(self._log.canonical(self.here), integer(message.k))
@@ -118,6 +116,14 @@ class _Stranger(_Guest):
             let_users_interrupt(error)
         self.out = True
         return None
+
+    def dismiss(self) -> None:
+        """Close the guest's generator, and ignore every exception that it raises then."""
+        try:
+            if self._walk is not None:
+                self._walk.close()
+        except BaseException as error:  # noqa: BLE001  # the map is known all the same
+            let_users_interrupt(error)
 
 
 def _take_turns(log: FoldedLog, here: int, guests: Sequence[_Guest]) -> Walk[int]:
