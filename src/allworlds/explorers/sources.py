@@ -41,7 +41,7 @@ from allworlds.inputs.checks import (
     show,
 )
 from allworlds.protocol.importing import SourceText
-from allworlds.protocol.user_code import bytes_of, module_file
+from allworlds.protocol.user_code import digest_of_file, module_file
 
 MOST_OF_A_COMMAND = 20
 """The number of characters that stand for a command, if they tell it from others."""
@@ -254,7 +254,7 @@ OURS = "built-in"
 
 
 def content_digest(subject: Subject) -> str:
-    """SHA-256 of the explorer's text, in hexadecimal; of a program, with the files that it names.
+    """SHA-256 of the explorer's text, or of the digests of its files, in hexadecimal.
 
     A shield comes with this package, and changes with its version alone: the digest is that of the
     explorer inside.
@@ -278,11 +278,7 @@ def content_digest(subject: Subject) -> str:
         program = shutil.which(shlex.split(command_or_path(name))[0])
         arguments = [file for file in files[1:] if file.is_file()]
         files = [Path(program), *arguments] if program else arguments
-    digest = hashlib.sha256()
-    for file in files:
-        text = bytes_of(file)
-        digest.update(b"%d\n" % len(text) + text)
-    return digest.hexdigest()
+    return hashlib.sha256("".join(map(digest_of_file, files)).encode()).hexdigest()
 
 
 def with_content(subject: Subject) -> Subject:
