@@ -256,6 +256,7 @@ OURS = "built-in"
 def content_digest(subject: Subject) -> str:
     """SHA-256 of the explorer's text, or of the digests of its files, in hexadecimal.
 
+    The files of a program are the program itself and those that its command names.
     A shield comes with this package, and changes with its version alone: the digest is that of the
     explorer inside.
     For a module it is the module's own file: imported modules are not included.
