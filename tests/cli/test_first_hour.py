@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from allworlds.explorers.program import missing_script, syntax_error
+from allworlds.explorers.program import missing_script
 from allworlds.world import world_named
 
 MINE = """
@@ -69,26 +69,26 @@ def test_an_explorer_that_a_file_imports_is_found(cli, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "command",
-    [
-        *("python3 gone.py", "node gone.js", "python3 -u gone.py", "python3 -W error gone.py"),
-        *("node --trace-warnings gone.js", "env node gone.js", "env -u A B=1 sh gone.sh"),
-        *("node -r ./gone gone.js", "sh -u gone.sh", "ruby -- gone.rb arg"),
-    ],
+    "command", ["python3 gone.py", "node gone.js", "python3 -u gone.py", "ruby -- gone.rb arg"]
 )
 def test_a_script_that_its_interpreter_cannot_open_is_bad_input(command, refused, monkeypatch):
     monkeypatch.setattr("shutil.which", lambda name: f"/usr/bin/{name}")
     said = refused("check", "--edges", 1, "--exec", command)
-    gone = next(word for word in reversed(command.split()) if word.startswith("gone"))
-    assert f"cannot open '{gone}': there is no such file" in said
+    gone = next(word for word in command.split() if word.startswith("gone"))
+    assert f"cannot open '{gone}': there is no file '{gone}'" in said
 
 
 @pytest.mark.parametrize(
     "command",
     [
-        *("python3 -m gone", "python3 -uc gone", "node -e gone", "node --eval=gone", "sh -c gone"),
-        *("python3 -", "python3", "env", "node --unknown value here.js", "node here", "mine gone"),
-        *("perl -ne gone", "node -r ./gone here.js gone"),
+        *(
+            "python3 -m gone",
+            "python3 -uc gone",
+            "node -e gone",
+            "node --eval=gone",
+            "sh -c gone.sh",
+        ),
+        *("python3 -", "python3", "env", "node here.js gone.js", "node here", "mine gone.py"),
     ],
 )
 def test_a_command_without_a_script_or_with_one_that_is_there_is_not_refused(
@@ -99,30 +99,13 @@ def test_a_command_without_a_script_or_with_one_that_is_there_is_not_refused(
     assert missing_script(command.split()) == ""
 
 
-@pytest.mark.parametrize(
-    ("command", "said"),
-    [
-        (f"{sys.executable} -u typo.py", "'typo.py', line 2 is no Python: SyntaxError: invalid"),
-        (f"env A=1 {sys.executable} tabs.py", "'tabs.py', line 3 is no Python: TabError: incons"),
-        ("sh typo.sh", "'typo.sh', line 1 is no shell script: Syntax error: "),
-    ],
-)
-def test_a_script_that_its_interpreter_cannot_read_is_bad_input(
-    command, said, refused, tmp_path, monkeypatch
-):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "typo.py").write_text("a = 1\nb = = 1\n", encoding="utf-8")
-    (tmp_path / "tabs.py").write_text("if 1:\n        a = 1\n\tb = 1\n", encoding="utf-8")
-    (tmp_path / "typo.sh").write_text("if then\n", encoding="utf-8")
-    assert said in refused("check", "--edges", 1, "--exec", command)
-
-
-def test_a_script_that_fails_otherwise_is_no_bad_input(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "raises.py").write_text("raise SyntaxError('mine')", encoding="utf-8")
-    (tmp_path / "right.py").touch()
-    for file in ("raises.py", "right.py"):
-        assert syntax_error([sys.executable, file]) == ""
+def test_a_script_that_its_interpreter_cannot_read_is_a_crash_with_its_stderr(cli, tmp_path):
+    script = tmp_path / "typo.py"
+    script.write_text("a = 1\nb = = 1\n", encoding="utf-8")
+    code, out, _ = cli("check", "--edges", 1, "--exec", f"{sys.executable} {script}")
+    assert code == 1
+    assert "crash" in out
+    assert "SyntaxError: invalid syntax" in out
 
 
 def test_two_explorers_of_one_name_are_told_apart(tmp_path, cli):

@@ -214,7 +214,7 @@ def test_a_word_in_the_place_of_another_is_told(refused, arguments, said):
         ("Theta", "did you mean 'theta'?"),
         ("w.json", "write '@w.json'"),
         ("[]", "a world is an object with 'sigma' and 'alpha', not []"),
-        ("7", "a world is an object with 'sigma' and 'alpha', not 7"),
+        ("7", "world '7' is neither JSON, nor @file, nor a name"),
         (EDGE.replace("}", ', "strat": 1}'), "'strat' is no key of a world"),
         (EDGE.replace("}", ', "alpha": [1, 0]}'), "'alpha' stands twice"),
     ],

@@ -154,7 +154,7 @@ def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monke
         "plain.py": "write './plain.py'",
         "./nothing": "there is no program './nothing'",
         "./loop": "'./loop' is a loop of links",
-        f"{sys.executable} ./loop.py": "cannot open './loop.py': it is a loop of links",
+        f"{sys.executable} ./loop.py": "cannot open './loop.py': './loop.py' is a loop of links",
     }.items():
         with pytest.raises(InputError, match=reason):
             Program(command, 1.0)

@@ -284,36 +284,15 @@ def test_two_rooted_maps_are_the_same_exactly_if_their_codes_are(a, b, data):
         assert answer[root] == other
     else:
         assert not answer
-        assert tells_apart(answer.word, a, root, b, other)
-
-
-def walked(map_, dart, word):
-    for name in word:
-        dart = {"sigma": map_.sigma, "alpha": map_.alpha}[name][dart]
-    return dart
-
-
-def tells_apart(word, a, root, b, other):
-    """The two ends of the word differ in degree, or other words join one of them only."""
-    here, there = walked(a, root, word), walked(b, other, word)
-    if a.degree_at[here] != b.degree_at[there]:
-        return True
-    pairs = [(root, other)]
-    for x, y in pairs:
-        for pair in ((a.sigma[x], b.sigma[y]), (a.alpha[x], b.alpha[y])):
-            if pair not in pairs:
-                pairs.append(pair)
-    return any((x == here) != (y == there) for x, y in pairs)
 
 
 def test_a_mismatch_of_degrees_says_where():
     edge = named_map("edge")
     assert rooted_isomorphism(edge, 0, LOOP, 1) == Mismatch(
-        "dart 0 is at a vertex of degree 1, its image 1 at one of degree 2", ()
+        "dart 0 is at a vertex of degree 1, its image 1 at one of degree 2"
     )
     a, b = from_cycles(["a", "ab", "b"]), from_cycles(["a", "ab", "bc", "c"])
     answer = rooted_isomorphism(a, 0, b, 0)
-    assert answer.word == ("alpha", "sigma", "alpha")
     assert "degree 1" in answer.reason
     assert "degree 2" in answer.reason
 
@@ -321,19 +300,14 @@ def test_a_mismatch_of_degrees_says_where():
 def test_a_walk_that_closes_too_early_says_where():
     # Both are one vertex of degree 2 as far as percepts go; the loop closes after one edge.
     answer = rooted_isomorphism(LOOP, 0, cycle(3), 0)
-    assert answer.word
     assert "but it is already" in answer.reason
-    assert walked(LOOP, 0, answer.word) in (0, 1)
 
 
 def test_a_walk_that_closes_too_late_says_where():
     answer = rooted_isomorphism(cycle(3), 0, LOOP, 0)
-    assert answer.word
     assert "but that is already the image of" in answer.reason
-    assert tells_apart(answer.word, cycle(3), 0, LOOP, 0)
 
 
 def test_a_mismatch_is_false_and_a_witness_is_true():
     assert not Mismatch("because")
-    assert Mismatch("because").word == ()
     assert isomorphism(LOOP, LOOP)

@@ -69,7 +69,7 @@ def test_a_missing_witness_is_no_success(monkeypatch):
     explorers = importlib.import_module("allworlds.explorers.builtin.explorer_table")
     built_in = explorers.BUILT_IN["algorithm1"]
     forgetful = explorers.BuiltIn(
-        built_in.load, "directional", {**built_in.witnesses, "case-4": ((2, 2), None)}
+        built_in.explore, "directional", {**built_in.witnesses, "case-4": ((2, 2), None)}
     )
     monkeypatch.setitem(explorers.BUILT_IN, "algorithm1", forgetful)
     assert check(edges=1).missing_witnesses == ()

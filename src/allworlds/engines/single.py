@@ -158,8 +158,7 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
         return built_in(explore)
     if is_program(explore):
         # What cannot be run is refused here.
-        program = Program(command_or_path(explore), limits.answer_timeout)
-        program.ensure_readable()
+        Program(command_or_path(explore), limits.answer_timeout)
         return Subject(explore, frozenset({"told"}))
     subject = Subject(explore, frozenset(), source=source_of(explore))
     player = PlayerProcess(Setup(subject, limits), 0)

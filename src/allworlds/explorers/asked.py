@@ -17,14 +17,14 @@ class ProgramWords(Request):
 
     command: Annotated[
         str | None,
-        Option(SCOPE, "COMMAND", "In place of EXPLORER: a program that speaks JSON lines.", "exec"),
+        Option(SCOPE, "COMMAND", "The explorer: a program that speaks JSON lines.", "exec"),
     ] = None
     native: Annotated[
         str | None,
         Option(
             RARE_SCOPE,
             "PATH",
-            "In place of EXPLORER: a shared library with the functions of allworlds.h.",
+            "The explorer: a shared library with the functions of allworlds.h.",
         ),
     ] = None
 

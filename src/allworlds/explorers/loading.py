@@ -1,6 +1,6 @@
 """Explorers under test: their names, and how they are found, loaded and played.
 
-Only code that a name asks for is imported, so that a player with a function in Python starts fast.
+Programs and libraries are imported only where a name asks for them: other players start faster.
 """
 
 from __future__ import annotations

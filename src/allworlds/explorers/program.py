@@ -18,7 +18,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
-from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, show
+from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, no_file, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
@@ -27,92 +27,21 @@ from allworlds.protocol.player import Told
 from allworlds.protocol.transcript import action_from_json
 from allworlds.words import ended_by, plural
 
-SECONDS = 5
-"""The time after which an interpreter that reads a script is left alone."""
+INTERPRETER = re.compile(r"(python|pypy|node|nodejs|ruby|perl|lua|php)[0-9.]*")
+"""The names of programs that run a script, their first argument that is no option."""
 
-INTERPRETERS = {
-    r"python[0-9.]*|pypy3?": (
-        "Python",
-        ("-c", "import sys; f = sys.argv[1]; compile(open(f, 'rb').read(), f, 'exec')"),
-    ),
-    r"node|nodejs": ("JavaScript", ("--check",)),
-    r"(da|ba|k|z)?sh": ("shell script", ("-n",)),
-    r"ruby|perl|lua[0-9.]*|php[0-9.]*": ("script", ()),
-}
-"""Programs that run a script, by patterns for their names: its language, and the options with which
-they read it and do not run it, if there are any."""
-
-SCRIPT = re.compile(r".+\.([cm]?js|lua|php|pl|py|rb|sh)")
+SCRIPT = re.compile(r".+\.([cm]?js|lua|php|pl|py|rb)")
 """The names of scripts."""
-
-NO_SCRIPT = re.compile(r"-|-[a-zA-Z]*[cem][a-zA-Z]*|--(eval|print|run|test)\b.*")
-"""The options after which no script is run."""
-
-ERROR = re.compile(r"^.*?\b(\w*(?:Syntax|Indentation|Tab) ?[Ee]rror\b.*)$", re.MULTILINE)
-"""The line of an error of syntax on stderr."""
-
-
-class _Call(NamedTuple):
-    """A call of an interpreter: its name, the options before its script, and the script."""
-
-    interpreter: str
-    words: Sequence[str]
-    script: str
-
-
-def _call(words: Sequence[str]) -> _Call | None:
-    """The call of an interpreter that runs a script; None for any other command."""
-    program, *_ = names = [Path(word).name for word in words]
-    at = next((i for i, name in enumerate(names) if _language(name)), None)
-    if at is None or (at and program != "env"):
-        return None
-    for i, word in enumerate(words[at + 1 :], at + 1):
-        if NO_SCRIPT.fullmatch(word):
-            return None
-        if SCRIPT.fullmatch(word):
-            return _Call(names[at], words[:i], word)
-    return None
-
-
-def _language(name: str) -> tuple[str, tuple[str, ...]] | None:
-    """The row of :data:`INTERPRETERS` for the name of a program; None if there is none."""
-    return next((row for names, row in INTERPRETERS.items() if re.fullmatch(names, name)), None)
 
 
 def missing_script(words: Sequence[str]) -> str:
     """The reason why an interpreter cannot open its script; empty if it can, or if unknown."""
-    call = _call(words)
-    if call is None or Path(call.script).exists():
+    interpreter = Path(words[0]).name
+    script = next((word for word in words[1:] if not word.startswith("-")), "")
+    is_call = INTERPRETER.fullmatch(interpreter) and SCRIPT.fullmatch(script)
+    if not is_call or Path(script).exists():
         return ""
-    is_loop = is_loop_of_links(call.script)
-    reason = "it is a loop of links" if is_loop else "there is no such file"
-    return f"{call.interpreter} cannot open {show(call.script)}: {reason}"
-
-
-def syntax_error(words: Sequence[str]) -> str:
-    """The reason why an interpreter cannot read its script; empty if it can, or if unknown."""
-    call = _call(words)
-    row = call and _language(call.interpreter)
-    if not call or not row or not row[1]:
-        return ""
-    language, looks = row
-    try:
-        ended = subprocess.run(  # noqa: S603  # looking at it is what was asked for
-            [*call.words, *looks, call.script],
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            timeout=SECONDS,
-            check=False,
-        )
-    except (OSError, subprocess.TimeoutExpired):
-        return ""
-    said = ended.stderr.decode(errors="replace")
-    message = ERROR.search(said)
-    if not ended.returncode or message is None:
-        return ""
-    line = re.search(rf"{re.escape(call.script)}\D{{1,10}}([0-9]+)", said)
-    where = f", line {line[1]}" if line else ""
-    return f"{show(call.script)}{where} is no {language}: {message[1]}"
+    return f"{interpreter} cannot open {show(script)}: {no_file(script)}"
 
 
 def obstacle(name: str) -> str:
@@ -267,11 +196,6 @@ class Program:
         self._out = bytearray()
         self._said = select.poll()
         self._in_to = self._out_of = -1
-
-    def ensure_readable(self) -> None:
-        """Raise InputError if its interpreter cannot read its script."""
-        if error := syntax_error(self._arguments):
-            raise InputError(f"--exec {show(shlex.join(self._arguments))}: {error}")
 
     def explore(
         self, first: Percept, *, told: Told = None

@@ -41,13 +41,10 @@ from allworlds.inputs.checks import (
     show,
 )
 from allworlds.protocol.importing import SourceText
-from allworlds.protocol.user_code import bytes_of, module_file
+from allworlds.protocol.user_code import digest_of_file, module_file
 
 MOST_OF_A_COMMAND = 20
 """The number of characters that stand for a command, if they tell it from others."""
-
-SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
-"""The endings of the source of a shared library, looked for beside it."""
 
 
 # ---------------------------------------------------------------- names
@@ -196,19 +193,14 @@ def place_of_explorer(name: str) -> SourceLine | None:
     """The place of an explorer's code; None for a built-in explorer, or if it is unknown.
 
     For a Python explorer the place is the line of its function, for a program the first line of
-    the last file that its command names, for a shared library the source of the same name beside
-    it, or else the library.
+    the last file that its command names, for a shared library that of the library.
     """
     files, name = files_of_explorer(name), innermost(name)
     if not files:
         return None
-    if is_program(name):
-        return SourceLine(files[-1].resolve())
-    (file,) = files
-    if is_library(name):
-        stems = sorted({file.stem, file.stem.removeprefix("lib")})
-        beside = [file.with_name(stem + end) for end in SOURCES for stem in stems]
-        return SourceLine(next((each for each in beside if each.is_file()), file).resolve())
+    file = files[-1]
+    if is_program(name) or is_library(name):
+        return SourceLine(file.resolve())
     try:
         return SourceLine(file, _line(ast.parse(file.read_bytes()), _place(name)[1]))
     except (OSError, ValueError, SyntaxError):
@@ -262,8 +254,9 @@ OURS = "built-in"
 
 
 def content_digest(subject: Subject) -> str:
-    """SHA-256 of the explorer's text, in hexadecimal; of a program, with the files that it names.
+    """SHA-256 of the explorer's text, or of the digests of its files, in hexadecimal.
 
+    The files of a program are the program itself and those that its command names.
     A shield comes with this package, and changes with its version alone: the digest is that of the
     explorer inside.
     For a module it is the module's own file: imported modules are not included.
@@ -286,11 +279,7 @@ def content_digest(subject: Subject) -> str:
         program = shutil.which(shlex.split(command_or_path(name))[0])
         arguments = [file for file in files[1:] if file.is_file()]
         files = [Path(program), *arguments] if program else arguments
-    digest = hashlib.sha256()
-    for file in files:
-        text = bytes_of(file)
-        digest.update(b"%d\n" % len(text) + text)
-    return digest.hexdigest()
+    return hashlib.sha256("".join(map(digest_of_file, files)).encode()).hexdigest()
 
 
 def with_content(subject: Subject) -> Subject:

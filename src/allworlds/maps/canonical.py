@@ -21,14 +21,9 @@ Code: TypeAlias = tuple[tuple[int, ...], tuple[int, ...]]
 
 
 class Mismatch(Struct, frozen=True):
-    """The reason why two maps are not the same.
-
-    ``reason`` is a sentence.  ``word`` is a list of ``"sigma"`` and ``"alpha"`` steps from
-    the roots after which the two rooted maps differ; empty where no single place tells.
-    """
+    """The reason why two maps are not the same, a sentence."""
 
     reason: str
-    word: tuple[str, ...] = ()
 
     def __bool__(self) -> bool:
         """Return False, so that ``if isomorphism(a, b)`` means: if they are the same map."""
@@ -130,31 +125,26 @@ def rooted_isomorphism(
     """The one isomorphism with ``root -> other``, or the first place where it breaks."""
     to = {root: other}
     back = {other: root}
-    word: dict[Dart, tuple[str, ...]] = {root: ()}
     todo = [root]
     for x in todo:
         y = to[x]
         if a.degree_at[x] != b.degree_at[y]:
             return Mismatch(
                 f"dart {x} is at a vertex of degree {a.degree_at[x]}, "
-                f"its image {y} at one of degree {b.degree_at[y]}",
-                word[x],
+                f"its image {y} at one of degree {b.degree_at[y]}"
             )
         for name, p, q in (("sigma", a.sigma, b.sigma), ("alpha", a.alpha, b.alpha)):
             here, there = p[x], q[y]
-            step = (*word[x], name)
             if here not in to and there not in back:
                 to[here], back[there] = there, here
-                word[here] = step
                 todo.append(here)
             elif to.get(here) != there:
+                so_far = (
+                    f"it is already {to[here]}"
+                    if here in to
+                    else f"that is already the image of {back[there]}"
+                )
                 return Mismatch(
-                    f"{name}({x}) = {here} would have to become {name}({y}) = {there}, "
-                    + (
-                        f"but it is already {to[here]}"
-                        if here in to
-                        else f"but that is already the image of {back[there]}"
-                    ),
-                    step,
+                    f"{name}({x}) = {here} would have to become {name}({y}) = {there}, but {so_far}"
                 )
     return tuple(to[d] for d in a.darts)

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterable
 from enum import StrEnum
 from itertools import groupby
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol
+from typing import TYPE_CHECKING, Annotated, Any, Protocol
 
 from msgspec import Struct
 from msgspec.structs import force_setattr
@@ -86,12 +86,7 @@ _SUMMARIES = {
 
 
 class Condition(Protocol):
-    """A property of maps that does not depend on the numbering of darts.
-
-    One that can cut off gluings has besides: ``narrows``, whether it does; ``dual``, whether such
-    maps are made as the duals of gluings; and ``may_begin(gluing)``, whether such a map, or its
-    dual, can begin as this gluing.
-    """
+    """A property of maps that does not depend on the numbering of darts."""
 
     @property
     def name(self) -> str:
@@ -112,7 +107,6 @@ class NamedCondition(Struct, frozen=True):
     """A condition that comes with this program, with its number where it has one."""
 
     name: str
-    narrows: ClassVar[bool] = True
 
     def holds(self, map_: CombinatorialMap) -> bool:
         """Whether the map has the property."""
@@ -168,10 +162,10 @@ class AllOf(Struct, frozen=True):
         return self.name
 
 
-def narrowing(where: Condition | None) -> tuple[Any, ...]:
+def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
     """The conditions that cut off gluings: of maps, or else of their duals."""
-    parts: tuple[Any, ...] = where.parts if isinstance(where, AllOf) else (where,)
-    found = [part for part in parts if getattr(part, "narrows", False)]
+    parts = where.parts if isinstance(where, AllOf) else (where,)
+    found = [part for part in parts if isinstance(part, NamedCondition)]
     return tuple([part for part in found if not part.dual] or found)
 
 

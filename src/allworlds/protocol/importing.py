@@ -229,20 +229,17 @@ def called(name: str, factory: Any, arguments: Mapping[str, Argument]) -> Any:
 
 
 def _ensure_takes(name: str, factory: Any, arguments: Mapping[str, Argument]) -> None:
-    """Raise InputError unless a factory takes these arguments, and needs no others."""
+    """Raise InputError unless a factory takes these arguments."""
     try:
         parameters = inspect.signature(factory).parameters
     except (TypeError, ValueError):  # there is no signature to ask
         return
     kinds = [each.kind for each in parameters.values()]
     takes = [key for key, each in parameters.items() if each.kind in _NAMED]
-    legal = f"legal are {', '.join(takes) or 'none'}"
     for key in arguments:
         if key not in takes and inspect.Parameter.VAR_KEYWORD not in kinds:
-            raise InputError(f"{show(name)} takes no argument {show(key)}; {legal}")
-    for key in takes:
-        if parameters[key].default is inspect.Parameter.empty and key not in arguments:
-            raise InputError(f"{show(name)} lacks the argument {show(key)}; {legal}")
+            legal = ", ".join(takes) or "none"
+            raise InputError(f"{show(name)} takes no argument {show(key)}; legal are {legal}")
 
 
 _NAMED = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY

@@ -326,17 +326,12 @@ def module_file(module: str) -> Path:
 
 
 def digest_of_file(file: Path) -> str:
-    """SHA-256 of a file, in hexadecimal."""
-    return hashlib.sha256(bytes_of(file)).hexdigest()
-
-
-def bytes_of(file: Path) -> bytes:
-    """The content of a file.
+    """SHA-256 of a file, in hexadecimal.
 
     Raises:
         InputError: if it cannot be read.
     """
     try:
-        return file.read_bytes()
+        return hashlib.sha256(file.read_bytes()).hexdigest()
     except OSError as error:
         raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None

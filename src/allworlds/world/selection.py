@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from random import Random
-from typing import Annotated, ClassVar, Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Struct
 
@@ -27,12 +27,9 @@ from allworlds.maps.classes import (
     condition_named,
 )
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.enumeration import Gluing, rooted_maps
-from allworlds.protocol.actions import Action, Drop, Move, Pick, Write
-from allworlds.protocol.faults import IllegalAction
-from allworlds.protocol.importing import attempted
+from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol.user_code import LocalCode, Role, UserCode
-from allworlds.world.lighthouses.base import Lighthouse, State
+from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
     OWN,
@@ -45,12 +42,6 @@ from allworlds.world.world import World
 
 TRIED_EDGES = 3
 """Code of the user's is tried in all maps with so many edges."""
-
-PLACED_EDGES = 4
-"""In one of the maps with so many edges a lighthouse must have a place."""
-
-STEPS = 12
-"""The length of a walk on which the robot leaves marks."""
 
 
 def _renamed(edges: int) -> Iterator[tuple[CombinatorialMap, Sequence[int]]]:
@@ -77,14 +68,9 @@ Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
 
 
 class OwnCondition(Struct, frozen=True):
-    """A predicate of the user's; it is loaded where maps are made.
-
-    Its function may have an attribute ``begins``: a function of a partial gluing that says whether
-    a map of which the predicate is true may begin so.
-    """
+    """A predicate of the user's; it is loaded where maps are made."""
 
     code: UserCode | LocalCode
-    dual: ClassVar[bool] = False
 
     @property
     def name(self) -> str:
@@ -102,28 +88,9 @@ class OwnCondition(Struct, frozen=True):
         Raises:
             InputError: if it raises, or says neither True nor False.
         """
-        return self._decided("", self.code(map_))
-
-    @property
-    def narrows(self) -> bool:
-        """Whether the function has ``begins``."""
-        return hasattr(self.code.function, "begins")
-
-    def may_begin(self, gluing: Gluing) -> bool:
-        """Whether a map of which the predicate is true may begin so, as ``begins`` says.
-
-        Raises:
-            InputError: as :meth:`holds`.
-        """
-        begins = self.code.function.begins
-        what = f"begins of where {show(self.name)} raises"
-        return self._decided("begins of ", attempted(what, lambda: begins(gluing)))
-
-    def _decided(self, part: str, found: object) -> bool:
+        found: object = self.code(map_)
         if type(found) is not bool:
-            raise InputError(
-                f"{part}where {show(self.name)} returns {show(found)}, not True or False"
-            )
+            raise InputError(f"where {show(self.name)} returns {show(found)}, not True or False")
         return found
 
     def __str__(self) -> str:
@@ -165,30 +132,23 @@ def _tried(own: OwnCondition) -> OwnCondition:
     """The condition itself, unless it was recorded, and so tried before.
 
     Raises:
-        InputError: if it is no function of the map, or if ``begins`` cuts off a map that it is
-            true of.
+        InputError: if it is no function of the map.
     """
     if own.codes and own.codes[0].recorded:
         return own
-    begun = {map_ for m in range(1, TRIED_EDGES + 1) for map_ in rooted_maps(m, where=own)}
+    where = f"where {show(own.name)}"
     for map_, other in _renamed(TRIED_EDGES):
         says, renamed = own.holds(map_), map_.relabelled(other)
-        wrong = ""
         if own.holds(map_) != says:
-            wrong = (
-                f"is no function of the map: asked twice, it says {says} and {not says} of {map_}"
+            raise InputError(
+                f"{where} is no function of the map: asked twice, it says {says} and {not says} "
+                f"of {map_}"
             )
-        elif own.holds(renamed) != says:
-            wrong = (
-                f"depends on the numbering of the darts: it says {says} of {map_}, and {not says} "
-                f"of the same map as {renamed}"
+        if own.holds(renamed) != says:
+            raise InputError(
+                f"{where} depends on the numbering of the darts: it says {says} of {map_}, and "
+                f"{not says} of the same map as {renamed}"
             )
-        elif says and map_ not in begun:
-            wrong = (
-                f"is true of {map_}, and its begins says that no such map begins as this one does"
-            )
-        if wrong:
-            raise InputError(f"where {show(own.name)} {wrong}")
     return own
 
 
@@ -216,24 +176,23 @@ def tried_kind(given: object) -> LighthouseKind:
 def _try(kind: LighthouseKind) -> None:
     for wrong in flaws_of(kind, TRIED_EDGES):
         raise InvalidWorld(wrong)
-    maps = (map_ for level in range(1, PLACED_EDGES + 1) for map_ in rooted_maps(level))
-    if not any(True for map_ in maps for _ in kind.as_class.places(map_, 0)):
-        raise InvalidWorld(
-            f"the lighthouse {kind} has no place in any map with at most {PLACED_EDGES} edges"
-        )
 
 
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
     """Why a lighthouse is no function of the world, for each small map where it is none.
 
+    It has a place in some map with one edge more at most.
+
     Each place is there once. Asked twice it senses and tells the same. Under other names of the
-    darts there are the same places in the same order, the same is sensed and told there, and the
-    robot may do the same with marks. It gives marks and bearings, and lets the robot leave some,
-    only if it says so. It is read again as it was written.
+    darts there are the same places in the same order, and the same is sensed and told there. It
+    gives marks and bearings only if it says so. It is read again as it was written.
     """
     for map_, other in _renamed(edges):
         if wrong := _flaw(kind.as_class, map_, other):
             yield f"the lighthouse {kind} in {map_}: {wrong}"
+    maps = (map_ for level in range(1, edges + 2) for map_ in rooted_maps(level))
+    if not any(True for map_ in maps for _ in kind.as_class.places(map_, 0)):
+        yield f"the lighthouse {kind} has no place in any map with at most {edges + 1} edges"
 
 
 def _flaw(kind: type[Lighthouse], map_: CombinatorialMap, other: Sequence[int]) -> str:
@@ -268,39 +227,7 @@ def _flaw_at(world: World, other: Sequence[int]) -> str:
         return f"{place} gives bearings, but gives_bearings is False"
     if World.from_json(world.to_json()) != world:
         return f"{place} is read otherwise than it is written"
-    return _flaw_on_a_walk(world, renamed, named)
-
-
-def _flaw_on_a_walk(world: World, renamed: World, named: str) -> str:
-    """Why the marks that the robot leaves are no function of what it does; empty if they are."""
-    kind, state, there = world.lighthouse.as_kind, world.initial, renamed.initial
-    if state.hand != there.hand:
-        return f"in_hand is {state.hand}, and {there.hand} {named}"
-    random, done = Random(len(world.map.darts)), ""  # noqa: S311  # any walk
-    for _ in range(STEPS if kind.leaves_marks else 1):
-        moves = [Move(k) for k in range(world.percepts[state.dart].degree)]
-        free = [a for a in (Drop(), Pick(), Write(0), Write(1)) if _legal(world, state, a)]
-        if free and not kind.leaves_marks:
-            return f"the robot may {free[0]}, but leaves_marks is False"
-        action = random.choice([*moves, *free * len(moves)])
-        done += f"{', ' if done else ''}{action}"
-        if not _legal(renamed, there, action):
-            return f"'{action}' is legal after '{done}', and not so {named}"
-        after = world.step(state, action)
-        if world.step(state, action) != after:
-            return f"done twice, '{done}' leads to something else"
-        state, (there, sensed) = after[0], renamed.step(there, action)
-        if sensed != after[1]:
-            return f"after '{done}' it senses '{after[1]}', and '{sensed}' {named}"
     return ""
-
-
-def _legal(world: World, state: State, action: Action) -> bool:
-    try:
-        world.step(state, action)
-    except IllegalAction:
-        return False
-    return True
 
 
 # ---------------------------------------------------------------- every world

@@ -21,6 +21,16 @@ from typing import Any, TypeAlias
 
 from msgspec import Struct, field
 
+from allworlds.explorers.builtin.algorithm1 import (
+    algorithm1,
+    algorithm1_cluster,
+    algorithm1_natural,
+)
+from allworlds.explorers.builtin.depth_first import dfs
+from allworlds.explorers.builtin.dudek91 import dudek91
+from allworlds.explorers.builtin.folding import folding, folding_oldest
+from allworlds.explorers.builtin.quotient import quotient
+
 Explore: TypeAlias = Callable[..., Any]
 
 Size: TypeAlias = tuple[int, int]
@@ -31,7 +41,9 @@ class BuiltIn(Struct, frozen=True):
     """An explorer that ships with the package.
 
     Attributes:
-        load: imports the generator function, and returns it.
+        explore: the generator function.  It takes the percept before any motion, ``choices``
+            (default: first in, first out) and ``notice``, which hears of events and changes
+            nothing, and may take ``told``.
         lighthouse: the one that it is written for, as ``KIND[:key=value,...]``.
         witnesses: the events that a complete check must have seen, each with the least known
             (edges, vertices) within which every policy meets it, for classes with loops and
@@ -45,74 +57,17 @@ class BuiltIn(Struct, frozen=True):
         about: a description, for a sentence of the page on the protocol.
     """
 
-    load: Callable[[], Explore]
+    explore: Explore
     lighthouse: str
     witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
     bound: str | None = None
     step_budget: int | None = None
     about: str = ""
 
-    @property
-    def explore(self) -> Explore:
-        """The generator function.
-
-        It takes the percept before any motion, ``choices`` (default: first in, first out) and
-        ``notice``, which hears of events and changes nothing, and may take ``told``.
-        """
-        return self.load()
-
-
-def _algorithm1() -> Explore:
-    from allworlds.explorers.builtin.algorithm1 import algorithm1
-
-    return algorithm1
-
-
-def _algorithm1_cluster() -> Explore:
-    from allworlds.explorers.builtin.algorithm1 import algorithm1_cluster
-
-    return algorithm1_cluster
-
-
-def _algorithm1_natural() -> Explore:
-    from allworlds.explorers.builtin.algorithm1 import algorithm1_natural
-
-    return algorithm1_natural
-
-
-def _dudek91() -> Explore:
-    from allworlds.explorers.builtin.dudek91 import dudek91
-
-    return dudek91
-
-
-def _dfs() -> Explore:
-    from allworlds.explorers.builtin.depth_first import dfs
-
-    return dfs
-
-
-def _folding() -> Explore:
-    from allworlds.explorers.builtin.folding import folding
-
-    return folding
-
-
-def _folding_oldest() -> Explore:
-    from allworlds.explorers.builtin.folding import folding_oldest
-
-    return folding_oldest
-
-
-def _quotient() -> Explore:
-    from allworlds.explorers.builtin.quotient import quotient
-
-    return quotient
-
 
 BUILT_IN: dict[str, BuiltIn] = {
     "algorithm1": BuiltIn(
-        _algorithm1,
+        algorithm1,
         "directional",
         {
             "case-1": ((4, 3), (6, 4)),
@@ -128,7 +83,7 @@ BUILT_IN: dict[str, BuiltIn] = {
         about="Algorithm 1 of the paper; the default",
     ),
     "algorithm1-cluster": BuiltIn(
-        _algorithm1_cluster,
+        algorithm1_cluster,
         "cluster:single=true",
         {
             "case-1": ((5, 5), (8, 8)),
@@ -145,7 +100,7 @@ BUILT_IN: dict[str, BuiltIn] = {
         "back",
     ),
     "algorithm1-natural": BuiltIn(
-        _algorithm1_natural,
+        algorithm1_natural,
         "natural",
         # A rejected test cannot be asked for: no world is known in which it is unavoidable.
         {
@@ -159,7 +114,7 @@ BUILT_IN: dict[str, BuiltIn] = {
         about="as `algorithm1-cluster`, with the degrees of v0 and v1 for marks",
     ),
     "dudek91": BuiltIn(
-        _dudek91,
+        dudek91,
         "movable",
         {"new-vertex": ((1, 2), (1, 2)), "back-link": ((1, 1), (3, 3))},
         "3*n*(n-1)//2 + (m-n+1)*(5*n+2*D-4)",
@@ -168,14 +123,14 @@ BUILT_IN: dict[str, BuiltIn] = {
         "two loops",
     ),
     "dfs": BuiltIn(
-        _dfs,
+        dfs,
         "labels",
         {"known": ((1, 1), (3, 3)), "unknown": ((1, 2), (1, 2))},
         "2*m",
         about="depth first, where every vertex has a number and a direction: the baseline of 2m",
     ),
     "folding": BuiltIn(
-        _folding,
+        folding,
         "directional",
         {"merged": ((1, 1), (3, 3))},
         "none",
@@ -184,14 +139,14 @@ BUILT_IN: dict[str, BuiltIn] = {
         "open dart that is nearest to v0",
     ),
     "folding-oldest": BuiltIn(
-        _folding_oldest,
+        folding_oldest,
         "directional",
         {"merged": ((1, 1), (3, 3))},
         "none",
         about="as `folding`, but a shortest way to the dart that is open for the longest time",
     ),
     "quotient": BuiltIn(
-        _quotient,
+        quotient,
         "position",
         {"map": ((1, 1), (1, 2)), "ambiguous": ((2, 1), (6, 4))},
         step_budget=100_000,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import MISSING, fields
+from dataclasses import fields
 from functools import cache
 from typing import Any, Literal, NamedTuple, TypeAlias, get_args, get_origin, get_type_hints
 
@@ -187,9 +187,6 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
     if key in of:
         return of[key]
     legal = f"legal: {', '.join(of)}" if of else "it has none"
-    default = next((field.default for field in fields(kind) if field.name == key), MISSING)
-    if key not in PLACE and default is not MISSING:
-        legal = f"its field of that name is {show(default)}, no integer, text or boolean"
     raise InvalidWorld(f"the lighthouse {show(name)} has no option {show(key)}; {legal}")
 
 

@@ -47,6 +47,8 @@ def _kind(code: UserCode) -> type[Lighthouse]:
         raise InvalidWorld(
             f"{show(code.name)} is no frozen dataclass; write @dataclass(frozen=True)"
         )
+    if kind.refusal is not Lighthouse.refusal and not kind.leaves_marks:
+        raise InvalidWorld(f"{show(code.name)} has a method refusal, but leaves_marks is False")
     for each in fields(kind):
         told = vars(kind).get(each.name, each.default)
         if each.default is not MISSING and told != each.default and not hasattr(told, "__get__"):
