@@ -6,13 +6,14 @@ No percept of the player is trusted.
 from __future__ import annotations
 
 import json
-from collections.abc import MutableSequence, Sequence
-from typing import Any, NamedTuple, TypeAlias
+from collections.abc import MutableSequence
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 
 from allworlds import log as entries
 from allworlds.inputs.checks import show
+from allworlds.log import Log
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import Action, Percept, Write, action_numbered
@@ -86,34 +87,6 @@ class Fault(Struct, frozen=True):
 Ending: TypeAlias = Answered | Undecided | Said | Over | Fault
 
 
-class Log(NamedTuple):
-    """The content of a log, before it is followed.
-
-    Attributes:
-        actions: as numbers (see :func:`allworlds.protocol.actions.number_of`).
-        checkpoints: the published S and U: the number of actions before, sigma, alpha, and here.
-        ending: the byte of its end, and what belongs to it.
-        choices: the index taken at each choice.
-        widths: the number of options at each choice; 0 where it is not known.
-    """
-
-    actions: Sequence[int]
-    checkpoints: Sequence[tuple[int, tuple[int, ...], tuple[int, ...], int]]
-    ending: tuple[Any, ...]
-    choices: tuple[int, ...] = ()
-    widths: tuple[int, ...] = ()
-
-    @classmethod
-    def of(cls, log: bytes) -> Log:
-        """The content of a log in bytes.
-
-        Raises:
-            ValueError: if it is none.
-        """
-        read = entries.Read(log)
-        return cls(read.actions, read.shown, read.end, tuple(read.choices), tuple(read.widths))
-
-
 class Episode(Struct, frozen=True):
     """The log of one run in its world.
 
@@ -181,7 +154,7 @@ def play(
     """
     beat = [0, 0] if beat is None else beat
     log = play_run(AroundExplorer(world), player, choices, budget, beat, any_answer=not maps)
-    return followed(Log.of(log), world, budget, maps=maps)
+    return followed(Log(log), world, budget, maps=maps)
 
 
 def default_step_budget(bound: int) -> int:
