@@ -220,7 +220,7 @@ class PythonJudge:
         episode = self.episode(world, read)
         # Of a run that was lost the choices may be known less far than they were due.
         lost = isinstance(episode.ending, Fault) and episode.ending.law in LOST
-        choices = tuple(max(read.choices, due.script, key=len) if lost else read.choices)
+        choices = max(tuple(read.choices), due.script if lost else (), key=len)
         outcome = self.referee.outcome(world, episode, choices)
         if isinstance(episode.ending, Over) and not rules.task.over_at_the_end(
             world, episode.transcript

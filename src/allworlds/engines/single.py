@@ -40,7 +40,7 @@ from allworlds.explorers.loading import (
 from allworlds.explorers.program import Program
 from allworlds.explorers.sources import whole_name
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.episode import Answered, Ending, Fault, Undecided, ending_of, fault_of
+from allworlds.judging.episode import Answered, Fault, ending_of, fault_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import checked_laws
@@ -96,7 +96,7 @@ class SingleRun(Report):
     @computed
     def estimate(self) -> Estimate | None:
         """The answer; null where there is none."""
-        return self.ending.estimate if isinstance(self.ending, Answered) else None
+        return self.answer if isinstance(self.answer, Estimate) else None
 
     @computed
     def transcript(self) -> Transcript | UnsetType:
@@ -106,7 +106,7 @@ class SingleRun(Report):
     @computed
     def ambiguous(self) -> Ambiguous | UnsetType:
         """The answer that names no map, where there is one."""
-        return self.ending.quotient if isinstance(self.ending, Undecided) else UNSET
+        return self.answer if isinstance(self.answer, Ambiguous) else UNSET
 
     @computed
     def output(self) -> Text | UnsetType:
@@ -124,9 +124,10 @@ class SingleRun(Report):
         return checked_laws(self.rules.judged, 1, len(self.outcome.episode.checkpoints))
 
     @property
-    def ending(self) -> Ending:
-        """The ending of the episode: an answer, or a fault."""
-        return self.outcome.episode.ending
+    def answer(self) -> Any:
+        """The answer; None where there is none."""
+        ending = self.outcome.episode.ending
+        return ending.answer if isinstance(ending, Answered) else None
 
 
 def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
@@ -319,7 +320,7 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
     ending = episode.ending
     return replace(
         finding,
-        choices=tuple(max(log.choices, finding.choices, key=len)),
+        choices=max(tuple(log.choices), finding.choices, key=len),
         transcript=episode.transcript,
         confirmed=isinstance(ending, Fault) and ending.law == finding.law,
     )
@@ -381,4 +382,4 @@ def _ends_alike(finding: Finding, log: Log) -> bool:
         return isinstance(end, Fault)
     if not isinstance(finding.seen, Estimate):
         return finding.law not in ("crash", "timeout", "illegal-action")
-    return isinstance(end, Answered) and end.estimate == finding.seen
+    return isinstance(end, Answered) and end.answer == finding.seen

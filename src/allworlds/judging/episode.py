@@ -37,29 +37,14 @@ RECORD_ENDS = "nothing: the record ends here"
 
 
 class Answered(Struct, frozen=True):
-    """The explorer has returned a well-formed estimate."""
-
-    estimate: Estimate
-
-
-class Undecided(Struct, frozen=True):
-    """The explorer has returned a well-formed rooted quotient, and no map.
+    """The explorer has returned a well-formed answer.
 
     Attributes:
-        quotient: its permutations are valid, and ``here`` is one of its darts.
+        answer: an estimate; a rooted quotient, whose permutations are valid, and ``here`` is one of
+            its darts; or where any answer may be given a value, as JSON has it.
     """
 
-    quotient: Ambiguous
-
-
-class Said(Struct, frozen=True):
-    """The explorer has returned an answer that is no map, where any answer may be given.
-
-    Attributes:
-        value: as JSON has it.
-    """
-
-    value: Any
+    answer: Any
 
 
 class Over(Struct, frozen=True):
@@ -84,7 +69,7 @@ class Fault(Struct, frozen=True):
     machine: bool = False
 
 
-Ending: TypeAlias = Answered | Undecided | Said | Over | Fault
+Ending: TypeAlias = Answered | Over | Fault
 
 
 class Episode(Struct, frozen=True):
@@ -234,11 +219,11 @@ def ending_of(log: Log, budget: int = 0, *, maps: bool = True) -> Ending:
         case entries.QUOTIENT:
             quotient = Ambiguous(*parts)
             flaw = _flaw(quotient)
-            return Fault("no-estimate", A_QUOTIENT, flaw) if flaw else Undecided(quotient)
+            return Fault("no-estimate", A_QUOTIENT, flaw) if flaw else Answered(quotient)
         case entries.VALUE:
             (text,) = parts
             try:
-                return Said(json.loads(text))
+                return Answered(json.loads(text))
             except (ValueError, RecursionError):
                 return Fault("no-estimate", A_VALUE, show(text))
     return fault_of(log, budget, maps=maps) or Over()
