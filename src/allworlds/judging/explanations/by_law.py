@@ -34,34 +34,17 @@ SANITIZER = (
 )
 """The advice for such an end."""
 
-STDOUT = "The program's stdout is for its actions alone: output for debugging goes to stderr."
+STDOUT = (
+    "The program's stdout is for its actions alone: output for debugging goes to stderr. For {}, "
+    "was a value undefined: a return that was forgotten, or an ended generator?"
+)
 """The advice for a program that prints anything else, or when it is not its turn."""
 
-OF_PROGRAMS = (
-    (
-        "illegal-action",
-        # So JavaScript writes an undefined value.
-        r"^the line \{\}:",
-        "Was a value undefined: a return that was forgotten, or an ended generator?",
-    ),
-    (
-        "illegal-action",
-        "a line that is no JSON|a line that is no object|it has none of the keys",
-        STDOUT,
-    ),
-    ("nondeterministic", "a line before it was asked|a line after its answer", STDOUT),
-    (
-        "timeout",
-        r"of one\)",
-        "Does every line of the program end in a newline? Until it does, it is not read.",
-    ),
-    (
-        "timeout",
-        "",
-        "Does the program flush its output after every line? A line in a buffer is silence.",
-    ),
+FLUSH = (
+    "Does every line of the program end in a newline, and does the program flush its output after "
+    "every line? Until then the line is not read."
 )
-"""The advice for programs: the broken law, a pattern of what was seen, and the words."""
+"""The advice for a program that is silent."""
 
 KEPT = (
     "Does it keep something from an earlier run: a global or static variable, or a field that is "
@@ -75,9 +58,13 @@ def _advice(finding: Finding) -> list[str]:
     seen = str(finding.seen)
     if finding.law == "crash" and MEMORY.search(seen):
         return [SANITIZER]
-    for law, pattern, words in OF_PROGRAMS:
-        if law == finding.law and is_program(finding.explorer) and re.search(pattern, seen):
-            return [words]
+    if is_program(finding.explorer):
+        if finding.law == "timeout":
+            return [FLUSH]
+        if finding.law in ("illegal-action", "nondeterministic") and re.search(
+            "(a|the) line", seen
+        ):
+            return [STDOUT]
     return [KEPT] if finding.law == "nondeterministic" else []
 
 
