@@ -19,39 +19,23 @@ from allworlds.engines.single import SingleRun, single_run, subject_of, unused_c
 from allworlds.explorers.asked import ProgramWords
 from allworlds.explorers.loading import own_bound
 from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import SCOPE, Named, Option, Request, answers
+from allworlds.inputs.requests import SCOPE, Named, Option, answers
 from allworlds.judging.findings.finding import Finding, FindingOptions
 from allworlds.judging.findings.walks import recorded_trail
 from allworlds.judging.laws.law_table import LawName
 from allworlds.outcome import Facts
 
 
-class AnotherExplorer(Request):
+class AnotherExplorer(ProgramWords):
     """An explorer in place of the recorded one, as the command line names it."""
 
-    explorer: Annotated[str | None, Option(SCOPE, "E", "In place of the recorded explorer.")] = None
-    command: Annotated[
-        str | None,
-        Option(
-            SCOPE,
-            "COMMAND",
-            "In place of the recorded explorer: a program that speaks JSON lines.",
-            "exec",
-        ),
-    ] = None
-    native: Annotated[
-        str | None,
-        Option(
-            SCOPE,
-            "PATH",
-            "In place of the recorded explorer: a shared library with the functions of "
-            "allworlds.h.",
-        ),
+    explorer: Annotated[
+        str | None, Option(SCOPE, "EXPLORER", "In place of the recorded explorer.")
     ] = None
 
     def value(self) -> str | None:
         """The name of the explorer, if one is given."""
-        return ProgramWords(command=self.command, native=self.native).named(self.explorer)
+        return self.named(self.explorer)
 
 
 class ReplayRequest(AskedPatience, FindingOptions, kw_only=False):
