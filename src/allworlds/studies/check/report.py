@@ -194,7 +194,28 @@ class CheckReport(EndedReport):
     @computed
     def scope(self) -> CheckedScope:
         """What was checked."""
-        return self.checked_scope()
+        extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
+        gate: Gated = self.cells
+        if source_of(extent) is None or isinstance(coverage, Sample | Given):
+            gate = "absent"
+        elif isinstance(coverage, Shard):
+            gate = "deferred to the merge of all shards"
+        return told_scope(
+            CheckedScope,
+            self.request,
+            rules,
+            edges=extent.edges,
+            places=tried_places(rules.lighthouse, extent),
+            shared_file=rules.shared_file,
+            shard=str(self.portion),
+            sample=told_scope(SampleReport, self.request) if isinstance(coverage, Sample) else None,
+            given=len(coverage.worlds) if isinstance(coverage, Given) else None,
+            symmetry=self.symmetry or None,
+            gate=gate,
+            complete=self.complete,
+            finished_levels=self.levels,
+            stopped=self.ending.reason or None,
+        )
 
     @computed
     def worlds(self) -> Natural:
@@ -292,38 +313,6 @@ class CheckReport(EndedReport):
         """The verdict; for a sample it is never 'holds'."""
         sampled = isinstance(self.asked.coverage, Sample)
         return self.facts.sample_verdict if sampled else self.facts.verdict
-
-    def checked_scope(self) -> CheckedScope:
-        """The scope of the check, and how much of it was done."""
-        extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
-        sample: SampleReport | None = None
-        gate: Gated = self.cells
-        if source_of(extent) is None:
-            gate = "absent"
-        match coverage:
-            case Sample():
-                gate = "absent"
-                sample = told_scope(SampleReport, self.request)
-            case Given():
-                gate = "absent"
-            case Shard() if source_of(extent) is not None:
-                gate = "deferred to the merge of all shards"
-        return told_scope(
-            CheckedScope,
-            self.request,
-            rules,
-            edges=extent.edges,
-            places=tried_places(rules.lighthouse, extent),
-            shared_file=rules.shared_file,
-            shard=str(self.portion),
-            sample=sample,
-            given=len(coverage.worlds) if isinstance(coverage, Given) else None,
-            symmetry=self.symmetry or None,
-            gate=gate,
-            complete=self.complete,
-            finished_levels=self.levels,
-            stopped=self.ending.reason or None,
-        )
 
 
 def _rows(tally: Tally) -> Iterator[CheckRow]:
