@@ -33,12 +33,11 @@ from allworlds.engines.swept_report import (
     told_scope,
     tried_places,
 )
-from allworlds.engines.tally import AtRun, Tally
+from allworlds.engines.tally import Tally
 from allworlds.engines.units import Portion, Shard
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import checked_laws
 from allworlds.judging.tasks import Task
 from allworlds.maps.build import named_map
@@ -344,12 +343,7 @@ def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
     except InputError:  # it was handed over as a function that no name leads to
         return
     for _, row in sorted(report.tally.rows.items()):
-        if row.most_expensive is not None:
-            world = world_at(row.most_expensive, rules)
-            yield single_run(subject, world, rules, row.most_expensive.choices, limits)
-
-
-def world_at(run: AtRun, rules: Rules) -> World:
-    """The world of the run under these rules."""
-    map_ = CombinatorialMap(run.sigma, run.alpha)
-    return World(map_, [*rules.kind.places(map_, 0)][run.place], 0)
+        if (run := row.most_expensive) is not None:
+            map_ = CombinatorialMap(run.sigma, run.alpha)
+            world = World(map_, [*rules.kind.places(map_, 0)][run.place], 0)
+            yield single_run(subject, world, rules, run.choices, limits)
