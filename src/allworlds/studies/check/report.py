@@ -192,7 +192,7 @@ class CheckReport(EndedReport):
 
     @computed
     def scope(self) -> CheckedScope:
-        """What was checked."""
+        """All that was checked."""
         extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
         gate: Gated = self.cells
         if source_of(extent) is None or isinstance(coverage, Sample | Given):
