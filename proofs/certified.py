@@ -212,7 +212,7 @@ def _cases(edges: int) -> Iterator[tuple[str, Case]]:
                         world.start,
                         episode.transcript,
                         episode.checkpoints,
-                        episode.ending.estimate,
+                        episode.ending.answer,
                     ),
                 )
 

@@ -17,8 +17,9 @@ from allworlds.engines.players import Lost, Setup
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.explorers.loading import Subject
-from allworlds.judging.episode import Episode, Fault, Log
+from allworlds.judging.episode import Episode, Fault
 from allworlds.judging.findings.rules import Rules
+from allworlds.log import Log
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.world import World
@@ -54,7 +55,7 @@ def episodes(
             except Lost as lost:
                 raise NoAnswer(f"{lost.law}: {lost.seen}") from None
             for world, log in zip(some, logs, strict=True):
-                episode = judge.episode(world, Log.of(log))
+                episode = judge.episode(world, Log(log))
                 if isinstance(episode.ending, Fault) and episode.ending.law == "timeout":
                     raise NoAnswer(f"timeout: {episode.ending.seen}")
                 yield episode

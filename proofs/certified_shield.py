@@ -107,9 +107,9 @@ def _player(explorer: Explore) -> Player:
 
 def _code(ending: Ending) -> Code | None:
     """The map of an answer, with the robot in it, whatever its darts are called."""
-    if not isinstance(ending, Answered):
+    answer = ending.answer if isinstance(ending, Answered) else None
+    if not isinstance(answer, Estimate):
         return None
-    answer = ending.estimate
     return rooted_code(answer.map.sigma, answer.map.alpha, answer.here)
 
 

@@ -54,6 +54,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import Answered, Fault, default_step_budget
 from allworlds.judging.laws.bounds import bound_named, paper_bound
 from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.answers import Estimate
 from allworlds.words import plural
 from allworlds.world import worlds
 from certified_checker import NoVerdict, agreement, outcome, package_outcome, tell
@@ -138,7 +139,7 @@ def tree_of(
             at = branch.after
             seen.append(sensed(percept))
         match episode.ending:
-            case Answered(estimate=e):
+            case Answered(Estimate() as e):
                 last: Leaf | Nothing = Leaf(tuple(e.map.sigma), tuple(e.map.alpha), e.here)
             case Fault(law=law):
                 last = Nothing(law)

@@ -24,6 +24,7 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # the module of that name would have to be loaded
     from collections.abc import Sequence
+    from typing import Any
 
 LARGEST_MOTION = 199
 SHOWN, ANSWERED, OVER_BUDGET, SHOWN_TOO_OFTEN, FAULT, BEYOND = range(200, 206)
@@ -121,17 +122,17 @@ def _text(text: str) -> bytes:
 # ---------------------------------------------------------------- reading
 
 
-class Read:
+class Log:
     """The content of a log.
 
     Attributes:
         actions: by their numbers.
-        shown: the checkpoints, each with the number of actions before it.
+        checkpoints: the published S and U: the number of actions before, sigma, alpha, and here.
         choices, widths: the index of each choice, and the number of its options (0: not known).
-        end: how it ends: a byte, and what belongs to it.
+        ending: the byte of its end, and what belongs to it.
     """
 
-    __slots__ = ("actions", "choices", "end", "shown", "widths")
+    __slots__ = ("actions", "checkpoints", "choices", "ending", "widths")
 
     def __init__(self, log: bytes) -> None:
         """Read a log.
@@ -140,10 +141,10 @@ class Read:
             ValueError: if these bytes are none, or it has no end.
         """
         self.actions: list[int] = []
-        self.shown: list[tuple[int, tuple[int, ...], tuple[int, ...], int]] = []
+        self.checkpoints: list[tuple[int, tuple[int, ...], tuple[int, ...], int]] = []
         self.choices: list[int] = []
         self.widths: list[int] = []
-        self.end: tuple[object, ...] = ()
+        self.ending: tuple[Any, ...] = ()
         try:
             self._read(log)
         except IndexError:
@@ -166,7 +167,7 @@ class Read:
                 published = tuple(sigma), tuple(alpha), here
                 if code == ANSWERED:
                     return self._ends(log, at, code, *published)
-                self.shown.append((len(actions), *published))
+                self.checkpoints.append((len(actions), *published))
             elif code == CHOICE:
                 self.choices.append(log[at])
                 self.widths.append(log[at + 1])
@@ -203,7 +204,7 @@ class Read:
             if code != LONG_SHOWN:
                 self._ends(log, at, code, *parts, here)
                 return -1
-            self.shown.append((len(self.actions), parts[0], parts[1], here))
+            self.checkpoints.append((len(self.actions), parts[0], parts[1], here))
         elif code == VALUE:
             at, text = _text_at(log, at)
             self._ends(log, at, code, text)
@@ -229,7 +230,7 @@ class Read:
     def _ends(self, log: bytes, at: int, *end: object) -> None:
         if at != len(log):
             raise ValueError("the log goes on behind its end")
-        self.end = end
+        self.ending = end
 
 
 _WITHOUT_WORDS = "illegal-action", "", "", "", False

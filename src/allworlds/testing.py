@@ -314,7 +314,7 @@ def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
         given["corpus"] = plugin and plugin.corpus_of_test()
     report = check(explore, **given).uninterrupted()
     if report.past and "corpus" not in options:
-        for name in report.past.fixed:
+        for name in report.past.files["fixed"]:
             (report.past.directory / name).unlink(missing_ok=True)
     return report
 

@@ -166,7 +166,7 @@ def violation(world, choices, kind=Algorithm1):
         world.start,
         episode.transcript,
         episode.checkpoints,
-        episode.ending.estimate,
+        episode.ending.answer,
         bound,
     )
     return getattr(judge(case, [law.check for law in LAWS.values()]), "law", None)

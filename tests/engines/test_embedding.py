@@ -225,7 +225,7 @@ def test_both_engines_say_the_same_of_a_u_that_holds_either_dart_of_an_edge():
                     continue
                 alpha = [*shown.alpha[:dart], dart, *shown.alpha[dart + 1 :]]
                 still_open = Checkpoint(shown.sigma, alpha, shown.here)
-                case = Case(map_, 0, log, ((steps, still_open),), episode.ending.estimate)
+                case = Case(map_, 0, log, ((steps, still_open),), episode.ending.answer)
                 broken = [bool(LAWS[law].check(case)) for law in ("invariant-1", "invariant-2")]
                 assert broken == seen_by_the_kernel(case, still_open, case.walked)
                 # S is the explored part all the same: only U is wrong.

@@ -7,9 +7,8 @@ from allworlds.engines.compiled_engine import level_of
 from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.records import Stretch
 from allworlds.engines.players import Logs
-from allworlds.judging.episode import Log
 from allworlds.judging.findings.rules import Rules
-from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN
+from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, Log
 from allworlds.maps.classes import Extent, MapClass
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -59,7 +58,7 @@ def test_choices_are_passed_over_wherever_they_stand():
     ],
 )
 def test_the_second_log_is_compared_without_its_choices_and_checkpoints(again, differ):
-    assert (difference_of(Log.of(PLAIN), Log.of(again)) is not None) is differ
+    assert (difference_of(Log(PLAIN), Log(again)) is not None) is differ
 
 
 @pytest.mark.parametrize("code", [STRANGE, *(code for code in range(206, 256) if code != CHOICE)])

@@ -20,8 +20,8 @@ from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.explorers.loading import Subject, load, source_of
 from allworlds.inputs.checks import InputError
-from allworlds.judging.episode import Log
 from allworlds.judging.findings.rules import Rules
+from allworlds.log import Log
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.world import Directional, World
@@ -86,7 +86,7 @@ def test_a_player_plays_a_batch_in_worlds_and_against_records(module):
         logs = [*answered(one, runs(3))]
         (first, *_) = logs
         assert logs == [first] * 3
-        assert Log.of(first).actions == [0]
+        assert Log(first).actions == [0]
         judged = judge().judged(Due(0, 0, WORLD), first)
         assert judged.outcome.violation is None
         batch_of_records = judge().records_message([judge_record(judged)], [0])
@@ -107,7 +107,7 @@ def test_the_walk_of_a_player_that_dies_is_heard(module):
         with pytest.raises(Lost, match="exit code 3") as lost:
             answered(one, runs(hear=True))
         assert lost.value.law == "crash"
-        assert Log.of(lost_log(bytes(one.part), lost.value)).actions == [0]
+        assert Log(lost_log(bytes(one.part), lost.value)).actions == [0]
     finally:
         one.close()
 

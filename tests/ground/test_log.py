@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis.strategies import booleans, integers, lists, one_of, sampled_from, text, tuples
 
 from allworlds import log
-from allworlds.log import Read
+from allworlds.log import Log
 
 NUMBERS = one_of(integers(0, 300), integers(-(1 << 80), 1 << 80))
 SMALL = lists(integers(0, 255), min_size=1, max_size=64)
@@ -45,20 +45,20 @@ ENDS = one_of(
 @given(lists(ENTRIES, max_size=6), ENDS)
 def test_what_is_written_is_read(entries, end):
     bytes_, parts = end
-    read = Read(b"".join(entry for entry, _, _ in entries) + bytes_)
+    read = Log(b"".join(entry for entry, _, _ in entries) + bytes_)
     assert read.actions == [what for _, kind, what in entries if kind == "action"]
     pairs = [what for _, kind, what in entries if kind == "choice"]
     assert [*zip(read.choices, read.widths, strict=True)] == pairs
-    assert [tuple(shown[1:]) for shown in read.shown] == [
+    assert [tuple(shown[1:]) for shown in read.checkpoints] == [
         what for _, kind, what in entries if kind == "shown"
     ]
     before = 0
-    counted = iter(read.shown)
+    counted = iter(read.checkpoints)
     for _, kind, _ in entries:
         before += kind == "action"
         if kind == "shown":
             assert next(counted)[0] == before
-    assert read.end[1:] == parts
+    assert read.ending[1:] == parts
 
 
 @given(lists(ENTRIES, max_size=3), ENDS)
@@ -70,7 +70,7 @@ def test_a_log_that_is_cut_off_has_no_end(entries, end):
         if end[0][0] == log.FAULT and length == begun + 1:
             continue  # a fault of compiled code has no words
         with pytest.raises(ValueError, match=r"no end|no entry|behind its end"):
-            Read(cut)
+            Log(cut)
 
 
 @pytest.mark.parametrize(
@@ -84,4 +84,4 @@ def test_a_log_that_is_cut_off_has_no_end(entries, end):
 )
 def test_what_is_no_log_is_refused(wrong):
     with pytest.raises(ValueError, match=r"behind its end|begins no entry|no law"):
-        Read(wrong)
+        Log(wrong)

@@ -39,7 +39,7 @@ def test_of_what_a_program_wrote_the_line_that_tells_is_told(finding_of):
 
 @pytest.mark.parametrize(
     ("end", "advised"),
-    [("signal 11", True), ("signal 6", True), ("signal 9", False), ("exit code 6", False)],
+    [("signal 11", True), ("signal 6", False), ("signal 9", False), ("exit code 6", False)],
 )
 def test_an_end_by_damaged_memory_tells_how_its_place_is_found(end, advised, finding_of):
     seen = f"the end of its process ({end})"
@@ -51,12 +51,7 @@ def test_a_line_without_an_action_tells_where_output_for_debugging_goes(finding_
     finding = replace(finding_of("drops-markers"), explorer="exec:./mine", detail="")
     for seen in ("a line that is no JSON: 'x'", "the line {'a': 1}: it has none of the keys move"):
         assert "goes to stderr" in explain(replace(finding, seen=seen)).sentences[1]
-    empty = " ".join(
-        explain(replace(finding, seen="the line {}: it has none of the keys")).sentences
-    )
-    assert "Was a value undefined" in empty
-    for told in (empty, " ".join(explain(replace(finding, seen="a Drop")).sentences)):
-        assert "stderr" not in told
+    assert "stderr" not in " ".join(explain(replace(finding, seen="a Drop")).sentences)
 
 
 def test_a_program_that_prints_out_of_turn_is_told_so_even_where_its_plays_differ(finding_of):
@@ -67,19 +62,6 @@ def test_a_program_that_prints_out_of_turn_is_told_so_even_where_its_plays_diffe
     assert "goes to stderr" in explain(finding).sentences[1]
     kept = explain(replace(finding, seen="the second answer differs")).sentences[1]
     assert "Does it keep something" in kept
-
-
-def test_a_panic_is_quoted_and_not_taken_for_damaged_memory(finding_of):
-    said = "thread 'x' panicked at w.rs:104:27:\nindex out of bounds\nnote: run with RUST_BACKTRACE"
-    finding = replace(
-        finding_of("crashes-at-leaves"),
-        seen="the end of its process (signal 6)",
-        detail="",
-        output=said,
-    )
-    told = explain(finding).sentences
-    assert told[1] == "It said: thread 'x' panicked at w.rs:104:27: index out of bounds"
-    assert "sanitize" not in " ".join(told)
 
 
 def test_a_run_that_ends_at_the_start_has_no_last_step(told):
@@ -110,19 +92,10 @@ def test_a_timeout_is_told(finding_of):
     assert "flush" not in text
 
 
-def test_a_program_that_has_begun_a_line_is_asked_whether_it_ends_it(finding_of):
-    finding = finding_of("crashes-at-leaves")
-    seen = "no whole line in 2 s (20 bytes of one)"
-    begun = replace(finding, explorer="exec:./mine", law="timeout", seen=seen, detail="")
-    text = " ".join(explain(begun).sentences)
-    assert "newline" in text
-    assert "flush" not in text
-
-
 def test_a_program_that_was_silent_is_asked_whether_it_flushes(finding_of):
     finding = finding_of("crashes-at-leaves")
     silent = replace(finding, explorer="exec:./mine", law="timeout", seen="silent", detail="")
-    assert "Does the program flush its output after every line?" in " ".join(
+    assert "newline, and does the program flush its output after every line?" in " ".join(
         explain(silent).sentences
     )
 

@@ -183,7 +183,7 @@ def test_numpy_integers_are_integers():
     assert published == Checkpoint((1, 0), (0, 1), 1)
     assert {type(d) for d in (*published.sigma, *published.alpha, published.here)} == {int}
     answer = run(returning(Estimate(EDGE, numpy.int32(1)))).ending
-    assert type(answer.estimate.here) is int
+    assert type(answer.answer.here) is int
 
 
 def test_degrees_beyond_the_prepared_moves_are_walked_too():

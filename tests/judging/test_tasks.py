@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds.inputs.checks import InputError
-from allworlds.judging.episode import Answered, Over, Said
+from allworlds.judging.episode import Answered, Over
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.tasks import TASKS, Task, task_named
 from allworlds.protocol.actions import Move
@@ -110,7 +110,7 @@ def wrong(task, map_, motions, ending, start=0):
     ],
 )
 def test_a_run_is_judged_by_its_task(task, map_, motions, answer, said):
-    assert wrong(task, map_, motions, Said(answer)) == said
+    assert wrong(task, map_, motions, Answered(answer)) == said
 
 
 def test_left_of_the_first_dart_is_the_face_that_turning_left_goes_round():
@@ -120,8 +120,8 @@ def test_left_of_the_first_dart_is_the_face_that_turning_left_goes_round():
             # Arrived, the next dart clockwise of the one back is the first to the left.
             dart = map_.sigma[map_.alpha[dart]]
             length += 1
-        assert wrong("face", map_, [], Said(length)) is None
-        assert wrong("face", map_, [], Said(length + 1)) is not None
+        assert wrong("face", map_, [], Answered(length)) is None
+        assert wrong("face", map_, [], Answered(length + 1)) is not None
 
 
 @pytest.mark.parametrize(("task", "steps"), [("cover", 2), ("cover:edges", 2)])
@@ -147,14 +147,14 @@ def test_an_estimate_gets_to_a_judge_as_it_is(tmp_path, monkeypatch):
     estimate = Estimate(EDGE, 1)
     assert wrong("judges.py:sees", EDGE, [], Answered(estimate)) == repr(estimate)
     assert wrong("judges.py:sees", EDGE, [], Over()) == "None"
-    assert wrong("judges.py:least?steps=4", EDGE, [0, 0], Said(None)) == "2 of 4"
+    assert wrong("judges.py:least?steps=4", EDGE, [0, 0], Answered(None)) == "2 of 4"
     with pytest.raises(InputError, match=r"raises KeyError: .lamp."):
-        wrong("judges.py:raises", EDGE, [], Said(None))
+        wrong("judges.py:raises", EDGE, [], Answered(None))
     with pytest.raises(InputError, match="returns 3, no text and not None"):
-        wrong("judges.py:numbers", EDGE, [], Said(None))
+        wrong("judges.py:numbers", EDGE, [], Answered(None))
     with pytest.raises(InputError, match="is no function, but 3"):
         task_named("judges.py:nothing")
-    assert wrong("judges.py:looks", PATH, [0, 1], Said(None)) == (
+    assert wrong("judges.py:looks", PATH, [0, 1], Answered(None)) == (
         "[('move 0', 2), ('move 1', 1)] [0, 1, 3] [0, 1, 2] [0, 2] 2"
     )
     ended = task_named("judges.py:half").environment(World(TORUS, Nothing()))
@@ -177,7 +177,7 @@ def test_a_judge_that_is_not_the_same_twice_refutes_nobody(tmp_path, monkeypatch
     (tmp_path / "judges.py").write_text(JUDGES)
     refused = rf"^task 'judges.py:{judge}' is no function of the run: asked twice, it says {says} "
     with pytest.raises(InputError, match=refused + "of a run in "):
-        wrong(f"judges.py:{judge}", EDGE, [0], Said(None))
+        wrong(f"judges.py:{judge}", EDGE, [0], Answered(None))
 
 
 def test_an_over_that_is_not_the_same_twice_ends_no_run(tmp_path, monkeypatch):

@@ -32,7 +32,7 @@ def episode_of(world, ks, checkpoints=0):
 
 def case_of(world, ks, bound=None):
     episode = episode_of(world, ks)
-    return Case(world.map, world.start, episode.transcript, (), episode.ending.estimate, bound)
+    return Case(world.map, world.start, episode.transcript, (), episode.ending.answer, bound)
 
 
 def end(world, ks):

@@ -50,7 +50,7 @@ def case_of(world, player, own=None):
         world.start,
         episode.transcript,
         episode.checkpoints,
-        episode.ending.estimate,
+        episode.ending.answer,
     )
 
 

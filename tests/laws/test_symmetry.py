@@ -109,8 +109,8 @@ def test_turning_the_start_shifts_the_first_motion_and_nothing_else(world, k, fi
 @pytest.mark.no_cover
 @given(worlds(), integers(-12, 12), choices(), choices())
 def test_turning_the_start_turns_the_answer_whatever_is_chosen(world, k, own, others):
-    one = episode_of(algorithm1, world, own).ending.estimate
-    two = episode_of(algorithm1, turned(world, k), others).ending.estimate
+    one = episode_of(algorithm1, world, own).ending.answer
+    two = episode_of(algorithm1, turned(world, k), others).ending.answer
     # Dart 0 of an estimate of Algorithm 1 is the dart that the robot faced at the start.
     assert code(one.map, one.map.turn(0, k)) == code(two.map, 0)
 
@@ -119,7 +119,7 @@ def test_an_answer_turned_the_wrong_way_would_be_noticed():
     def noticed(drawn):
         world, k = drawn
         explore = WRONG["mirror-image"]
-        one, two = (episode_of(explore, at).ending.estimate.map for at in (world, turned(world, k)))
+        one, two = (episode_of(explore, at).ending.answer.map for at in (world, turned(world, k)))
         return code(one, one.turn(0, k)) != code(two, 0)
 
     world, _ = find(tuples(worlds(), integers(0, 5)), noticed, settings=MANY)
@@ -163,8 +163,8 @@ def test_algorithm_1_is_not_its_own_mirror_image():
 
 @given(worlds(maps(max_edges=8)))
 def test_but_its_map_of_the_mirrored_world_is_the_mirrored_map(world):
-    here = episode_of(algorithm1, world).ending.estimate.map
-    there = episode_of(algorithm1, world.mirrored()).ending.estimate.map
+    here = episode_of(algorithm1, world).ending.answer.map
+    there = episode_of(algorithm1, world.mirrored()).ending.answer.map
     assert code(there, 0) == code(here.mirrored(), 0)
 
 

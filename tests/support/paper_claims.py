@@ -27,7 +27,7 @@ from allworlds.corpus import explorers as wrong
 from allworlds.document.struct import replace
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.studies.ledger import Claim, Means, ProgramFault, claims_in, entry_with, found_by
+from allworlds.studies.ledger import FAULTS, Claim, Means, claims_in, entry_with, found_by
 from allworlds.studies.worst.every_schedule import EverySchedule
 
 PAPER = Path(claims.__file__).parent
@@ -88,7 +88,7 @@ def assert_fails(mutant: Mutant, monkeypatch: pytest.MonkeyPatch, folder: Path) 
     entry = entry_with(claim, "quick", found)
     assert entry.standing in ("unexpected", "vacuous")
     assert entry.truth == {"holds": "refuted", "refuted": "holds"}[claim.expected], found
-    assert isinstance(found, ProgramFault) <= (entry.verdict == "refuted")
+    assert isinstance(found, FAULTS) <= (entry.verdict == "refuted")
 
 
 def _means(mutant: Mutant, monkeypatch: pytest.MonkeyPatch, folder: Path) -> Means:

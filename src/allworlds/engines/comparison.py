@@ -6,9 +6,10 @@ from allworlds import log as entries
 from allworlds.document.struct import replace
 from allworlds.engines.examiner import LOST, Outcome
 from allworlds.inputs.checks import show
-from allworlds.judging.episode import Log, fault_of
+from allworlds.judging.episode import fault_of
 from allworlds.judging.laws.finished_run import Violation
 from allworlds.judging.laws.law_table import PRECEDENCE
+from allworlds.log import Log
 from allworlds.protocol.actions import action_numbered
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
@@ -22,7 +23,7 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
         return outcome
     faults = [fault for fault in (fault_of(second), fault_of(first)) if fault]
     detail = next((fault.detail for fault in faults if fault.detail), "")
-    detail = "\n".join(filter(None, [side_by_side(first, second), detail]))
+    detail = "\n".join(filter(None, [side_by_side(in_words(first), in_words(second)), detail]))
     return replace(outcome, violation=difference, detail=detail)
 
 
@@ -72,22 +73,22 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
     return nondeterministic(difference)
 
 
-def side_by_side(first: Log, second: Log) -> str:
+def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) -> str:
     """Both plays, a line each: the actions around the first that differs, and the endings."""
-    pairs = zip(first.actions, second.actions, strict=False)
-    differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first.actions))
+    pairs = zip(first[0], second[0], strict=False)
+    differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first[0]))
     begin, end = max(0, differ - SHOWN_BEFORE), differ + SHOWN_AFTER
-    return "\n".join(
-        f"{which} play, from step {begin + 1} on: {_walk(log, begin, end)}"
-        for which, log in (("first", first), ("second", second))
-    )
+    lines = []
+    for which, (actions, ending) in (("first", first), ("second", second)):
+        more = len(actions) - end
+        shown = [*actions[begin:end], f"and {more} more" if more > 0 else ending]
+        lines.append(f"{which} play, from step {begin + 1} on: {', '.join(shown)}")
+    return "\n".join(lines)
 
 
-def _walk(log: Log, begin: int, end: int) -> str:
-    actions = [str(action_numbered(number)) for number in log.actions[begin:end]]
-    if len(log.actions) > end:
-        return ", ".join([*actions, f"and {len(log.actions) - end} more"])
-    return ", ".join([*actions, _ending(log)])
+def in_words(log: Log) -> tuple[list[str], str]:
+    """The actions of a play and its ending."""
+    return [str(action_numbered(number)) for number in log.actions], _ending(log)
 
 
 def _ending(log: Log) -> str:

@@ -6,13 +6,13 @@ from msgspec import Struct
 
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import show
-from allworlds.judging.episode import Answered, Ending, Episode, Fault, Undecided, play
+from allworlds.judging.episode import Answered, Episode, Fault, play
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.finished_run import Case, Violation, first_wrong
 from allworlds.judging.laws.law_table import LAWS, judge
 from allworlds.maps.canonical import rooted_code
-from allworlds.protocol.answers import Answer
+from allworlds.protocol.answers import Ambiguous
 from allworlds.protocol.choices import Choices
 from allworlds.world.world import World
 
@@ -65,16 +65,13 @@ class Referee:
         ending = episode.ending
         if isinstance(ending, Fault):
             return Violation(ending.law, ending.expected, ending.seen)
-        task = self.rules.task
-        if (
-            task.is_map
-            and isinstance(ending, Undecided)
-            and not world.lighthouse.as_kind.leaves_open
-        ):
+        task, answer = self.rules.task, ending.answer if isinstance(ending, Answered) else None
+        leaves_open = world.lighthouse.as_kind.leaves_open
+        if task.is_map and isinstance(answer, Ambiguous) and not leaves_open:
             return Violation(
                 "no-estimate",
                 f"a map: the {world.lighthouse.kind} lighthouse has no answer without one",
-                show(ending.quotient),
+                show(answer),
             )
         if not task.is_map and (wrong := task.flaw(world, episode.transcript, ending)) is not None:
             return Violation("task", task.asks, wrong)
@@ -83,7 +80,7 @@ class Referee:
             world.start,
             episode.transcript,
             episode.checkpoints,
-            _estimate_of(ending) if task.is_map else None,
+            answer if task.is_map else None,
             bound,
         )
         return judge(case, self._checks)
@@ -142,16 +139,6 @@ class Examiner(Referee):
         around, budget = task.environment(world), rules.budget(world.map)
         episode = play(around, self._player, choices, budget, maps=task.is_map)
         return self.outcome(world, episode, tuple(choices.record))
-
-
-def _estimate_of(ending: Ending) -> Answer | None:
-    match ending:
-        case Answered(estimate):
-            return estimate
-        case Undecided(quotient):
-            return quotient
-        case _:
-            return None
 
 
 LOST = ("crash", "timeout")

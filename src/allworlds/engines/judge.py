@@ -16,7 +16,8 @@ from allworlds.engines.players import Logs
 from allworlds.engines.scope import UnitOfRuns
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.episode import Episode, Fault, Log, Over, followed
+from allworlds.judging.episode import Episode, Fault, Over, followed
+from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script
@@ -215,11 +216,11 @@ class PythonJudge:
 
     def judged(self, due: Due, log: bytes) -> Judged:
         """One run with its log."""
-        read, rules, world = Log.of(log), self.rules, due.world
+        read, rules, world = Log(log), self.rules, due.world
         episode = self.episode(world, read)
         # Of a run that was lost the choices may be known less far than they were due.
         lost = isinstance(episode.ending, Fault) and episode.ending.law in LOST
-        choices = max(read.choices, due.script, key=len) if lost else read.choices
+        choices = max(tuple(read.choices), due.script if lost else (), key=len)
         outcome = self.referee.outcome(world, episode, choices)
         if isinstance(episode.ending, Over) and not rules.task.over_at_the_end(
             world, episode.transcript

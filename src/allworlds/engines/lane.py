@@ -52,7 +52,8 @@ from allworlds.engines.scope import UnitOfRuns
 from allworlds.engines.tally import REPORT_EVERY, RunCounter
 from allworlds.engines.units import LevelUnit, PartialResult, level_size
 from allworlds.explorers.loading import Subject, is_program
-from allworlds.judging.episode import Log, fault_of
+from allworlds.judging.episode import fault_of
+from allworlds.log import Log
 from allworlds.protocol.playing import AN_ACTION
 
 FIRST, SECOND = 0, 1
@@ -372,7 +373,7 @@ class Lane:
             return found
         for row in range(len(batch)):
             if first[row] != again[row]:
-                second = Log.of(again[row])
+                second = Log(again[row])
                 if self._differ(batch.outcome(row).log, second):
                     found.append((row, second))
         return found
@@ -462,7 +463,7 @@ class Lane:
 
     def _anew(self, due: Due, log: Log) -> Outcome:
         episode = self.judge.episode(due.world, log)
-        return self.judge.referee.outcome(due.world, episode, log.choices)
+        return self.judge.referee.outcome(due.world, episode, tuple(log.choices))
 
     def _by_seed(self, batch: RunBatch, work: Work, rows: list[int]) -> dict[int, Outcome]:
         """The outcomes of runs of an explorer that goes by hashes, in their worlds by each seed."""
@@ -483,7 +484,7 @@ class Lane:
         logs, lost = self._anew_from(seed, message(rows))
         if lost and len(rows) > 1:
             return {row: self._fresh(seed, message, [row])[row] for row in rows}
-        return dict(zip(rows, map(Log.of, logs), strict=True))
+        return dict(zip(rows, map(Log, logs), strict=True))
 
     def _anew_from(self, seed: int, message: dict[str, Any]) -> tuple[Sequence[bytes], Lost | None]:
         """The logs of a fresh player, and its loss, whose log is then the only one."""
@@ -534,7 +535,7 @@ class Lane:
         if not self._seeds_more:
             return
         for (batch, row), log in zip(rows, logs, strict=True):
-            second = Log.of(log)
+            second = Log(log)
             if self._differ(batch.outcome(row).log, second):
                 usual, self._seeds = self._seeds, [self._seeds[FIRST], seed]
                 for each, outcome in self._explained(batch, work, [(row, second)]).items():

@@ -19,7 +19,7 @@ from allworlds.document.struct import (
     one_of,
     replace,
 )
-from allworlds.engines.comparison import difference_of, nondeterministic, side_by_side
+from allworlds.engines.comparison import difference_of, in_words, nondeterministic, side_by_side
 from allworlds.engines.effort import Limits
 from allworlds.engines.examiner import LOST, Examiner, Outcome, Referee, name_run
 from allworlds.engines.judge import Due, PythonJudge, Recorded
@@ -40,13 +40,14 @@ from allworlds.explorers.loading import (
 from allworlds.explorers.program import Program
 from allworlds.explorers.sources import whole_name
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.episode import Answered, Ending, Fault, Log, Undecided, ending_of, fault_of
+from allworlds.judging.episode import Answered, Fault, ending_of, fault_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import checked_laws
+from allworlds.log import Log
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.outcome import Facts, Verdict
-from allworlds.protocol.actions import action_numbered, number_of
+from allworlds.protocol.actions import action_numbered
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
@@ -95,7 +96,7 @@ class SingleRun(Report):
     @computed
     def estimate(self) -> Estimate | None:
         """The answer; null where there is none."""
-        return self.ending.estimate if isinstance(self.ending, Answered) else None
+        return self.answer if isinstance(self.answer, Estimate) else None
 
     @computed
     def transcript(self) -> Transcript | UnsetType:
@@ -105,7 +106,7 @@ class SingleRun(Report):
     @computed
     def ambiguous(self) -> Ambiguous | UnsetType:
         """The answer that names no map, where there is one."""
-        return self.ending.quotient if isinstance(self.ending, Undecided) else UNSET
+        return self.answer if isinstance(self.answer, Ambiguous) else UNSET
 
     @computed
     def output(self) -> Text | UnsetType:
@@ -123,9 +124,10 @@ class SingleRun(Report):
         return checked_laws(self.rules.judged, 1, len(self.outcome.episode.checkpoints))
 
     @property
-    def ending(self) -> Ending:
-        """The ending of the episode: an answer, or a fault."""
-        return self.outcome.episode.ending
+    def answer(self) -> Any:
+        """The answer; None where there is none."""
+        ending = self.outcome.episode.ending
+        return ending.answer if isinstance(ending, Answered) else None
 
 
 def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
@@ -279,7 +281,7 @@ class Plays:
             logs = [lost_log(bytes(player.part), lost)] * message["runs"]
         finally:
             player.close()
-        return [*map(Log.of, logs)], player.prints.text
+        return [*map(Log, logs)], player.prints.text
 
 
 def played_again(finding: Finding, subject: Subject, limits: Limits) -> Finding:
@@ -317,7 +319,7 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
     ending = episode.ending
     return replace(
         finding,
-        choices=max(log.choices, finding.choices, key=len),
+        choices=max(tuple(log.choices), finding.choices, key=len),
         transcript=episode.transcript,
         confirmed=isinstance(ending, Fault) and ending.law == finding.law,
     )
@@ -347,14 +349,13 @@ def _unlike(finding: Finding, again: Log) -> Finding:
     if finding.law in LOST:
         return replace(finding, confirmed=False)
     broken = nondeterministic(f"it breaks the law {finding.law} in some plays only")
-    actions = tuple(map(number_of, finding.transcript.actions))
-    before = Log(actions, (), (entries.FAULT, f"what breaks the law {finding.law}", "", ""))
+    before = [*map(str, finding.transcript.actions)], f"what breaks the law {finding.law}"
     return replace(
         finding,
         law=broken.law,
         expected=broken.expected,
         seen=broken.seen,
-        detail="\n".join(filter(None, [side_by_side(before, again), finding.detail])),
+        detail="\n".join(filter(None, [side_by_side(before, in_words(again)), finding.detail])),
         hash_seed=None,
         confirmed=True,
     )
@@ -380,4 +381,4 @@ def _ends_alike(finding: Finding, log: Log) -> bool:
         return isinstance(end, Fault)
     if not isinstance(finding.seen, Estimate):
         return finding.law not in ("crash", "timeout", "illegal-action")
-    return isinstance(end, Answered) and end.estimate == finding.seen
+    return isinstance(end, Answered) and end.answer == finding.seen

@@ -6,13 +6,14 @@ No percept of the player is trusted.
 from __future__ import annotations
 
 import json
-from collections.abc import MutableSequence, Sequence
-from typing import Any, NamedTuple, TypeAlias
+from collections.abc import MutableSequence
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 
 from allworlds import log as entries
 from allworlds.inputs.checks import show
+from allworlds.log import Log
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import Action, Percept, Write, action_numbered
@@ -36,29 +37,14 @@ RECORD_ENDS = "nothing: the record ends here"
 
 
 class Answered(Struct, frozen=True):
-    """The explorer has returned a well-formed estimate."""
-
-    estimate: Estimate
-
-
-class Undecided(Struct, frozen=True):
-    """The explorer has returned a well-formed rooted quotient, and no map.
+    """The explorer has returned a well-formed answer.
 
     Attributes:
-        quotient: its permutations are valid, and ``here`` is one of its darts.
+        answer: an estimate; a rooted quotient, whose permutations are valid, and ``here`` is one of
+            its darts; or where any answer may be given a value, as JSON has it.
     """
 
-    quotient: Ambiguous
-
-
-class Said(Struct, frozen=True):
-    """The explorer has returned an answer that is no map, where any answer may be given.
-
-    Attributes:
-        value: as JSON has it.
-    """
-
-    value: Any
+    answer: Any
 
 
 class Over(Struct, frozen=True):
@@ -83,35 +69,7 @@ class Fault(Struct, frozen=True):
     machine: bool = False
 
 
-Ending: TypeAlias = Answered | Undecided | Said | Over | Fault
-
-
-class Log(NamedTuple):
-    """The content of a log, before it is followed.
-
-    Attributes:
-        actions: as numbers (see :func:`allworlds.protocol.actions.number_of`).
-        checkpoints: the published S and U: the number of actions before, sigma, alpha, and here.
-        ending: the byte of its end, and what belongs to it.
-        choices: the index taken at each choice.
-        widths: the number of options at each choice; 0 where it is not known.
-    """
-
-    actions: Sequence[int]
-    checkpoints: Sequence[tuple[int, tuple[int, ...], tuple[int, ...], int]]
-    ending: tuple[Any, ...]
-    choices: tuple[int, ...] = ()
-    widths: tuple[int, ...] = ()
-
-    @classmethod
-    def of(cls, log: bytes) -> Log:
-        """The content of a log in bytes.
-
-        Raises:
-            ValueError: if it is none.
-        """
-        read = entries.Read(log)
-        return cls(read.actions, read.shown, read.end, tuple(read.choices), tuple(read.widths))
+Ending: TypeAlias = Answered | Over | Fault
 
 
 class Episode(Struct, frozen=True):
@@ -181,7 +139,7 @@ def play(
     """
     beat = [0, 0] if beat is None else beat
     log = play_run(AroundExplorer(world), player, choices, budget, beat, any_answer=not maps)
-    return followed(Log.of(log), world, budget, maps=maps)
+    return followed(Log(log), world, budget, maps=maps)
 
 
 def default_step_budget(bound: int) -> int:
@@ -261,11 +219,11 @@ def ending_of(log: Log, budget: int = 0, *, maps: bool = True) -> Ending:
         case entries.QUOTIENT:
             quotient = Ambiguous(*parts)
             flaw = _flaw(quotient)
-            return Fault("no-estimate", A_QUOTIENT, flaw) if flaw else Undecided(quotient)
+            return Fault("no-estimate", A_QUOTIENT, flaw) if flaw else Answered(quotient)
         case entries.VALUE:
             (text,) = parts
             try:
-                return Said(json.loads(text))
+                return Answered(json.loads(text))
             except (ValueError, RecursionError):
                 return Fault("no-estimate", A_VALUE, show(text))
     return fault_of(log, budget, maps=maps) or Over()

@@ -14,7 +14,7 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.inputs.checks import InputError, a_text, show
-from allworlds.judging.episode import Answered, Ending, Over, Said, Undecided
+from allworlds.judging.episode import Answered, Ending
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.importing import attempted
@@ -252,7 +252,8 @@ class Task(Struct, frozen=True):
                 is not the same twice.
         """
         walk = WalkLog.of(world, transcript)
-        wrong = self._asked("", self._judge, world, walk, _answer_of(ending))
+        answer = ending.answer if isinstance(ending, Answered) else None
+        wrong = self._asked("", self._judge, world, walk, answer)
         if wrong is not None and not isinstance(wrong, str):
             raise InputError(f"task {show(self.name)} returns {show(wrong)}, no text and not None")
         return wrong
@@ -324,12 +325,3 @@ class JudgedWorld(World):
 
 def _left(done: int, every: int, what: str) -> str | None:
     return f"{every - done} of {every} {what}" if done < every else None
-
-
-def _answer_of(ending: Ending) -> Any:
-    """The answer, as a judge gets it."""
-    match ending:
-        case Answered(answer) | Undecided(answer) | Said(answer):
-            return answer
-    assert isinstance(ending, Over)
-    return None

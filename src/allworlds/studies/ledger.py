@@ -230,26 +230,8 @@ FAULTS = (Unfinished, Disagreement, EnginesDisagree)
 BUDGETS: tuple[str, ...] = get_args(Budget)
 
 
-class ProgramFault(Struct, frozen=True):
-    """The reason why no answer counts: two parts of this program disagree, or one has no answer."""
-
-    reason: str
-
-
-class InternalError(Struct, frozen=True):
-    """An error by which nothing is known of the sentence.
-
-    Attributes:
-        reason: the error in a line.
-        traceback: where it was raised.
-    """
-
-    reason: str
-    traceback: str
-
-
-Outcome: TypeAlias = Found | NotChecked | ProgramFault | InternalError
-"""The outcome of a claim, as the ledger keeps it."""
+Outcome: TypeAlias = Found | NotChecked | Exception
+"""The outcome of a claim, as the ledger keeps it: also the fault or error that its check met."""
 
 
 class CheckedClaim(Sentence):
@@ -465,21 +447,24 @@ def found_by(check: Check, means: Means, bounds: Mapping[str, Any]) -> Outcome:
     """The outcome of a claim's function, or the fault or error of this program that it met."""
     try:
         return check(means, **bounds)
-    except FAULTS as fault:
-        return ProgramFault(str(fault))
     except Exception as error:  # noqa: BLE001  # of one claim: the others are checked all the same
-        reason = "".join(traceback.format_exception_only(error)).strip()
-        return InternalError(reason, traceback.format_exc())
+        return error
 
 
 def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
     """The claim with the outcome found on its scope."""
-    scope = claim.scopes[budget]
-    if isinstance(found, Found):
-        shown = found
-    else:
-        reason = found.traceback if isinstance(found, InternalError) else found.reason
-        shown = Found("refuted", {}, told=reason)
+    scope, disagreement, error = claim.scopes[budget], "", ""
+    match found:
+        case Found():
+            shown = found
+        case NotChecked(reason):
+            shown = Found("refuted", {}, told=reason)
+        case Exception() if isinstance(found, FAULTS):
+            disagreement = str(found)
+            shown = Found("refuted", {}, told=disagreement)
+        case _:
+            error = "".join(traceback.format_exception_only(found)).strip()
+            shown = Found("refuted", {}, told="".join(traceback.format_exception(found)))
     sentence = {name: getattr(claim, name) for name in Sentence.__struct_fields__}
     return CheckedClaim(
         **{**sentence, "scope": claim.scope_under(budget)},
@@ -490,9 +475,9 @@ def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0)
         told=shown.told,
         worlds=tuple(picture.world for picture in shown.pictures),
         captions=tuple(picture.caption for picture in shown.pictures),
-        truth=None if isinstance(found, NotChecked | InternalError) else shown.verdict,
-        disagreement=found.reason if isinstance(found, ProgramFault) else "",
-        error=found.reason if isinstance(found, InternalError) else "",
+        truth=None if error or isinstance(found, NotChecked) else shown.verdict,
+        disagreement=disagreement,
+        error=error,
         seconds=seconds,
     )
 

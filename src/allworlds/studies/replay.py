@@ -29,7 +29,9 @@ from allworlds.outcome import Facts
 class AnotherExplorer(ProgramWords):
     """An explorer in place of the recorded one, as the command line names it."""
 
-    explorer: Annotated[str | None, Option(SCOPE, "E", "In place of the recorded explorer.")] = None
+    explorer: Annotated[
+        str | None, Option(SCOPE, "EXPLORER", "In place of the recorded explorer.")
+    ] = None
 
     def value(self) -> str | None:
         """The name of the explorer, if one is given."""

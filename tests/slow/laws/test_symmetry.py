@@ -73,7 +73,7 @@ def test_a_mirrored_explorer_in_the_mirrored_world_walks_and_answers_mirrored(ex
         two = episode_of(behind_a_mirror(explore), world.mirrored())
         assert two.transcript == mirrored(one.transcript)
         if isinstance(one.ending, Answered):
-            assert two.ending.estimate == reflected(one.ending.estimate)
+            assert two.ending.answer == reflected(one.ending.answer)
         else:
             assert two.ending.law == one.ending.law
 

@@ -24,7 +24,7 @@ from allworlds.corpus.explorers import (
     WrongLearner,
 )
 from allworlds.explorers.loading import in_process_subject
-from allworlds.judging.episode import Answered, Undecided, default_step_budget, play
+from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import canonical_world
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
@@ -184,7 +184,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
             world = World(map_, next(iter(kind.places(map_, 0))), 0)
             episode = play(world, player, Choices(), default_step_budget(bound))
             match episode.ending:
-                case Answered(estimate=answer) | Undecided(quotient=answer):
+                case Answered(answer):
                     case = Case(
                         world.map,
                         world.start,

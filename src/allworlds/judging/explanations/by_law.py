@@ -10,21 +10,13 @@ from allworlds.explorers.loading import is_program
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.explanations.slips import bearings_anticlockwise, mirror_image, the_slip
-from allworlds.judging.explanations.story import (
-    Belief,
-    Story,
-    Teller,
-    Telling,
-    Walked,
-    round_at_the_end,
-)
+from allworlds.judging.explanations.story import Belief, Story, Teller, Telling, Walked
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.walks import Parting
 from allworlds.judging.laws.bounds import paper_terms
 from allworlds.judging.laws.folding import Folded, fold
 from allworlds.maps.canonical import carries, numbering, rooted_isomorphism
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
-from allworlds.protocol.actions import Move
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.protocol.transcript import Transcript
 from allworlds.words import listed, plural, size
@@ -33,48 +25,8 @@ from allworlds.world.world import World
 
 # ---------------------------------------------------------------- the run ended too early
 
-PYTHON = "Traceback (most recent call last):"
-
-TELLING = re.compile(
-    r"""(\b\w*(Error|Exception)\b.*:)  # Node, Java, Ruby, C#
-    |(^panic:)                         # Go
-    |(\bpanicked\ at\b)                # Rust
-    |(^\s*what\(\):)                   # C++
-    |(\bAssertion\b.*\bfailed\b)        # C
-    |(^(fatal|Segmentation\ fault|Aborted|Killed)\b)
-    """,
-    re.VERBOSE | re.IGNORECASE,
-)
-"""The words at the beginning of that line, or in it."""
-
-FRAME = re.compile(r"^\s+at\s|^\s*File \"|^note: ")
-"""The words in a line about the place of an error, not about the error."""
-
-
-def telling_line(text: str) -> str:
-    """The line of a traceback, or of a text on stderr, that names the error.
-
-    Python writes this line last, other languages first, followed by places, or a version.  If no
-    line looks like one, it is the last line; empty if there is none.
-    """
-    lines = [line for line in text.split("\n") if line.strip()]
-    if not lines:
-        return ""
-    if any(line.startswith(PYTHON) for line in lines):
-        return next((line for line in reversed(lines) if line[0] != " "), lines[-1]).strip()
-    for i in reversed(range(len(lines))):
-        if TELLING.search(lines[i]) and not FRAME.search(lines[i]):
-            # Rust tells where on this line, and what on the next.
-            after = lines[i + 1 : i + 2] if lines[i].endswith(":") else []
-            return " ".join(line.strip() for line in [lines[i], *after])
-    return lines[-1].strip()
-
-
-PANIC = "panicked at"
-"""Words by which a program in Rust says itself why and where it ends."""
-
-OUTSIDE = re.compile(r"\(signal (6|7|8|11)\)")
-"""The end of a process by what it does to memory: SIGABRT, SIGBUS, SIGFPE, SIGSEGV."""
+MEMORY = re.compile(r"\(signal (7|8|11)\)")
+"""The end of a process by what it does to memory: SIGBUS, SIGFPE, SIGSEGV."""
 
 SANITIZER = (
     "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
@@ -82,34 +34,17 @@ SANITIZER = (
 )
 """The advice for such an end."""
 
-STDOUT = "The program's stdout is for its actions alone: output for debugging goes to stderr."
+STDOUT = (
+    "The program's stdout is for its actions alone: output for debugging goes to stderr. For {}, "
+    "was a value undefined: a return that was forgotten, or an ended generator?"
+)
 """The advice for a program that prints anything else, or when it is not its turn."""
 
-OF_PROGRAMS = (
-    (
-        "illegal-action",
-        # So JavaScript writes an undefined value.
-        r"^the line \{\}:",
-        "Was a value undefined: a return that was forgotten, or an ended generator?",
-    ),
-    (
-        "illegal-action",
-        "a line that is no JSON|a line that is no object|it has none of the keys",
-        STDOUT,
-    ),
-    ("nondeterministic", "a line before it was asked|a line after its answer", STDOUT),
-    (
-        "timeout",
-        r"of one\)",
-        "Does every line of the program end in a newline? Until it does, it is not read.",
-    ),
-    (
-        "timeout",
-        "",
-        "Does the program flush its output after every line? A line in a buffer is silence.",
-    ),
+FLUSH = (
+    "Does every line of the program end in a newline, and does the program flush its output after "
+    "every line? Until then the line is not read."
 )
-"""The advice for programs: the broken law, a pattern of what was seen, and the words."""
+"""The advice for a program that is silent."""
 
 KEPT = (
     "Does it keep something from an earlier run: a global or static variable, or a field that is "
@@ -121,13 +56,28 @@ KEPT = (
 def _advice(finding: Finding) -> list[str]:
     """The cause that the kind of the fault makes likely; no sentence where there is none."""
     seen = str(finding.seen)
-    if finding.law == "crash" and OUTSIDE.search(seen):
-        said = f"{finding.detail}\n{finding.output}"
-        return [f"It said: {telling_line(said)}" if PANIC in said else SANITIZER]
-    for law, pattern, words in OF_PROGRAMS:
-        if law == finding.law and is_program(finding.explorer) and re.search(pattern, seen):
-            return [words]
+    if finding.law == "crash" and MEMORY.search(seen):
+        return [SANITIZER]
+    if is_program(finding.explorer):
+        if finding.law == "timeout":
+            return [FLUSH]
+        if finding.law in ("illegal-action", "nondeterministic") and re.search(
+            "(a|the) line", seen
+        ):
+            return [STDOUT]
     return [KEPT] if finding.law == "nondeterministic" else []
+
+
+def _say_message(finding: Finding) -> list[str]:
+    """Tell the last line of a traceback, or of stderr, that names an error, else the last line.
+
+    No sentence if there is none, or if it is told as what was seen.
+    """
+    lines = [line.strip() for line in finding.detail.splitlines() if line.strip()]
+    if not lines or lines[-1] in str(finding.seen):
+        return []
+    naming = [line for line in lines if re.search("error|exception|panic", line, re.IGNORECASE)]
+    return [f"Its last message: {(naming or lines)[-1]}"]
 
 
 def ending(how: str) -> Teller:
@@ -135,11 +85,8 @@ def ending(how: str) -> Teller:
 
     def tell(story: Story) -> Telling:
         finding = story.finding
-        line = telling_line(finding.detail)
-        sentences = [how.format(seen=finding.seen), *_advice(finding)]
-        sentences += [*_tell_first_wrong(story), _say_last_step(story)]
-        if line not in str(finding.seen):
-            sentences.append(f"Its last message: {line}")
+        sentences = [how.format(seen=finding.seen), *_advice(finding), *_tell_first_wrong(story)]
+        sentences += [_say_last_step(story), *_say_message(finding)]
         return Telling(sentences, story.checkpoint)
 
     return tell
@@ -182,7 +129,7 @@ SHOW = (
 
 
 def tell_budget(story: Story) -> Telling:
-    """Tell whose the budget is, and whether the robot went round, or found no new edge."""
+    """Tell whose the budget is, and since when the robot found no new edge."""
     how = "The explorer did not end within its step budget, so the run was stopped."
     wrong = _tell_first_wrong(story)
     if wrong:  # that is the cause
@@ -190,8 +137,7 @@ def tell_budget(story: Story) -> Telling:
     if str(story.finding.seen).startswith("checkpoint "):
         why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
     else:
-        why = tell_rounds(story) or [_say_last_step(story)]
-        why += [SHOW] if story.finding.rules.task.is_map else []
+        why = [_say_progress(story), *([SHOW] if story.finding.rules.task.is_map else [])]
     return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
 
 
@@ -212,53 +158,15 @@ def tell_whose_budget(finding: Finding) -> str:
     )
 
 
-WAY_BACK = (
-    "Look at its ways back: motions a, b, c are undone by 0, -c, -b, and then the robot stands at "
-    "the dart by which it left, a darts clockwise of the one where it stood before."
-)
-"""The rule of ways back: a wrong one is a likely cause of a walk without an end."""
-
-
-LOST = (
-    "Either it takes a vertex or an edge that it knows for a new one, or the robot is not where "
-    "the explorer believes."
-)
-"""The cause of a walk that goes on in a known world."""
-
-
-def tell_rounds(story: Walked) -> list[str]:
-    """Tell that the robot went round, or since when no edge was new; skip short walks."""
-    actions = story.transcript.actions
-    found = round_at_the_end([*zip(actions, story.walked[1:], strict=True)])
-    if found:
-        steps = plural(found.length, "step")
-        repeats = f"From step {found.first} on it repeated {steps} {found.times} times"
-        return [
-            f"{repeats}, until the end.",
-            *_tell_ways_back(story, found.first + found.length - 1),
-        ]
+def _say_progress(story: Walked) -> str:
+    """Tell since when no edge was new; the last step where there was none."""
     found_at = story.discoveries
     if not found_at:
-        return []
-    left = story.map.edge_count - len(found_at)
-    step = f"After step {found_at[-1]}"
+        return _say_last_step(story)
+    step, left = f"After step {found_at[-1]}", story.map.edge_count - len(found_at)
     if left:
-        since = f"{step} it met no new edge; {plural(left, 'edge')} it never met."
-        return [since, *_tell_ways_back(story, len(actions))]
-    return [
-        f"{step} it had walked every edge of the world, and yet it went on.",
-        LOST,
-        WAY_BACK,
-    ]
-
-
-def _tell_ways_back(story: Walked, end: int) -> list[str]:
-    """Tell how a way back is walked, where one may begin before that step."""
-    actions = story.transcript.actions[:end]
-    if all(action == Move(0) for action in actions):
-        return []
-    back = (i for i, action in enumerate(actions) if i and action == Move(0))
-    return [WAY_BACK] if any(story.sensed[i].degree > 1 for i in back) else []
+        return f"{step} it met no new edge; {plural(left, 'edge')} it never met."
+    return f"{step} it had walked every edge of the world, and yet it went on."
 
 
 def _tell_first_wrong(story: Story) -> list[str]:
@@ -270,7 +178,7 @@ def _tell_first_wrong(story: Story) -> list[str]:
     return [f"{wrong} Mend that first: all that followed may be built on it."]
 
 
-def _say_last_step(story: Story) -> str:
+def _say_last_step(story: Walked) -> str:
     steps, place = story.transcript.steps, story.place(story.walked[-1])
     if not steps:
         return f"It made no step: it stood at the start, {place}, and sensed '{story.sensed[0]}'."

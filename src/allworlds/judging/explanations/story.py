@@ -1,8 +1,8 @@
-"""The story of a run: its walk in names, and the round in which it ended."""
+"""The story of a run: its walk in names, and that walk in a wrong answer."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable
 from typing import TypeAlias
 
 from msgspec import Struct
@@ -129,42 +129,6 @@ class Belief:
         """The first step at which belief and truth diverge."""
         parting = self.walk.parting
         return parting.step if parting else None
-
-
-LONGEST = 200
-"""The number of steps of the longest round that is looked for."""
-
-TIMES = 3
-"""The least number of times that a round is gone."""
-
-
-class Round(Struct, frozen=True):
-    """The steps that a walk repeats until its end.
-
-    Attributes:
-        first: the first step of the first round.
-        length: steps of a round.
-        times: the number of times, the last one perhaps in part.
-    """
-
-    first: int
-    length: int
-    times: int
-
-
-def round_at_the_end(steps: Sequence[Hashable]) -> Round | None:
-    """The shortest round with which the steps end; steps are numbered from 1.  Cost: O(n LONGEST).
-
-    None if it is gone less than :data:`TIMES` times, or is not the greater part of the steps: a
-    wandering robot goes round by chance, for a while.
-    """
-    for length in range(1, min(LONGEST, len(steps) // TIMES) + 1):
-        first = len(steps) - length
-        while first > 0 and steps[first - 1] == steps[first - 1 + length]:
-            first -= 1
-        if len(steps) - first >= max(TIMES * length, len(steps) / 2):
-            return Round(first + 1, length, -(-(len(steps) - first) // length))
-    return None
 
 
 class Telling(Struct, frozen=True):

@@ -101,8 +101,11 @@ def _step_budget(given: object) -> int | None:
     return budget
 
 
-class TaskOptions(Request):
-    """The part of a request that says what counts as done."""
+class RuleOptions(Request):
+    """The part of a request that says how runs are played and judged.
+
+    Each field that stands for another value, where nothing is given, follows from those before it.
+    """
 
     task: Annotated[
         Taken[str | Judge | Task, Task],
@@ -118,14 +121,6 @@ class TaskOptions(Request):
             ],
         ),
     ] = Taken(task_named, MAP)
-
-
-class RuleOptions(TaskOptions):
-    """The part of a request that says how runs are played and judged.
-
-    Each field that stands for another value, where nothing is given, follows from those before it.
-    """
-
     policy: Annotated[
         Taken[str, str],
         Option(

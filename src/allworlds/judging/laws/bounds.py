@@ -43,8 +43,7 @@ def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:
     In pass p = 0, 1, ..., m-1 there are at most 2m - 2p - 1 hypotheses to test, which makes
     m^2 in all; the search costs at most 2 deg(v0).
     """
-    tests = sum(2 * edges - 2 * p - 1 for p in range(edges))
-    return paper_bound(vertices, edges) + 2 * tests + 2 * degree
+    return paper_bound(vertices, edges) + 2 * edges**2 + 2 * degree
 
 
 @dataclass(frozen=True, slots=True)

@@ -77,8 +77,8 @@ class _Folding:
     def walk(self, dart: int, k: int, percept: Percept) -> int:
         """Leave by ``sigma^k(dart)``, a root's dart; return the root's dart of arrival."""
         _check(percept)
-        first, degree = self._span(dart)
-        leaving = first + (dart - first + k) % degree
+        v = self.node[dart]
+        leaving = self.first[v] + (dart - self.first[v] + k) % self.degree[v]
         arrived = self.link[leaving]
         if arrived == -1:
             arrived = self._add(percept.degree)
@@ -127,10 +127,6 @@ class _Folding:
         self.shift.append(0)
         self.seen_unmarked.append(False)
         return start
-
-    def _span(self, dart: int) -> tuple[int, int]:
-        v = self.node[dart]
-        return self.first[v], self.degree[v]
 
     def _root(self, dart: int) -> int:
         """The dart of the root node that stands for this one."""

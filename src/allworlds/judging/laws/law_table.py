@@ -1,7 +1,7 @@
 """The laws that a finished run is held to.
 
 A new one is a function of a :class:`~allworlds.judging.laws.finished_run.Case` and an entry of
-``LAWS``; a law that ends a run before it is finished, such as ``timeout``, stands in ``ALWAYS``
+``LAWS``; a law that ends a run before it is finished, such as ``timeout``, stands in ``ASKED``
 alone.
 """
 
@@ -75,35 +75,23 @@ LAWS: dict[str, Law] = {
 }
 """The laws of finished runs, in the order in which they are reported."""
 
-ALWAYS = {
+ASKED = {
     "crash": "The explorer must not raise, and its process must not end.",
     "timeout": "The explorer must not be silent for longer than the answer timeout.",
     "illegal-action": "The explorer must yield nothing but motions, markers and checkpoints.",
     "no-estimate": "The explorer must return a map and a dart of it.",
     "budget": "The explorer must end within the step budget.",
     "nondeterministic": "The explorer must repeat its actions when its percepts are repeated.",
+    "map": LAWS["map"].asks,
+    "pose": LAWS["pose"].asks,
     "ambiguity": "An answer that names no map must be the quotient of all that look alike.",
     "task": "The answer and the walk must be what the task asks for.",
+    **{name: law.asks for name, law in LAWS.items()},
 }
-"""The laws that cannot be left out, each with what it asks."""
+"""What each law asks; those that are not in ``LAWS`` cannot be left out."""
 
-PRECEDENCE: tuple[str, ...] = (
-    "crash",
-    "timeout",
-    "illegal-action",
-    "no-estimate",
-    "budget",
-    "nondeterministic",
-    "map",
-    "pose",
-    "ambiguity",
-    "task",
-    *(law for law in LAWS if law not in ("map", "pose")),
-)
+PRECEDENCE = (*ASKED,)
 """All laws; when several are broken the first is reported."""
-
-ASKED = {law: LAWS[law].asks if law in LAWS else ALWAYS[law] for law in PRECEDENCE}
-"""What each law asks, in the order of precedence."""
 
 LawName: TypeAlias = Annotated[str, one_of(*PRECEDENCE)]
 

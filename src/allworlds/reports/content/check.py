@@ -43,7 +43,7 @@ from allworlds.reports.parts import (
 )
 from allworlds.studies.check.exhaustive import Guess, TimeEstimate
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
-from allworlds.studies.check.tally_sweep import UserCorpus
+from allworlds.studies.check.tally_sweep import CorpusReport
 from allworlds.version import __version__
 from allworlds.words import about, counted, duration, listed, number, plural, size
 
@@ -193,8 +193,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
     if report.missing_witnesses:
         words.append(("MISSING", f"never met: {', '.join(report.missing_witnesses)}"))
-    if report.past:
-        past = report.past
+    if past := report.corpus:
         words.append(("corpus", f"{past.directory}: {_corpus(past)}"))
     if report.tally.left_out:
         left = plural(report.tally.left_out, "world")
@@ -223,10 +222,10 @@ def _maps(report: CheckReport) -> str:
     return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
 
 
-def _corpus(past: UserCorpus) -> str:
+def _corpus(past: CorpusReport) -> str:
     found = {
         "reproduced": past.reproduced,
-        "still refuted, but beyond the scope": past.beyond,
+        "still refuted, but beyond the scope": past.beyond_scope,
         "fixed and kept": past.fixed,
         "stale and not tried": past.stale,
         "written": past.written,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from allworlds.document.struct import replace
 from allworlds.engines.single import SingleRun
 from allworlds.explorers.loading import is_program
-from allworlds.judging.episode import Answered, Over, Said, Undecided
+from allworlds.judging.episode import Answered, Over
 from allworlds.judging.explanations.story import Belief, Story, Walked
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
@@ -155,17 +155,18 @@ def run_section(run: SingleRun, name: str, title: str = "") -> Section:
     if seen is not None:
         title_of_s = "What the explorer knows (S)"
         views.append(replace(views[0], name="known", title=title_of_s, known=seen))
-    if isinstance(ending, Answered):
-        belief = believed_walk(world, ending.estimate, transcript)
-        answer = answer_view(world, ending.estimate, transcript, belief.trail)
-        views.append(replace(answer, still=seen is not None))
-        agreement = belief.agreement
-    if isinstance(ending, Undecided):
-        blocks += _quotient(ending.quotient)
-    if isinstance(ending, Said):
-        blocks.append(fact("answer", json.dumps(ending.value)))
-    if isinstance(ending, Over):
-        blocks.append(fact("over", f"all is done: {run.rules.task.asks}"))
+    match ending:
+        case Answered(Estimate() as estimate):
+            belief = believed_walk(world, estimate, transcript)
+            answer = answer_view(world, estimate, transcript, belief.trail)
+            views.append(replace(answer, still=seen is not None))
+            agreement = belief.agreement
+        case Answered(Ambiguous() as quotient):
+            blocks += _quotient(quotient)
+        case Answered(value):
+            blocks.append(fact("answer", json.dumps(value)))
+        case Over():
+            blocks.append(fact("over", f"all is done: {run.rules.task.asks}"))
     walk = ShownWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
     return Section(name, title, [walk, *blocks])
 

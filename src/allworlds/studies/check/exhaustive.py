@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from contextlib import suppress
 from itertools import islice
 from random import Random
@@ -408,10 +408,12 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
     """
     engine.ready(job)  # compiles, where that is still to be done
     ready = engine.ready(replace(job, deadline=time.monotonic() + MOST_SECONDS))
+    extent, draw = job.scope.extent, Random(0)  # noqa: S311  # the same pieces each time
     sampled, began, ended = 0, 0.0, 0.0
     try:
+        units = drawn_units(extent, extent.levels[-1], PIECE[_plays(job, engine)], draw)
         with ready.transport as transport:
-            for part in transport.map(ready.engine, _pieces(job, PIECE[_plays(job, engine)])):
+            for part in transport.map(ready.engine, islice(units, PIECES)):
                 now = time.monotonic()
                 if not began:
                     began = now
@@ -423,7 +425,7 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
         pass  # the check itself will say so
     rate = sampled / (ended - began) if ended > began and sampled else None
     return Guess(
-        edges=job.scope.extent.levels[-1],
+        edges=extent.levels[-1],
         engine=engine.name,
         worlds=worlds_of(job),
         sampled=sampled,
@@ -439,10 +441,3 @@ def one_larger(job: Job) -> Extent | None:
     edges = extent.edges + 1
     larger = replace(extent, edges=edges)
     return larger if level_size(larger, edges) else None
-
-
-def _pieces(job: Job, worlds: int) -> Iterator[Any]:
-    extent = job.scope.extent
-    draw = Random(0)  # noqa: S311  # the same pieces each time
-    units = drawn_units(extent, extent.levels[-1], worlds, draw)
-    yield from islice(units, PIECES)

@@ -33,12 +33,11 @@ from allworlds.engines.swept_report import (
     told_scope,
     tried_places,
 )
-from allworlds.engines.tally import AtRun, Tally
+from allworlds.engines.tally import Tally
 from allworlds.engines.units import Portion, Shard
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import checked_laws
 from allworlds.judging.tasks import Task
 from allworlds.maps.build import named_map
@@ -194,7 +193,28 @@ class CheckReport(EndedReport):
     @computed
     def scope(self) -> CheckedScope:
         """All that was checked."""
-        return self.checked_scope()
+        extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
+        gate: Gated = self.cells
+        if source_of(extent) is None or isinstance(coverage, Sample | Given):
+            gate = "absent"
+        elif isinstance(coverage, Shard):
+            gate = "deferred to the merge of all shards"
+        return told_scope(
+            CheckedScope,
+            self.request,
+            rules,
+            edges=extent.edges,
+            places=tried_places(rules.lighthouse, extent),
+            shared_file=rules.shared_file,
+            shard=str(self.portion),
+            sample=told_scope(SampleReport, self.request) if isinstance(coverage, Sample) else None,
+            given=len(coverage.worlds) if isinstance(coverage, Given) else None,
+            symmetry=self.symmetry or None,
+            gate=gate,
+            complete=self.complete,
+            finished_levels=self.levels,
+            stopped=self.ending.reason or None,
+        )
 
     @computed
     def worlds(self) -> Natural:
@@ -293,38 +313,6 @@ class CheckReport(EndedReport):
         sampled = isinstance(self.asked.coverage, Sample)
         return self.facts.sample_verdict if sampled else self.facts.verdict
 
-    def checked_scope(self) -> CheckedScope:
-        """The scope of the check, and how much of it was done."""
-        extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
-        sample: SampleReport | None = None
-        gate: Gated = self.cells
-        if source_of(extent) is None:
-            gate = "absent"
-        match coverage:
-            case Sample():
-                gate = "absent"
-                sample = told_scope(SampleReport, self.request)
-            case Given():
-                gate = "absent"
-            case Shard() if source_of(extent) is not None:
-                gate = "deferred to the merge of all shards"
-        return told_scope(
-            CheckedScope,
-            self.request,
-            rules,
-            edges=extent.edges,
-            places=tried_places(rules.lighthouse, extent),
-            shared_file=rules.shared_file,
-            shard=str(self.portion),
-            sample=sample,
-            given=len(coverage.worlds) if isinstance(coverage, Given) else None,
-            symmetry=self.symmetry or None,
-            gate=gate,
-            complete=self.complete,
-            finished_levels=self.levels,
-            stopped=self.ending.reason or None,
-        )
-
 
 def _rows(tally: Tally) -> Iterator[CheckRow]:
     counts = CheckRow.__struct_fields__[2:]
@@ -355,12 +343,7 @@ def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
     except InputError:  # it was handed over as a function that no name leads to
         return
     for _, row in sorted(report.tally.rows.items()):
-        if row.most_expensive is not None:
-            world = world_at(row.most_expensive, rules)
-            yield single_run(subject, world, rules, row.most_expensive.choices, limits)
-
-
-def world_at(run: AtRun, rules: Rules) -> World:
-    """The world of the run under these rules."""
-    map_ = CombinatorialMap(run.sigma, run.alpha)
-    return World(map_, [*rules.kind.places(map_, 0)][run.place], 0)
+        if (run := row.most_expensive) is not None:
+            map_ = CombinatorialMap(run.sigma, run.alpha)
+            world = World(map_, [*rules.kind.places(map_, 0)][run.place], 0)
+            yield single_run(subject, world, rules, run.choices, limits)

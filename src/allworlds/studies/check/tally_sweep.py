@@ -8,6 +8,7 @@ from __future__ import annotations
 import hashlib
 import re
 import time
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields
 from pathlib import Path
@@ -150,19 +151,11 @@ class UserCorpus(Struct):
 
     Attributes:
         directory: need not exist yet.
-        reproduced: the files whose findings still stand, within the scope of the check.
-        beyond: those that stand beyond it; they say nothing about the scope.
-        fixed: the files whose worlds are no longer refuting; they are kept.
-        stale: the files that were not tried, since their lighthouse or judge has another text now.
-        written: the files that this check has added.
+        files: their names, by the keys of :class:`CorpusReport`.
     """
 
     directory: Path
-    reproduced: list[str] = field(default_factory=list)
-    beyond: list[str] = field(default_factory=list)
-    fixed: list[str] = field(default_factory=list)
-    stale: list[str] = field(default_factory=list)
-    written: list[str] = field(default_factory=list)
+    files: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
     _standing: list[Finding] = field(default_factory=list)
 
     def retry(self, subject: Subject, limits: Limits, scope: Scope) -> list[Finding]:
@@ -173,12 +166,12 @@ class UserCorpus(Struct):
         for name, finding in self._past():
             found = _retry(finding, subject, limits)
             if found is None:
-                self.fixed.append(name)
+                self.files["fixed"].append(name)
             elif is_inside(found, scope):
-                self.reproduced.append(name)
+                self.files["reproduced"].append(name)
                 self._standing.append(found)
             else:
-                self.beyond.append(name)
+                self.files["beyond_scope"].append(name)
         return self._standing
 
     def _past(self) -> list[tuple[str, Finding]]:
@@ -202,7 +195,7 @@ class UserCorpus(Struct):
             try:
                 past.append((file.name, Finding.from_json(text)))
             except OtherText:
-                self.stale.append(file.name)
+                self.files["stale"].append(file.name)
             except ValueError as error:
                 raise InputError(f"{said}: {error}") from None
         return sorted(past, key=lambda each: (each[1].key, each[0]))
@@ -210,14 +203,9 @@ class UserCorpus(Struct):
     @property
     def report(self) -> CorpusReport:
         """The part of the check's report about past findings."""
-        return CorpusReport(
-            directory=str(self.directory),
-            reproduced=tuple(self.reproduced),
-            beyond_scope=tuple(self.beyond),
-            fixed=tuple(self.fixed),
-            stale=tuple(self.stale),
-            written=tuple(self.written),
-        )
+        keys = ("reproduced", "beyond_scope", "fixed", "stale", "written")
+        files = {key: tuple(self.files[key]) for key in keys}
+        return CorpusReport(directory=str(self.directory), **files)
 
     def holds(self, finding: Finding) -> bool:
         """Whether this is a past finding that was reproduced and confirmed."""
@@ -232,7 +220,7 @@ class UserCorpus(Struct):
                 except OSError as error:
                     yield f"the corpus could not take {finding.file_name}: {error.strerror}"
                 else:
-                    self.written.append(finding.file_name)
+                    self.files["written"].append(finding.file_name)
 
     def _write(self, finding: Finding) -> None:
         """Write a finding, unless it is there already: whole or not at all."""
