@@ -187,8 +187,6 @@ def test_an_explorer_that_no_name_leads_to_has_a_page_without_the_most_expensive
         return answer
 
     root = read(file_of("check", "html", check(explore, edges=1, bound="none")))
-    bars = [line.split() for line in root.one(id="costs-bars").text.splitlines()[1:]]
-    assert [line[-2:] for line in bars] == [["3", "█" * 40]] * 2
     assert not [*root.all(id="most-expensive")]
 
 

@@ -216,7 +216,6 @@ class InWorld(NamedTuple):
         places: the number of all places.
         bound: on the traversals of a run, the same in each place; None without one.
         drawn_from: the number of different worlds of this size that seeds draw, where it is known.
-        finished: all worlds of this size were run.
     """
 
     map: CombinatorialMap
@@ -226,7 +225,6 @@ class InWorld(NamedTuple):
     places: int
     bound: int | None
     drawn_from: int | None = None
-    finished: bool = True
 
     @property
     def mean(self) -> float:
@@ -266,22 +264,20 @@ class CostsOfAll(Struct):
             self.one(number).add(tally)
 
 
-class SideBySide:
+class SideBySide(ExitStack):
     """The transports of all entrants, by their numbers, as one."""
 
     def __init__(self, transports: Sequence[Transport[Any]]) -> None:
-        self._transports, self._stack = transports, ExitStack()
+        super().__init__()
+        self._transports = transports
 
+    @override
     def __enter__(self) -> Self:
         with ExitStack() as stack:
             for transport in self._transports:
                 stack.enter_context(transport)
-            self._stack = stack.pop_all()
+            self.push(stack.pop_all())
         return self
-
-    def __exit__(self, *error: object) -> None:
-        raised: Any = error
-        self._stack.__exit__(*raised)
 
     def map(
         self, engine: Sequence[CostEngine], units: Iterable[UnitOfOne]

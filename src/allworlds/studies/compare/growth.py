@@ -290,14 +290,11 @@ class Growth(ContestReport, kw_only=True):
     """Report of 'compare --to'.
 
     Explorers in worlds that grow.
-
-    ``begun`` holds the worlds that were finished of a size that was not, for rows for programs.
     """
 
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
     left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
     families: Aside[tuple[str, ...]]
-    begun: Aside[tuple[GrowRow, ...]] = ()
 
     @computed
     def ratios(self) -> tuple[CostRatio, ...]:
@@ -310,13 +307,12 @@ class Growth(ContestReport, kw_only=True):
         return self.facts.sample_verdict
 
     def in_worlds(self) -> Iterator[InWorld]:
-        """The runs in each world, row by row; those of a size that was not finished come last.
+        """The runs in each world, row by row.
 
         Cost: each world is built once again.
         """
-        every = *self.rows, *self.begun
         built = cache(lambda name: member_named(name).map())
-        for number, row in enumerate(every):
+        for row in self.rows:
             for one in row.members:
                 yield InWorld(
                     built(one.name),
@@ -326,7 +322,6 @@ class Growth(ContestReport, kw_only=True):
                     one.places,
                     one.bound,
                     row.drawn_from,
-                    finished=number < len(self.rows),
                 )
 
 
@@ -418,7 +413,6 @@ class GrowingWorlds(Contest[Growth]):
         if isinstance(self.portion, Shard):
             self._mine = set(dealt([m * m for m in edges], self.portion))
         self._rows: list[GrowRow] = []
-        self._begun: list[GrowRow] = []
         self._left_out = 0
 
     @override
@@ -463,12 +457,7 @@ class GrowingWorlds(Contest[Growth]):
         for one in self.entrants:
             chosen = (self._chosen(one, *member) for member in level.of.maps.items())
             self._left_out += sum(not ran for _, ran in chosen)
-        super().leave(level, total)
-
-    @override
-    def leave(self, level: SweptLevel, total: CostsOfAll) -> None:
-        self._begun += self._rows_of(level.of, total)
-        super().leave(level, total)
+        self.leave(level, total)
 
     @override
     def report(self, ending: Ending) -> Growth:
@@ -476,7 +465,6 @@ class GrowingWorlds(Contest[Growth]):
             **self.contest(ending),
             families=self._families,
             rows=tuple(sorted(self._rows, key=lambda row: self._families.index(row.family))),
-            begun=tuple(self._begun),
             left_out=self._left_out,
         )
 
