@@ -19,9 +19,8 @@ from typing import Any
 
 from allworlds import search
 from allworlds.maps import from_cycles, from_rotation
-from allworlds.studies.ambiguity.twin_search import bisimulation
+from allworlds.studies.ambiguity import twins
 from allworlds.world import Natural, Position, World
-from allworlds.world.bisimulation import same_world_from
 
 HERE = Path(__file__).resolve().parent
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
@@ -49,10 +48,10 @@ def _compress(source: Path, target: Path) -> None:
 
 def entry(worlds: list[World]) -> dict[str, Any]:
     """A pair and its bisimulation, as the checkers read them."""
-    classes = bisimulation(*worlds)
-    if classes is None:
+    found = twins(*worlds)
+    if found.distinguishable:
         raise SystemExit(f"{worlds} do not look alike")
-    return {"pair": [world.to_json() for world in worlds], "bisimulation": list(classes)}
+    return {"pair": [world.to_json() for world in worlds], "bisimulation": list(found.bisimulation)}
 
 
 def write(path: Path, document: Any) -> None:
@@ -97,7 +96,7 @@ def wheels() -> list[World]:
         for turned in product((1, -1), repeat=4):
             around = [rim[::turn] for rim, turn in zip(rims, turned, strict=True)]
             drawn = World(from_rotation([[1, *hub], *around]), Position(0))
-            if bisimulation(plane, drawn) and same_world_from(plane, drawn) is None:
+            if twins(plane, drawn).twins:
                 return [plane, drawn]
     raise SystemExit("no drawing of the wheel looks like another")
 

@@ -17,7 +17,7 @@ from allworlds.studies.fuzz import fuzz
 
 
 def junit(report):
-    return file_of("check", "junit", report)
+    return file_of("junit", report)
 
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}

@@ -25,7 +25,7 @@ VALIDATOR = Draft7Validator(
 
 
 def sarif(report):
-    return file_of("check", "sarif", report)
+    return file_of("sarif", report)
 
 
 def run_of(report):

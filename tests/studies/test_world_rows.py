@@ -17,7 +17,7 @@ from allworlds.world.world import at_place
 
 def rows_of(report, verb="compare"):
     """The rows of a result, as its CSV has them."""
-    return [*csv.DictReader(io.StringIO(file_of(verb, "csv", report)))]
+    return [*csv.DictReader(io.StringIO(file_of("csv", report)))]
 
 
 @pytest.fixture(scope="module")

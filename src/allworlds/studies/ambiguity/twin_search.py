@@ -32,6 +32,7 @@ from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
 from allworlds.inputs.requests import answers
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.quotient import classes_of_union
 from allworlds.outcome import COMPLETED, Disagreement, Ending, ended
 from allworlds.studies.ambiguity.formulas import (
     Block,
@@ -169,32 +170,6 @@ class SearchResult(EndedReport, kw_only=True):
 # ---------------------------------------------------------------- a model, decoded and checked
 
 
-def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
-    """Class numbers of the darts of ``a`` and of ``b``; None if a motion tells them apart.
-
-    The finest classes of which the starts share one, sigma and alpha take classes to classes,
-    and the darts of a class sense the same.  They are numbered in the order of the darts of
-    ``a``.
-
-    Cost: O(m^2) at worst.
-    """
-    pairs = {(a.start, b.start)}
-    for x, y in (todo := list(pairs)):
-        if a.percepts[x] != b.percepts[y]:
-            return None
-        for pair in ((a.map.sigma[x], b.map.sigma[y]), (a.map.alpha[x], b.map.alpha[y])):
-            if pair not in pairs:
-                pairs.add(pair)
-                todo.append(pair)
-    # Every dart of b is met, for its map is connected; the least dart of a names the class.
-    ones, twos = list(a.map.darts), [len(a.map.sigma)] * len(b.map.sigma)
-    while uneven := [(x, y) for x, y in todo if ones[x] != twos[y]]:
-        for x, y in uneven:
-            ones[x] = twos[y] = min(ones[x], twos[y])
-    names = {least: i for i, least in enumerate(sorted({*ones}))}
-    return tuple(names[x] for x in ones), tuple(names[y] for y in twos)
-
-
 def decoded(pair: Pair, model: frozenset[int]) -> Twins:
     """The two worlds of a model, the set of its true variables.
 
@@ -207,15 +182,14 @@ def decoded(pair: Pair, model: frozenset[int]) -> Twins:
         two = _world(asked, pair.two, pointed[1], model)
     except InputError as error:
         raise RuntimeError(f"the solver's model is no pair of worlds: {error}") from None
-    classes = bisimulation(one, two)
+    first, second = classes_of_union(*((w.map, w.percepts, w.start) for w in (one, two)))
     if (
-        classes is None
-        or flaw((one, two), classes)
+        flaw((one, two), (first, second))
         or same_world_from(one, two) == two.start
         or not all(_fits(world, asked) for world in (one, two))
     ):
         raise RuntimeError(f"the solver's pair {one}, {two} does not answer: {asked}")
-    return Twins(pair=(one, two), bisimulation=classes)
+    return Twins(pair=(one, two), bisimulation=(first, second))
 
 
 def _world(asked: Question, world: OneWorld, pointed: Block | None, model: frozenset[int]) -> World:

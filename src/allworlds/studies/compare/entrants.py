@@ -264,20 +264,22 @@ class CostsOfAll(Struct):
             self.one(number).add(tally)
 
 
-class SideBySide(ExitStack):
+class SideBySide:
     """The transports of all entrants, by their numbers, as one."""
 
     def __init__(self, transports: Sequence[Transport[Any]]) -> None:
-        super().__init__()
-        self._transports = transports
+        self._transports, self._stack = transports, ExitStack()
 
-    @override
     def __enter__(self) -> Self:
         with ExitStack() as stack:
             for transport in self._transports:
                 stack.enter_context(transport)
-            self.push(stack.pop_all())
+            self._stack = stack.pop_all()
         return self
+
+    def __exit__(self, *error: object) -> None:
+        raised: Any = error
+        self._stack.__exit__(*raised)
 
     def map(
         self, engine: Sequence[CostEngine], units: Iterable[UnitOfOne]
