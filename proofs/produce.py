@@ -51,7 +51,7 @@ def entry(worlds: list[World]) -> dict[str, Any]:
     found = twins(*worlds)
     if found.distinguishable:
         raise SystemExit(f"{worlds} do not look alike")
-    return {"pair": [world.to_json() for world in worlds], "bisimulation": list(found.bisimulation)}
+    return {"pair": [world.to_json() for world in worlds], "bisimulation": list(found.bisimulation or ())}
 
 
 def write(path: Path, document: Any) -> None:

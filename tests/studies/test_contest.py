@@ -138,7 +138,7 @@ def test_one_world_of_a_family_is_compared_over_every_place():
     scope = document["scope"]
     assert (scope["family"], scope["holes"], scope["seed"]) == (["lattice:4x4"], "10%", 5)
     assert scope["edges"] is None
-    assert "one world: lattice:4x4 with holes 10%, seed 5" in text_of(report, 100)
+    assert "one world: lattice:4x4 --holes 10% --seed 5" in text_of(report, 100)
 
 
 def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):

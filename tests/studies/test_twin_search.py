@@ -268,7 +268,7 @@ def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path
         ({"motions": (1,), "percepts": ("A",)}, "percept 'A'"),
         ({"motions": (1,), "percepts": ("3",)}, "percept '3'"),
         ({"lighthouse": "none", "motions": (1,), "percepts": ("4P",)}, "4P needs a marked vertex"),
-        ({"time_limit": 0}, "time-limit = 0"),
+        ({"time_limit": 0}, "time-limit 0"),
         ({"solver": "/nowhere/cadical"}, "'/nowhere/cadical' cannot be run"),
         ({"solver": "/bin/true"}, "legal is CaDiCaL 2 or later"),
     ],

@@ -182,7 +182,7 @@ def _by_size(report: Comparison, names: Sequence[str]) -> list[list[Value]]:
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
-    scope = f"one world: {report.member.described}" if report.member else maps_in_words(report)
+    scope = f"one world: {report.member.name}" if report.member else maps_in_words(report)
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))

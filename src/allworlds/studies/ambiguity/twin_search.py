@@ -240,8 +240,6 @@ def search(request: SearchRequest) -> SearchResult:
         InputError: naming the offending value and what would be legal.
     """
     asked, time_limit, external = question_of(request), request.time_limit, None
-    if time_limit is not None and (not isinstance(time_limit, int | float) or not time_limit > 0):
-        raise InputError(f"time-limit = {show(time_limit)}, but it must be more than 0 seconds")
     at_most("time-limit", time_limit or 0, LONGEST_WAIT)
     if request.solver is not None:
         a_path("solver", request.solver)

@@ -366,7 +366,7 @@ class ContestReport(SweptReport, kw_only=True):
     @computed
     def verdict(self) -> Verdict:
         """Whether a run of any explorer broke a law."""
-        return self.judged
+        return self.facts.verdict if self.request.to is None else self.facts.sample_verdict
 
     @computed
     def explorers(self) -> Some[Compared]:
@@ -385,11 +385,6 @@ class ContestReport(SweptReport, kw_only=True):
     def scope(self) -> ContestScope:
         """The worlds in which they were run."""
         return told_scope(ContestScope, self.request, shard=str(self.portion))
-
-    @property
-    def judged(self) -> Verdict:
-        """The verdict of these facts."""
-        return self.facts.verdict
 
     @property
     @override

@@ -32,7 +32,7 @@ from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import edges_of, rootings
-from allworlds.outcome import Ending, Verdict
+from allworlds.outcome import Ending
 from allworlds.studies.compare.entrants import (
     CompareRequest,
     Contest,
@@ -115,11 +115,6 @@ class Member(Struct, frozen=True):
         """Words that name the world: ``torus:6x6 --seed 1``."""
         holes = f" --holes {self.holes}" if self.holes else ""
         return f"{self.text}{holes} --seed {self.seed}"
-
-    @property
-    def described(self) -> str:
-        """Words for a reader: ``torus:6x6, seed 1``."""
-        return f"{self.text}{f' with holes {self.holes}' if self.holes else ''}, seed {self.seed}"
 
     def map(self) -> CombinatorialMap:
         """The map; a robot starts at dart 0."""
@@ -246,7 +241,7 @@ class GrowRow(Document):
     @computed
     def mean(self) -> Figure:
         """Traversals: over the worlds, in each over the places of its runs."""
-        return round(_mean(self), 6)
+        return round(fsum(self.means) / len(self.members), 6)
 
     @computed
     def interval(self) -> Range:
@@ -301,11 +296,6 @@ class Growth(ContestReport, kw_only=True):
         """One for each family, size and explorer but the first."""
         return tuple(_ratios(self))
 
-    @property
-    @override
-    def judged(self) -> Verdict:
-        return self.facts.sample_verdict
-
     def in_worlds(self) -> Iterator[InWorld]:
         """The runs in each world, row by row.
 
@@ -344,10 +334,6 @@ def _ratios(report: Growth) -> Iterator[CostRatio]:
                 exact=exact,
                 interval=None if exact else _rounded(mean[1]),
             )
-
-
-def _mean(row: GrowRow) -> float:
-    return fsum(row.means) / len(row.members)
 
 
 def _rounded(interval: Interval | None) -> Interval | None:
