@@ -136,7 +136,8 @@ def proofs(session: nox.Session) -> None:
 def full(session: nox.Session) -> None:
     """Run the longest tests, then go further with what Coq extracts (nox -s proofs builds it)."""
     session.install(".[browser,dev,docs]")
-    session.run("pytest", "-n", "auto", "--dist", "worksteal", "-m", "long", "--durations=25")
+    distributed = ("-n", "auto", "--dist", "worksteal")
+    session.run("pytest", *distributed, "-m", "long", "--durations=25", "tests/slow")
     further = ("walked", "judged", "checked", "folded", "shielded")
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
     session.run("python", "proofs/certified.py", "--edges", "5", *limits)

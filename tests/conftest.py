@@ -144,7 +144,8 @@ def without_workers(monkeypatch):
             running.enter_context(here.running())
             return here
 
-        def player(setup, _seed, notice=None):
+        def player(setup, seed, notice=None):
+            del seed  # of hashes: they are those of this process
             subject = loaded(setup.subject, setup.limits)
             explorer = subject.player(notice) if notice and subject.own else subject.player()
             return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
@@ -168,7 +169,7 @@ def without_workers_unless_the_test_is_about_them(request):
 
 def is_slow(item):
     """Whether a test is left out of the quick run."""
-    return "/slow/" in item.nodeid or item.get_closest_marker("slow") is not None
+    return item.nodeid.startswith("tests/slow/")
 
 
 def needs_kernel(item):

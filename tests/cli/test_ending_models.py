@@ -7,7 +7,6 @@ import pytest
 
 from models import PARITY
 from processes import PATIENCE
-from small import slow
 
 CHECK = ["check", "--edges", "1", "--workers", "1"]
 
@@ -66,12 +65,7 @@ def test_a_model_that_ends_the_process_when_it_is_imported_is_bad_input(ended):
 
 @pytest.mark.parametrize(
     ("end", "kind", "more", "code"),
-    [
-        ("os._exit, 0", "task", [], 1),
-        slow("os._exit, 0", "where", ["--bound", "0", "--json"], 1),
-        slow("os._exit, 1", "where", [], 0),
-        ("sys.exit, 0", "task", ["-q"], 1),
-    ],
+    [("os._exit, 0", "task", [], 1), ("sys.exit, 0", "task", ["-q"], 1)],
 )
 def test_the_exit_code_is_that_of_the_verdict_whatever_a_model_does_at_the_end(
     ended, end, kind, more, code

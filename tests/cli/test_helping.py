@@ -88,13 +88,3 @@ def test_a_default_is_told_wherever_leaving_out_an_option_means_a_value(monkeypa
     ]:
         _, told = help_of([name], 79, monkeypatch, capsys)
         assert words in " ".join(told.split())
-
-
-@pytest.mark.slow
-@pytest.mark.no_cover
-def test_a_verb_that_takes_an_explorer_tells_of_the_shield(monkeypatch, capsys):
-    for verb in VERBS:
-        command, told = help_of(verb.name.split(), 200, monkeypatch, capsys)
-        words = [p.metavar for p in command.params if p.param_type_name == "argument"]
-        takes_one = verb.name != "worst" and any("EXPLORER" in str(word) for word in words)
-        assert ("shield:EXPLORER" in told) == takes_one, verb.name

@@ -16,15 +16,6 @@ def test_worst_prints_one_document(cli):
     assert all(row["replayed"] == row["worst"] for row in document["rows"])
 
 
-@pytest.mark.slow
-def test_worst_prints_a_table(cli):
-    code, out, _ = cli("worst", "--edges", 2, "--class", "simple", "--workers", 1)
-    assert code == 0
-    assert out.startswith("WORST ")
-    header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
-    assert header in [line.split() for line in out.splitlines()]
-
-
 @pytest.mark.parametrize(
     ("option", "value"),
     [("--transit", "fast"), ("--class", "round"), ("--edges", "0"), ("--workers", "none")],
@@ -34,13 +25,9 @@ def test_worst_refuses_by_name(refused, option, value):
 
 
 @pytest.mark.no_cover
-def test_check_tells_the_engine_and_its_symmetry(cli):
-    code, out, _ = cli("check", "--edges", 6, "--json", "-q")
-    assert code == 0
-    document = json.loads(out)
-    assert document["engine"] == "kernel"
-    assert "every bearing" in document["scope"]["symmetry"]
+def test_check_tells_the_engine(cli):
     code, out, _ = cli("check", "--edges", 2, "--engine", "kernel")
+    assert code == 0
     assert "algorithm1, kernel engine" in out
     assert "symmetry" not in out
 

@@ -8,6 +8,8 @@ import pytest
 import allworlds
 from allworlds import ambiguity
 
+pytestmark = pytest.mark.usefixtures("compiled")  # for worst
+
 PAGE = (Path(__file__).parents[2] / "docs/how-to/rows.md").read_text(encoding="utf-8")
 
 

@@ -101,20 +101,6 @@ def test_what_a_distribution_offers_is_used_by_its_name(installed):
     assert (code, finding["law"], finding["seen"]) == (1, "task", "here is said")
 
 
-@pytest.mark.slow
-@pytest.mark.long
-def test_run_directories_and_the_census_take_them(installed):
-    words = [*CHECK, "--task", "my-word?word=here", "--run", "rd"]
-    assert installed(*words)[0] == 0
-    code, out, _ = installed("merge", "rd", "--json")
-    assert (code, json.loads(out)["verdict"]) == (0, "holds")
-    code, out, _ = installed(
-        *("ambiguity", "census", "--lighthouse", "my-parity", "--where", "my-small?degree=3"),
-        *("--edges", 2, "--json"),
-    )
-    assert (code, json.loads(out)["scope"]["lighthouse"]) == (0, "my-parity")
-
-
 @pytest.mark.parametrize(
     ("option", "name", "offered"),
     [

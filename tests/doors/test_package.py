@@ -12,7 +12,6 @@ import pytest
 
 import allworlds
 from package_contents import NEEDED, flaws
-from small import slow
 
 ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -55,7 +54,7 @@ def run_without_heavy_ones(tmp_path, *arguments):
     )
 
 
-@pytest.mark.parametrize("workers", ["1", slow("2")])
+@pytest.mark.parametrize("workers", ["1"])
 def test_an_explorer_of_ones_own_is_checked_without_numba_and_z3_in_every_process(
     workers, tmp_path
 ):

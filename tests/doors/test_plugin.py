@@ -196,13 +196,6 @@ def test_the_plugin_loads_nothing_of_the_package():
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
-@pytest.mark.slow
-def test_workers_of_xdist_collect_the_same_tests(pytester):
-    pytester.makepyfile(MARKED)
-    result = pytester.runpytest_subprocess("-n", "2", "-p", "no:cov")
-    result.assert_outcomes(passed=3)
-
-
 def test_a_typo_in_the_mark_is_told_with_what_was_meant(tests):
     result = tests(MARKED.replace("edges=3", "edgs=3"))
     assert result.ret != 0

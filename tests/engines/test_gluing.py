@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds.engines.kernel.gluing import by_vertices_and_faces
-from allworlds.engines.units import LevelUnit, units_of_level
+from allworlds.engines.units import units_of_level
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import rooted_of_genus
@@ -10,22 +10,10 @@ from allworlds.studies import count as counter
 from allworlds.studies.count import (
     Counted,
     count_compiled,
-    count_one_by_one,
     row_of,
 )
 
 pytestmark = pytest.mark.usefixtures("compiled")
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("vertices", [None, 2, 4])
-@pytest.mark.parametrize("edges", [1, 2, 3, 4, 5])
-def test_the_compiled_count_is_the_count_one_by_one(edges, vertices):
-    bounds = Extent(MapClass.MAPS, edges, vertices)
-    unit, slow = LevelUnit(edges, ()), Counted()
-    for part in count_one_by_one(bounds, unit):
-        slow.add(part)
-    assert count_compiled(bounds, unit).cells == slow.cells
 
 
 @pytest.mark.parametrize("depth", [1, 2, 3, 4, 5])

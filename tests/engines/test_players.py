@@ -52,9 +52,10 @@ def forks(first):
     return (yield from explore(first))
 
 def hangs(first):
+    import time
     yield Move(0)
     while True:
-        pass
+        time.sleep(1)
 """
 
 
@@ -285,6 +286,7 @@ def test_players_end_with_the_process_that_has_started_them(module, tmp_path):
     text += f"with Path({str(pids)!r}).open('a') as file:\n    file.write(f'{{os.getpid()}} ')\n"
     module.write_text(text + RIGHT)
     command = [sys.executable, "-m", "allworlds", "check", f"{module}:hangs", "--edges", "1"]
+    command += ["--answer-timeout", "1"]
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     while not pids.exists() or len(pids.read_text().split()) < 3:
         time.sleep(0.01)

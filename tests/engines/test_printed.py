@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from allworlds import Estimate, Finding, check, replay, run
+from allworlds import Estimate, Finding, check, run
 from allworlds.engines.prints import KEPT, Prints
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.reports.content.single_run import printed
@@ -42,13 +42,6 @@ def talks(first):
     for i in range(3000):
         print("line", i)
     return (yield from algorithm1(first))
-"""
-
-PROGRAM = """
-import json, sys
-for line in sys.stdin:
-    print("hears", line.strip()[:12], file=sys.stderr, flush=True)
-    print(json.dumps({"estimate": {"sigma": [0, 1], "alpha": [1, 0], "here": 7}}), flush=True)
 """
 
 
@@ -91,20 +84,6 @@ def test_a_finding_holds_what_was_printed_in_its_run_alone(named, cli):
     assert "begins with" not in err
 
 
-@pytest.mark.slow
-def test_replay_does_not_compare_it(named):
-    (finding,) = check(named("wrong"), edges=3).findings
-    document = finding.to_json() | {"output": "something else"}
-    assert replay(Finding.from_json(document)).outcome == "reproduced"
-
-
-@pytest.mark.slow
-def test_last_words_are_kept(named):
-    (finding,) = check(named("dies"), edges=1).findings
-    assert (finding.law, finding.output) == ("crash", "last words\n")
-    assert run(named("dies"), "theta").finding.output == "last words\n"
-
-
 def test_of_much_the_beginning_and_the_end_are_kept(named):
     output = run(named("talks"), "theta").outcome.output
     assert output.startswith("line 0\nline 1\n")
@@ -130,15 +109,6 @@ def test_of_an_explorer_in_this_process_the_run_that_is_told_alone_is_heard(capf
     degree = finding.transcript.first.degree
     assert finding.output == f"begins with {degree}\nto stderr\nraw \\x1b[31m\n"
     assert "begins with" not in "".join(capfd.readouterr())
-
-
-@pytest.mark.slow
-def test_what_a_program_writes_to_stderr_is_kept_too(tmp_path):
-    file = tmp_path / "program.py"
-    file.write_text(PROGRAM, encoding="utf-8")
-    (finding,) = check(f"exec:{sys.executable} {file}", edges=1).findings
-    assert finding.law == "no-estimate"
-    assert finding.output == 'hears {"episode": \n'
 
 
 def test_what_a_library_prints_is_kept_although_its_process_is_ended():

@@ -225,6 +225,7 @@ def test_a_flipped_byte_is_detected_or_harms_nothing(tmp_path):
     assert len(inside) <= refused < len(inside) + len(anywhere)
 
 
+@pytest.mark.usefixtures("compiled")
 def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
     said = []
     whole = check(edges=4, engine="kernel").to_json()

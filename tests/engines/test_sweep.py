@@ -49,6 +49,8 @@ SWEEPS = {
 KINDS = ("check refuted", "worst", "compare", "compare --to", "fuzz", "count", "ambiguity census")
 """One for each way of going through worlds; the others are left to the slow tests."""
 
+ON_A_CLUSTER = ("check refuted", "compare --to", "ambiguity census")
+
 
 def text(report):
     return json.dumps(report.to_json())
@@ -166,7 +168,7 @@ def cluster():
 
 @pytest.mark.no_cover
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
-@pytest.mark.parametrize("name", KINDS)
+@pytest.mark.parametrize("name", ON_A_CLUSTER)
 def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
     name, undisturbed, cluster, tmp_path
 ):

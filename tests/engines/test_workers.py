@@ -3,11 +3,8 @@
 import pytest
 
 import small
-from allworlds.engines.players import GRACE
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from processes import PATIENCE, SOON
@@ -39,19 +36,10 @@ def only_finding(name, **options):
 @pytest.mark.parametrize(
     ("name", "law", "seen"),
     [
-        pytest.param("hang", "timeout", "silent for 4 s", marks=pytest.mark.slow),
-        small.long("hang_gil", "timeout", "silent for 4 s"),
-        small.long("hang_regex", "timeout", "silent for 4 s"),
         ("os_exit", "crash", "exit code 0"),
         ("segfault", "crash", "signal 11"),
-        small.slow("reads", "crash", "EOFError"),
         ("closes", "crash", "end of the process"),
-        pytest.param(*("closes_and_hangs", "crash", "the process's pipe"), marks=pytest.mark.slow),
-        small.slow("sys_exit", "crash", "SystemExit"),
-        small.slow("interrupt", "crash", "KeyboardInterrupt"),
         ("raises", "crash", "ZeroDivisionError"),
-        small.slow("deep", "crash", "RecursionError"),
-        small.slow("orphan", "crash", "exit code 3"),
     ],
 )
 def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):
@@ -88,73 +76,12 @@ def test_an_explorer_that_finds_no_memory_to_be_imported_tells_the_limit(tmp_pat
         check(f"{module}:explore", edges=1, memory=300)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["prints", "reads_quietly", "child", "thread", "forks"])
-def test_what_harms_nobody_is_no_finding(wrong, capfd, name):
-    report = check(wrong(name), edges=2, workers=2)
-    assert (report.verdict.value, report.worlds, report.runs) == ("holds", 12, 30)
-    assert capfd.readouterr().out == ""
-
-
-@pytest.mark.slow
-def test_the_walk_of_a_killed_explorer_is_known(wrong):
-    finding = only_finding(wrong("hang_in_the_middle"))
-    assert finding.law == "timeout"
-    assert [action.k for action, _ in finding.transcript.steps] == [0]
-    assert finding.confirmed
-
-
-@pytest.mark.slow
-def test_the_choices_of_a_killed_explorer_are_known(wrong, clock):
-    # No further than what is allowed where something is still to be heard.
-    clock.LEAP = SOON + GRACE / 2
-    finding = only_finding(wrong("hang_after_choices"), schedules="all", laws=["map"])
-    assert (finding.law, finding.choices) == ("timeout", (0,))  # those of the turns that ended
-    assert len(finding.transcript.steps) == 1
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "name", ["chooses_for_ever", small.long("chooses_for_ever_whatever_is_raised")]
-)
-def test_an_explorer_that_chooses_for_ever_is_silent(wrong, name):
-    finding = only_finding(wrong(name))
-    assert (finding.law, finding.confirmed) == ("timeout", True)
-    assert len(finding.transcript.steps) == 1
-    assert finding.choices == (0,)  # those before the step; of a turn without an end none is told
-    told = run(wrong(name), EDGE, answer_timeout=PATIENCE, start_timeout=10**6)
-    assert (told.finding.law, told.finding.choices) == ("timeout", finding.choices)
-
-
-@pytest.mark.slow
-def test_a_program_that_plays_one_episode_is_told_that_there_are_more(program):
-    finding = only_finding(program("dies-between"))
-    assert finding.law == "nondeterministic"
-    assert "one process plays many" in finding.seen
-
-
 @pytest.mark.parametrize("timeout", [1e-9, 0.05])
 def test_a_timeout_that_could_not_be_kept_is_refused(wrong, timeout):
     with pytest.raises(InputError, match=r"least is 0\.1 s"):
         check(wrong("right"), edges=1, answer_timeout=timeout)
     with pytest.raises(InputError, match=r"least is 0\.1 s"):
         run(wrong("right"), EDGE, answer_timeout=timeout)
-
-
-@pytest.mark.slow
-def test_an_explorer_that_takes_its_interpreter_with_it_when_it_is_closed(wrong):
-    report = check(wrong("ends_at_its_close"), edges=1)
-    assert [finding.law for finding in report.findings] == ["crash"]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["by_random", "by_time", "by_id", "by_hash", "by_state"])
-def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, name):
-    finding = only_finding(wrong(name))
-    assert finding.law == "nondeterministic"
-    assert finding.world.map.loop_count == 1
-    # What keeps a state may do the same in both plays, and something else when it is confirmed.
-    assert "walk differs" in finding.seen or "in some plays only" in finding.seen
 
 
 def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong):
@@ -175,42 +102,6 @@ def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
     assert "Traceback" in finding.detail
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("kind", "law", "seen"),
-    [
-        ("ends", "crash", "exit code 7"),
-        ("no-json", "illegal-action", "no JSON: 'move 0'"),
-        ("empty-line", "illegal-action", "no JSON"),
-        ("no-object", "illegal-action", "no object: '[1, 2]'"),
-        ("bad-utf8", "illegal-action", "no JSON"),
-        ("huge-line", "illegal-action", "a line of over"),
-        ("deep", "illegal-action", "no JSON"),
-        ("bool-move", "illegal-action", '{"move": true}'),
-        ("float-move", "illegal-action", '{"move": 1.0}'),
-        ("unknown", "illegal-action", '{"jump": 1}'),
-        ("drop", "illegal-action", "Drop()"),
-        ("checkpoint-no-object", "illegal-action", "checkpoint"),
-        ("no-map", "no-estimate", "no map"),
-        ("no-object-estimate", "no-estimate", "null"),
-        ("here-is-none", "no-estimate", "an estimate without here"),
-        ("checkpoint-of-sigma", "illegal-action", "a checkpoint without alpha and here"),
-        ("two-estimates", "illegal-action", "after its answer"),
-        ("lazy", "map", ""),
-    ],
-)
-@pytest.mark.usefixtures(
-    "no_orphans", "without_workers"
-)  # that the program is another one suffices
-def test_the_law_that_a_program_breaks(program, kind, law, seen):
-    finding = only_finding(program(kind))
-    assert (finding.law, finding.world) == (law, LOOP)  # fewer vertices than the edge
-    assert seen in str(finding.seen)
-    assert ("I am tired" in finding.detail) == (kind == "ends")
-    assert finding.confirmed == (kind != "dies-between")
-    assert len(finding.transcript.steps) == (kind in ("two-estimates", "dies-between"))
-
-
 @pytest.mark.early
 def test_a_program_that_is_silent(program):
     # It never says anything, so whatever it is given is too little on every machine.
@@ -224,40 +115,6 @@ def test_a_program_that_does_not_listen_is_stopped(program, tmp_path, gone):
     assert finding.law == "budget"
     assert (tmp_path / "pids").read_text()
     assert gone(tmp_path / "pids")
-
-
-@pytest.mark.slow
-def test_a_program_that_does_not_end_with_its_input_is_ended(program, tmp_path, gone):
-    report = check(program("never-exits", tmp_path / "pids"), edges=2, workers=2)
-    assert (report.verdict.value, report.runs) == ("holds", 30)
-    assert (tmp_path / "pids").read_text()
-    assert gone(tmp_path / "pids")
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("time_limit", [0.3, 1.5])
-def test_a_program_in_the_middle_of_a_run_is_ended_with_the_check(
-    program, tmp_path, gone, time_limit
-):
-    name = program("silent", tmp_path / "pids")
-    report = check(name, edges=1, answer_timeout=PATIENCE, time_limit=time_limit)
-    assert (report.exit_code, report.runs) == (3, 0)
-    assert gone(tmp_path / "pids")
-
-
-@pytest.mark.slow
-def test_one_run_of_an_explorer_that_hangs_is_stopped_too(wrong):
-    told = run(wrong("hang_in_the_middle"), EDGE, answer_timeout=PATIENCE)
-    assert (told.exit_code, told.finding.law, told.outcome.cost) == (1, "timeout", 1)
-    again = replay(Finding.from_json(told.finding.to_json()), answer_timeout=PATIENCE)
-    assert again.outcome == "reproduced"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["os_exit", "segfault", "reads", "closes", "orphan", "raises"])
-def test_one_run_of_an_explorer_that_dies_is_a_crash(wrong, name):
-    told = run(wrong(name), EDGE, answer_timeout=PATIENCE)
-    assert (told.exit_code, told.finding.law, told.outcome.cost) == (1, "crash", 0)
 
 
 def test_one_run_of_a_program_that_is_silent(program, tmp_path, gone):

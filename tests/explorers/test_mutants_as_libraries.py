@@ -4,13 +4,12 @@ import pytest
 
 from allworlds import check
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document.struct import replace
 from native_libraries import FOLDER, PROJECT, built
 
 HERE = PROJECT / "tests" / "support" / "explorers_for_tests"
 SOON_KILLED = ("lucky-guess", "crashes-at-leaves", "no-answer", "drops-markers")
 
-pytestmark = pytest.mark.usefixtures("compiled")
+pytestmark = [pytest.mark.processes, pytest.mark.usefixtures("compiled")]
 
 
 def twin(mutant):
@@ -34,25 +33,6 @@ def same(mutant, engine):
 )
 def test_a_wrong_explorer_in_a_library_is_killed_in_the_same_world(mutant):
     same(mutant, "python")
-
-
-@pytest.mark.slow
-@pytest.mark.long
-@pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
-def test_every_wrong_explorer_in_a_library_is_killed_in_the_same_world(mutant):
-    same(mutant, "kernel")
-
-
-@pytest.mark.slow
-@pytest.mark.long
-@pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
-def test_every_wrong_explorer_in_python_is_killed_by_compiled_code_in_the_same_world(mutant):
-    name = f"allworlds.corpus.explorers:{mutant.name.replace('-', '_')}"
-    (ours,) = check(name, edges=4, engine="kernel").findings
-    (theirs,) = check(name, edges=4, engine="python").findings
-    assert ours.law == theirs.law
-    if ours.law != "nondeterministic":
-        assert replace(ours, seen="", detail="") == replace(theirs, seen="", detail="")
 
 
 def test_the_mutants_killed_soon_are_mutants():

@@ -12,7 +12,7 @@ from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Position, World
 from allworlds.world.lighthouses.kinds import lighthouse_kind
-from small import EDGE, LOOP, all_maps, long, slow
+from small import EDGE, LOOP, all_maps
 
 
 def explored(name, map_, start=0):
@@ -48,7 +48,7 @@ def cost(actions):
 # ---------------------------------------------------------------- one movable marker
 
 
-@pytest.mark.parametrize("most", [4, slow(6)])
+@pytest.mark.parametrize("most", [4])
 def test_with_one_marker_every_simple_world_is_mapped_within_the_bound(most):
     for m in range(1, most + 1):
         for map_ in rooted_maps(m, MapClass.SIMPLE):
@@ -93,7 +93,7 @@ def test_with_labels_every_world_is_mapped_and_no_edge_is_walked_three_times():
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("most", [3, long(4)])
+@pytest.mark.parametrize("most", [3])
 def test_under_position_the_answer_is_a_map_exactly_where_only_one_looks_so(most):
     for map_ in all_maps(most):
         answer, dart, _, _ = explored("quotient", map_)

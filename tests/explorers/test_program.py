@@ -1,7 +1,6 @@
 """One process behind many episodes; see tests/engines/test_workers.py for what goes wrong."""
 
 import json
-import shutil
 import sys
 
 import pytest
@@ -11,8 +10,6 @@ from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.answers import Checkpoint
 from allworlds.protocol.faults import ExplorerFault
-from allworlds.studies.check.exhaustive import check
-from native_libraries import EXAMPLES
 from processes import PATIENCE
 
 SCRIPT = """
@@ -161,15 +158,3 @@ def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monke
     }.items():
         with pytest.raises(InputError, match=reason):
             Program(command, 1.0)
-
-
-@pytest.mark.slow
-def test_the_example_in_javascript_walks_as_the_built_in_does():
-    if shutil.which("node") is None:
-        pytest.skip("there is no node")
-    program, built_in = (
-        check(name, edges=3, engine="python")
-        for name in (f"exec:node {EXAMPLES}/javascript/algorithm1.js", "algorithm1")
-    )
-    assert program.exit_code == 0
-    assert program.levels == built_in.levels

@@ -9,7 +9,6 @@ from allworlds.explorers.languages import LANGUAGES, SKELETONS, templates
 from allworlds.inputs.checks import InputError
 from allworlds.studies.init import init
 from shells import shell_in
-from small import slow
 
 
 @pytest.fixture
@@ -25,7 +24,7 @@ def ready(lang):
             pytest.skip(f"there is no {program}")
 
 
-@pytest.mark.parametrize("lang", ["python", slow("c"), slow("javascript"), slow("rust")])
+@pytest.mark.parametrize("lang", ["python"])
 def test_a_skeleton_builds_and_is_refuted_in_a_picture(lang, shell, tmp_path):
     ready(lang)
     made = shell(f"allworlds init mine --lang {lang}")
@@ -37,19 +36,6 @@ def test_a_skeleton_builds_and_is_refuted_in_a_picture(lang, shell, tmp_path):
     assert " ╭─╮\n(0 1)\n" in checked.stdout
     if lang == "c":
         assert "warning" not in checked.stderr
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("lang", [lang for lang in LANGUAGES if lang != "python"])
-def test_the_test_of_a_skeleton_fails_with_the_picture(lang, shell, tmp_path):
-    ready(lang)
-    init(tmp_path / "mine", lang=lang)
-    command = LANGUAGES[lang].test
-    if command == "npm test":  # which comes with Node, but not everywhere
-        command = json.loads((tmp_path / "mine" / "package.json").read_text())["scripts"]["test"]
-    tested = shell(command, tmp_path / "mine")
-    assert tested.returncode in (1, 2), tested.stderr
-    assert "breaks the law 'map'" in tested.stdout
 
 
 def test_the_code_that_makes_a_skeleton_right_fits_into_it(shell, tmp_path):

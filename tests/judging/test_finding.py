@@ -102,21 +102,6 @@ def test_the_recorded_choices_are_honoured(one_schedule, wrong):
     assert replay(one_schedule, algorithm).exit_code == 5
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("choices", "notice"),
-    [
-        ((1, 0), ""),
-        ((1, 0, 0), "the recorded choice 2 is 0, but only 2 were asked for"),
-        ((1, 5), "the recorded choice 1 is 5, but there are fewer options"),
-    ],
-)
-def test_recorded_choices_that_do_not_fit_are_told(one_schedule, choices, notice):
-    finding = replace(one_schedule, choices=choices)
-    assert replay(finding).notice.startswith(notice)
-    assert not replay(finding, algorithm).notice
-
-
 def test_choices_of_an_explorer_that_takes_none_are_refused_unless_it_is_named(wrong):
     finding = check(wrong("everywhere"), edges=1).findings[0]
     assert replay(finding).notice == ""

@@ -1,7 +1,7 @@
 """The judge's own comparison against the second opinion, which shares no code with it.
 
 The second opinion takes its time, so four edges, and all pairs of maps with three, are left to
-``-m slow`` but for a few; there they are cut into parts that can be done side by side.
+``tests/slow`` but for a few; there they are cut into parts that can be done side by side.
 """
 
 from functools import cache
@@ -17,7 +17,7 @@ from allworlds.protocol.answers import Checkpoint, Estimate
 from allworlds.protocol.transcript import Transcript
 from allworlds.world import Directional, World
 from second_opinion import verdict
-from small import all_maps, long, slow, stepped
+from small import all_maps, long, stepped
 
 PARTS = 8
 EACH_PART = [long(4, PARTS, k) for k in range(PARTS)]
@@ -50,7 +50,7 @@ def shuffled(map_, random):
 
 @pytest.mark.parametrize(
     ("most", "parts", "k"),
-    [(2, 1, 0), slow(3, PARTS, 0), *(long(3, PARTS, k) for k in range(1, PARTS))],
+    [(2, 1, 0)],
 )
 def test_on_every_pair_of_small_maps_and_every_pose(most, parts, k):
     # As truths all rooted maps stand for all maps and all darts.
@@ -64,7 +64,7 @@ def test_on_every_pair_of_small_maps_and_every_pose(most, parts, k):
     assert seen == {"right", "pose", "map"}
 
 
-@pytest.mark.parametrize("m", [1, 2, long(3)])
+@pytest.mark.parametrize("m", [1, 2])
 def test_a_rooted_map_is_right_for_itself_alone(m):
     for i, truth in enumerate(maps(m)):
         right = [j for j, other in enumerate(maps(m)) if agreed(truth, 0, other, 0) == "right"]
@@ -108,9 +108,7 @@ def test_on_every_map_against_its_mirror_image(edges, parts, k):
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize(
-    ("pairs", "k"), [(10, 0), slow(60, 0), *(long(60, k) for k in range(1, PARTS))]
-)
+@pytest.mark.parametrize(("pairs", "k"), [(10, 0)])
 def test_on_pairs_of_maps_of_four_edges_with_the_same_degrees(pairs, k):
     # Other pairs are told apart by their degrees alone.
     random = Random(100 + k)
@@ -121,9 +119,7 @@ def test_on_pairs_of_maps_of_four_edges_with_the_same_degrees(pairs, k):
         agreed(truth, random.choice(truth.darts), estimate, random.choice(truth.darts))
 
 
-@pytest.mark.parametrize(
-    ("pairs", "k"), [(10, 0), slow(40, 0), *(long(40, k) for k in range(1, PARTS))]
-)
+@pytest.mark.parametrize(("pairs", "k"), [(10, 0)])
 def test_on_a_map_whose_edge_has_been_reglued(pairs, k):
     """Two edges exchange their ends: the smallest error that keeps every vertex."""
     random = Random(200 + k)

@@ -139,12 +139,6 @@ class CheckpointsCost(Machine):
     checkpoint_cost = 1
 
 
-@pytest.mark.slow
-@pytest.mark.no_cover
-def test_an_episode_is_what_a_tiny_model_says_whatever_the_explorer_does():
-    run_state_machine_as_test(Machine, settings=STATEFUL)
-
-
 @pytest.mark.no_cover
 def test_a_model_in_which_checkpoints_cost_something_is_refuted():
     with pytest.raises(AssertionError):

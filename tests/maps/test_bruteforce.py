@@ -108,15 +108,6 @@ def test_every_pair_of_permutations_is_one_of_the_rooted_maps(edges):
             assert sum(any(commutes(n, a, b) for n in rooted) for b in found) == 1
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("edges", [1, 2, 3, 4])
-def test_an_unrooted_map_is_its_own_least_rooting(edges):
-    rooted = rooted_maps(edges)
-    for a in unrooted_maps(edges):
-        rootings = [b for b in rooted if any(walked(a, d, b, 0) for d in a.darts)]
-        assert a == min(rootings, key=lambda b: (b.sigma, b.alpha))
-
-
 @pytest.mark.parametrize("of", [rooted_maps, unrooted_maps])
 def test_the_maps_come_in_the_order_of_their_codes(of):
     codes = [(a.sigma, a.alpha) for a in of(4)]

@@ -20,7 +20,6 @@ from allworlds.maps.build import cycle, dense, lattice
 from allworlds.maps.canonical import Mismatch, carries, numbering
 from small import LOOP, joined, maps
 
-CLASSES = ["maps", "simple", "planar", "planar-simple"]
 # Symmetric maps: of each the number of rotations that carry it into itself.  A solid has two
 # for each edge; a cycle of n in the plane turns and turns over; the path of two edges turns
 # round its middle; n loops side by side turn round their vertex; two loops that cross turn
@@ -138,16 +137,6 @@ def test_symmetric_maps_have_the_least_rooted_code_whatever_the_darts_are_called
     map_, _ = known
     other = map_.relabelled(data.draw(st.permutations(map_.darts)))
     assert unrooted_code(other) == min(codes(map_))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("map_class", CLASSES)
-@pytest.mark.parametrize("edges", [1, 2, 3, 4])
-def test_as_many_unrooted_codes_as_maps(edges, map_class):
-    found = {
-        unrooted_code(map_) for map_ in bruteforce.rooted_maps_by_permutations(edges, map_class)
-    }
-    assert found == {(a.sigma, a.alpha) for a in bruteforce.unrooted_maps(edges, map_class)}
 
 
 # ---------------------------------------------------------------- automorphisms

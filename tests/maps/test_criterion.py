@@ -1,4 +1,3 @@
-from collections import Counter
 from functools import cache
 from itertools import permutations
 from math import factorial, gcd
@@ -7,7 +6,6 @@ import pytest
 
 from allworlds.document.struct import replace
 from allworlds.maps import (
-    CombinatorialMap,
     Quotient,
     class_size,
     is_ambiguous,
@@ -27,7 +25,6 @@ from allworlds.studies.ambiguity.members import (
     uniform_permutations,
 )
 from allworlds.world import Position, World
-from small import long
 
 
 @cache
@@ -38,52 +35,6 @@ def quotient_of(map_):
 @cache
 def marked_maps(edges):
     return [map_ for map_ in rooted_maps(edges) if is_least_rooting(map_)]
-
-
-def moore(colour, *permutations_):
-    """Refinement until it is stable, by counting signatures: knows nothing of Hopcroft."""
-    while True:
-        signs = list(zip(colour, *([colour[y] for y in p] for p in permutations_), strict=True))
-        number = {sign: i for i, sign in enumerate(dict.fromkeys(signs))}
-        if len(number) == len(set(colour)):
-            return colour
-        colour = [number[sign] for sign in signs]
-
-
-def groups(maps):
-    """Marked maps that no motion tells apart: all of them refined together, naively."""
-    colour, sigma, alpha, starts = [], [], [], []
-    for map_ in maps:
-        shift = len(sigma)
-        starts.append((shift, map_.degree_at[0]))
-        colour += [
-            (degree, v == map_.vertex_of[0])
-            for degree, v in zip(map_.degree_at, map_.vertex_of, strict=True)
-        ]
-        sigma += [d + shift for d in map_.sigma]
-        alpha += [d + shift for d in map_.alpha]
-    final = moore(colour, sigma, alpha)
-    found = []
-    for start, degree in starts:
-        seen, dart = set(), start
-        for _ in range(degree):
-            seen.add(final[dart])
-            dart = sigma[dart]
-        found.append(frozenset(seen))
-    return found
-
-
-@pytest.mark.slow
-@pytest.mark.no_cover
-@pytest.mark.parametrize("edges", [1, 2, 3, 4, 5, long(6)])
-def test_the_criterion_and_burnsides_count_are_right_for_every_marked_map(edges):
-    maps = marked_maps(edges)
-    found = groups(maps)
-    size = Counter(found)
-    for map_, group in zip(maps, found, strict=True):
-        quotient = quotient_of(map_)
-        assert is_ambiguous(quotient) == (size[group] > 1), map_
-        assert class_size(quotient) == size[group], map_
 
 
 WRONG = {
@@ -117,17 +68,6 @@ def test_there_are_as_many_pose_hypotheses_as_lifts(edges):
     for map_ in marked_maps(edges):
         quotient = quotient_of(map_)
         assert sum(1 for _ in lifts(quotient)) == pose_count(quotient)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("edges", [1, 2, 3, 4])
-def test_every_lift_is_a_map_with_the_same_rooted_quotient(edges):
-    for map_ in marked_maps(edges)[::3]:
-        quotient = quotient_of(map_)
-        for lift in lifts(quotient):
-            assert lift == CombinatorialMap(lift.sigma, lift.alpha)
-            for sheet in range(quotient.sheets):
-                assert projection_of(World(lift, Position(sheet), sheet)).quotient == quotient
 
 
 @pytest.mark.parametrize("k", range(1, 7))

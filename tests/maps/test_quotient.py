@@ -4,18 +4,16 @@ from random import Random
 
 import pytest
 
-from allworlds.document.struct import replace
 from allworlds.maps import (
     CombinatorialMap,
     named_map,
     project,
     quotient as refinement,
-    random_map,
     rooted_code,
     rooted_maps,
 )
 from allworlds.maps.build import cycle, lattice
-from allworlds.maps.quotient import classes_of_union, coarsest_partition
+from allworlds.maps.quotient import coarsest_partition
 
 
 def moore(labels, permutations):
@@ -122,20 +120,6 @@ def test_relabelling_the_darts_keeps_the_quotient(seed):
         assert mine.classes == tuple(theirs.classes[name] for name in names)
 
 
-@pytest.mark.slow
-@pytest.mark.no_cover
-def test_rooted_quotients_are_equal_exactly_if_the_roots_share_a_class_of_the_union():
-    some = list(labelled_maps(3))
-    for one in some:
-        for other in some[::4]:
-            first, second = classes_of_union(one, other)
-            mine, theirs = (project(part).quotient for part in (one, other))
-            alike = first[0] == second[0]
-            assert alike == (replace(mine, sheets=0) == replace(theirs, sheets=0))
-            assert first == project(one).classes
-            assert set(first) | set(second) == set(range(max(first + second) + 1))
-
-
 def test_a_quotient_of_itself_under_another_root_is_another_rooted_quotient():
     map_ = CombinatorialMap((0, 2, 1, 3), (1, 0, 3, 2))
     whole = project((map_, [0, 1, 2, 3], 0)).quotient
@@ -164,15 +148,6 @@ def test_darts_of_different_degree_are_never_alike_whatever_their_labels():
     _, classes = project((map_, [0] * 14, 0))
     for d, e in product(map_.darts, repeat=2):
         assert classes[d] != classes[e] or map_.degree_at[d] == map_.degree_at[e]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["cycle-5000", "wheel-2500", "path-5001", "random"])
-def test_no_dart_is_looked_at_more_than_log2_times_for_each_permutation(name, monkeypatch):
-    # 'Process the smaller half': a dart's block is a splitter again only after it has halved.
-    map_ = random_map(5000, Random(2)) if name == "random" else named_map(name)
-    assert len(map_.sigma) == 10_000
-    assert looked_at(map_, monkeypatch) <= 2 * 10_000 * (log2(10_000) + 1)
 
 
 def test_splitting_by_every_block_again_looks_more_often(monkeypatch):

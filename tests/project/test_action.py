@@ -2,7 +2,6 @@
 
 import json
 import re
-import shutil
 import subprocess
 import sys
 from importlib.resources import files
@@ -17,7 +16,6 @@ from allworlds.explorers.languages import LANGUAGES
 from allworlds.outcome import Exit, Facts
 from allworlds.studies.init import init
 from project.runner import OURS, ROOT, job_in, read
-from small import long
 
 SCHEMAS = files("check_jsonschema") / "builtin_schemas" / "vendor"
 STAR = "breaks the law 'map' in a world with 1 edge and 1 vertex"
@@ -79,37 +77,6 @@ def test_the_schemas_do_not_take_anything():
 def steps(described):
     (one,) = described["jobs"].values()
     return one["steps"]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "lang", ["python", *(long(lang) for lang in LANGUAGES if lang != "python")]
-)
-def test_the_job_of_a_skeleton_fails_and_shows_the_picture(lang, job, tmp_path):
-    for program in LANGUAGES[lang].needs:
-        if shutil.which(program) is None:
-            pytest.skip(f"there is no {program}")
-    init(job.workspace, lang=lang)
-    job.run(steps(workflow(job.workspace)))
-    assert job.failed
-    assert job.outputs == {"verdict": "refuted", "exit-code": "1"}
-    assert (tmp_path / "asked").read_text().splitlines()[0] == f"-m pip install --quiet {ROOT}"
-    assert STAR in job.summary
-    assert " ╭─╮\n(0 1)\n" in job.summary
-    line = (
-        1
-        if lang != "python"
-        else 1
-        + (job.workspace / "explorer.py").read_text().split("\n").index("def explore(first):")
-    )
-    place = f"file={LANGUAGES[lang].explorer},line={line}"
-    assert re.search(rf"^::error {re.escape(place)},title=.*breaks the law", job.log, re.MULTILINE)
-    uploads = [step for step in job.used if step["uses"].startswith("actions/upload-artifact")]
-    (kept,) = uploads
-    page = (job.workspace / kept["with"]["path"]).read_text(encoding="utf-8")
-    assert page.startswith("<!DOCTYPE html>")
-    if lang == "python":
-        assert "FAILED test_explorer.py::test_explorer_is_right_in_every_world[edges-1]" in job.log
 
 
 def use(**given):

@@ -336,13 +336,6 @@ def test_a_class_without_generators_of_its_own_is_drawn_all_the_same(monkeypatch
     test_random_worlds_of_every_class_are_drawn(MapClass.SIMPLE)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("map_class", MapClass)
-def test_algorithm_1_holds_in_every_class(map_class):
-    report = allworlds.check("algorithm1", edges=3, map_class=map_class.value)
-    assert (report.verdict, report.missing_witnesses) == (Verdict.HOLDS, ())
-
-
 @pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", MapClass)
 def test_a_search_stays_in_its_class(map_class, tmp_path):

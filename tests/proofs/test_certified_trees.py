@@ -139,67 +139,6 @@ def test_a_program_without_an_answer_is_written_down_as_far_as_it_goes(written):
     assert "NO ANSWER  no-estimate in 3 runs: coqc will refuse the file" in said
 
 
-UNRULY = """
-import os, time
-from allworlds.explorers.builtin.algorithm1 import algorithm1
-
-begun = []
-
-
-def never(first):
-    while True:
-        pass
-    yield
-
-
-def from_the_sixth_on(first):
-    begun.append(first)
-    if len(begun) > 5:
-        time.sleep(60)
-    return (yield from algorithm1(first))
-
-
-def leaves(first):
-    os._exit(3)
-    yield
-
-
-def hungry(first):
-    hoard = bytearray(1 << 34)
-    return (yield from algorithm1(first))
-"""
-"""Explorers that a process is needed for."""
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "law", "written_down"),
-    [
-        ("never", "timeout: silent for 0.5 s", False),
-        ("from_the_sixth_on", "timeout: silent for 0.5 s", False),
-        ("leaves", "crash: the end of the process (exit code 3)", False),
-        ("hungry", "crash in 30 runs: coqc will refuse the file", True),
-    ],
-)
-def test_an_explorer_is_played_where_it_does_no_harm_and_its_silence_is_waited_out_once(
-    written, tmp_path, name, law, written_down
-):
-    (tmp_path / "unruly.py").write_text(UNRULY)
-    limits = ["--answer-timeout", "0.5", "--memory", "4096", "--edges", "2"]
-    code, text, said = written(f"{tmp_path}/unruly.py:{name}", *limits)
-    assert code == 1
-    assert said.count("NO ANSWER") == 1
-    assert law in said
-    assert (text is not None) == written_down
-
-
-@pytest.mark.slow
-def test_a_program_that_is_silent_is_waited_for_in_one_run(written):
-    code, text, said = written("--exec", "sleep 60", "--answer-timeout", "0.5", "--edges", "4")
-    assert (code, text) == (1, None)
-    assert said == "NO ANSWER  timeout: silent for 0.5 s; no file is written\n"
-
-
 def test_a_reader_that_has_gone_is_no_fault(tmp_path):
     program = COQ.parent / "certified.py"
     arguments = ["--certificate", str(tmp_path / "mine.v"), "algorithm1", "--edges", "1"]
@@ -232,15 +171,6 @@ def test_a_file_that_coq_could_not_name_is_refused(written):
     code, text, said = written("algorithm1", name="1-mine.v")
     assert (code, text) == (2, None)
     assert "a name of letters, digits and _ expected" in said
-
-
-@pytest.mark.slow
-@pytest.mark.long
-def test_coq_and_the_package_say_the_same_of_every_mutant(trees):
-    if not (COQ / "DecisionTrees.vo").exists():
-        pytest.skip("not built: make -C proofs/coq")
-    names = [mutant.name for mutant in trees.WRONG_EXPLORERS]
-    assert trees.certificates_agree(2, names)
 
 
 def test_a_coq_that_accepts_everything_is_noticed(trees, monkeypatch, capsys):

@@ -81,16 +81,6 @@ def test_no_change_of_one_part_of_a_pair_is_accepted_but_a_harmless_one(
         assert is_harmless(document, path, value), (path, value)
 
 
-@pytest.mark.slow
-@pytest.mark.long
-@pytest.mark.parametrize("name", PAIRS)
-def test_no_change_of_one_part_of_a_pair_is_accepted_in_the_long_run(
-    checkers, checker_of, proofs, name
-):
-    for document, path, value in accepted_changes(checkers, checker_of, proofs, name, None):
-        assert is_harmless(document, path, value), (path, value)
-
-
 def natural(proofs_):
     return json.loads((proofs_ / "natural-lighthouse" / "pair.json").read_text())
 

@@ -13,8 +13,6 @@ from allworlds.maps import MapClass, rooted_maps
         ("simple", 5, None, 108),
         ("simple", 6, None, None),
         ("planar-simple", 7, None, None),
-        pytest.param("maps", 5, None, 8162, marks=pytest.mark.slow),
-        pytest.param("planar-simple", 8, 6, None, marks=pytest.mark.slow),
     ],
 )
 def test_two_enumerations_list_the_same_rooted_maps(checkers, map_class, edges, most, count):

@@ -41,17 +41,6 @@ def test_without_an_answer_only_the_world_is_drawn():
     assert "The answer (R" not in text
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("width", [40, 80])
-def test_every_sentence_stands_in_the_text_and_fits_the_width(width):
-    explanation = explanation_of("no-retracing")
-    text = explain_text(explanation, width)
-    told = text.partition("\n\nThe world")[0]
-    assert all(len(line) <= width for line in told.splitlines()[1:])
-    for sentence in explanation.sentences:
-        assert sentence in " ".join(told.split())
-
-
 def test_the_first_line_names_explorer_and_law():
     assert explain_text(explanation_of("pose-lost"), 80).startswith(
         "mutants:pose-lost breaks the law 'pose' in a world"

@@ -26,7 +26,7 @@ from allworlds.verbs import BY_NAME, ROWS
 from html_tree import read
 from recorded.record import least
 
-pytestmark = pytest.mark.usefixtures("without_workers")
+pytestmark = pytest.mark.usefixtures("compiled")  # for worst
 
 HOME = Path(reports.__file__).parent
 FORMS = [

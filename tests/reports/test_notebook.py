@@ -114,16 +114,6 @@ def test_a_plain_ipython_shows_what_print_does():
         assert said == [str(shown)]
 
 
-@pytest.mark.slow
-def test_runs_transcripts_and_findings_are_shown(world):
-    run = allworlds.run("folding", world)
-    assert "srcdoc=" in run._repr_html_()
-    rows = ET.fromstring(run.transcript._repr_html_()).find("tbody")
-    assert len(rows) == len(run.transcript.steps) + 1
-    (finding,) = allworlds.check("dudek91", edges=2).findings
-    assert finding.law in finding._repr_html_()
-
-
 def test_a_page_in_a_frame_cannot_end_it():
     def explore(_):
         return '"></iframe><script>'

@@ -16,7 +16,6 @@ from allworlds.reports.drawing.layout import spread
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import picture
 from curves import crossings, flat, points
-from small import slow, unrooted_maps
 
 NS = "{http://www.w3.org/2000/svg}"
 SQUARE = 75  # degrees: no crossing is more acute
@@ -62,24 +61,8 @@ def held(map_, least):
     return len(met)
 
 
-@pytest.mark.slow
-def test_edges_of_small_maps_cross_at_a_good_angle_and_else_keep_apart():
-    maps = unrooted_maps(3)
-    assert len(maps) == 2 + 5 + 20
-    assert sum(held(map_, SMALL_APART) for map_ in maps) >= sum(map_.genus for map_ in maps)
-
-
-@pytest.mark.slow
-@pytest.mark.long
-def test_so_do_those_of_every_map_with_four_edges():
-    maps = [map_ for map_ in unrooted_maps(4) if map_.edge_count == 4]
-    assert len(maps) == 107
-    for map_ in maps:
-        held(map_, SMALL_APART)
-
-
 @pytest.mark.no_cover
-@pytest.mark.parametrize(("edges", "seed"), [(9, 0), *(slow(m, m) for m in (6, 8, 11, 14))])
+@pytest.mark.parametrize(("edges", "seed"), [(9, 0)])
 def test_and_those_of_larger_maps(edges, seed):
     assert held(family(f"random:{edges}", holes=0, seed=seed), LARGE_APART) >= 0
 

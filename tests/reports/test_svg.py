@@ -1,18 +1,16 @@
 """The pictures of maps, read back from the SVG."""
 
 import re
-from cmath import exp, phase
+from cmath import phase
 from importlib import import_module
 from itertools import combinations, pairwise
-from math import inf, tau
 from xml.etree import ElementTree as ET
 
 import pytest
 
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, family, named_map
-from allworlds.maps.combinatorial import cycles
-from allworlds.reports.drawing.planar import mesh, place, planar
+from allworlds.reports.drawing.planar import planar
 from allworlds.reports.drawing.scene import Names, Scene
 from allworlds.reports.drawing.svg import in_words, picture
 from curves import flat, points
@@ -25,7 +23,6 @@ NAMED = [named_map(name) for name in ("k4-torus", "theta-torus", "cube", "fig1-l
 # One vertex and four loops, each opposite to itself: genus 2.
 GENUS_2 = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
 MAPS = [*FEW, *NAMED, GENUS_2, family("random:12", holes=0, seed=1)]
-REST = [map_ for map_ in SMALL if map_ not in FEW]  # left to the slow tests
 
 
 def drawn(map_, **shown):
@@ -75,13 +72,6 @@ def going_round_gives_sigma(map_):
             assert map_.sigma[dart] == after
 
 
-@pytest.mark.slow
-@pytest.mark.no_cover
-@pytest.mark.parametrize("map_", [*MAPS, *REST], ids=str)
-def test_going_round_a_vertex_by_angle_gives_sigma(map_):
-    going_round_gives_sigma(map_)
-
-
 def test_so_it_does_in_the_plain_way(plain):
     for map_ in MAPS:
         going_round_gives_sigma(map_)
@@ -93,21 +83,6 @@ def test_another_cyclic_order_would_be_seen():
     beginnings[0], beginnings[1] = beginnings[1], beginnings[0]
     around = clockwise(range(8), beginnings)
     assert any(GENUS_2.sigma[a] != b for a, b in pairwise(around))
-
-
-@pytest.mark.slow
-@pytest.mark.no_cover
-@pytest.mark.parametrize("map_", [*MAPS, *REST], ids=str)
-def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
-    svg = drawn(map_)
-    beginnings = stubs(svg)
-    seen = []
-    for (dart, other), way in edges(svg):
-        assert map_.alpha[dart] == other
-        assert way[:2] == beginnings[dart]
-        assert way[:-3:-1] == beginnings[other]
-        seen += [dart, other]
-    assert sorted(seen) == list(map_.darts)
 
 
 @pytest.mark.no_cover
@@ -160,53 +135,6 @@ def test_a_drawing_with_its_crossings_is_planar_and_keeps_sigma(map_):
     for dart, other in map_.edges:
         assert plane.way(dart)[-1] == other
         assert plane.way(dart) == plane.way(other)[::-1]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("map_", [*NAMED, GENUS_2], ids=str)
-def test_no_triangle_of_the_mesh_is_turned_over(map_):
-    net = mesh(planar(map_))
-    where = place(net)
-    assert len(cycles(planar(map_).sigma)) + net.first_vertex <= len(net.links)
-    for point, link in enumerate(net.links):
-        assert len(set(link)) == len(link) >= 3
-        for one, other in zip(link, [*link[1:], link[0]], strict=True):
-            a, b = where[one] - where[point], where[other] - where[point]
-            assert (a.conjugate() * b).imag > 0
-
-
-def strain(net, where, point, at, count):
-    """How far the triangles round a point are from being alike, if it lay there.
-
-    By the formula of the docstring, with areas and sides by their definition: S/A + R/A + A/R for
-    a triangle with area A/2 and squares of sides of sum S, where R is four times as large at a
-    vertex of the map, and for one with a corner on the ring a twentieth of 1/A alone.
-    """
-    total = 0.0
-    centres = range(net.first_vertex, net.first_vertex + count)
-    for one, other in pairwise([*net.links[point], net.links[point][0]]):
-        corners = [at, where[one], where[other]]
-        area = ((corners[1] - at).conjugate() * (corners[2] - at)).imag
-        if area <= 0:
-            return inf
-        squares = sum(abs(p - q) ** 2 for p, q in combinations(corners, 2))
-        on_the_ring = one in net.ring or other in net.ring
-        wanted = 4 if {point, one, other} & {*centres} else 1
-        total += 0.05 / area if on_the_ring else (squares + wanted) / area + area / wanted
-    return total
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["edge", "theta", "k4", "theta-torus"])
-def test_no_point_of_the_mesh_would_lie_better_a_little_aside(name):
-    map_ = named_map(name)
-    net = mesh(planar(map_))
-    where = place(net)
-    count = map_.vertex_count
-    for point, at in enumerate(where[: len(net.links)]):
-        aside = [at + 0.02 * exp(1j * tau * k / 8) for k in range(8)]
-        here = strain(net, where, point, at, count)
-        assert here < min(strain(net, where, point, there, count) for there in aside)
 
 
 def test_everything_drawn_lies_in_the_box():

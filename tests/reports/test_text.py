@@ -4,27 +4,12 @@ import re
 
 import pytest
 
-from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, named_map, rooted_code
+from allworlds.maps import CombinatorialMap, from_cycles, named_map
 from allworlds.maps.build import lattice
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.text import draw, rotation_table
-from small import long
 
 NAMES = ["loop", "edge", "theta", "theta-torus", "two-loops-torus", "k4", "wheel-4", "fig1-left"]
-
-
-def all_maps(edges):
-    """Every pair of permutations that is a map, by brute force."""
-    involutions = [
-        alpha
-        for alpha in itertools.permutations(range(2 * edges))
-        if all(alpha[d] != d and alpha[alpha[d]] == d for d in range(2 * edges))
-    ]
-    for sigma, alpha in itertools.product(itertools.permutations(range(2 * edges)), involutions):
-        try:
-            yield CombinatorialMap(sigma, alpha)
-        except InvalidMap:
-            continue
 
 
 def parsed(text):
@@ -67,16 +52,6 @@ def without_numbers(text):
     return [re.sub(r"[\d)]", " ", line).rstrip() for line in text.split("\n")]
 
 
-@pytest.mark.slow
-@pytest.mark.no_cover
-@pytest.mark.parametrize("edges", [1, 2, long(3)])
-def test_the_drawing_and_the_table_are_exact_for_every_small_map(edges):
-    for map_ in all_maps(edges):
-        scene = Scene(map_, map_.sigma[0])
-        assert parsed(draw(scene)) == (map_, [scene.start])
-        assert parsed_table(rotation_table(scene)) == (map_, [scene.start])
-
-
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", [*NAMES, "cube", "dipole-12", "bouquet-6", "path-12", "star-11"])
 def test_the_drawing_and_the_table_are_exact_from_every_start(name):
@@ -85,20 +60,6 @@ def test_the_drawing_and_the_table_are_exact_from_every_start(name):
         scene = Scene(map_, start, robot=1, marks={0: 3}, pointed=[0])
         assert parsed(draw(scene, 999)) == (map_, [start])
         assert parsed_table(rotation_table(scene)) == (map_, [start])
-
-
-@pytest.mark.slow
-@pytest.mark.no_cover
-def test_without_the_numbers_two_drawings_agree_exactly_for_the_same_rooted_map():
-    # 10 + 74 rooted maps of 2 and 3 edges: Arques and Beraud, Discrete Math. 215 (2000).
-    for edges, count in ((1, 2), (2, 10), (3, 74)):
-        pictures = {}
-        for map_ in all_maps(edges):
-            code = rooted_code(map_.sigma, map_.alpha, 0)
-            pictures.setdefault(code, set()).add(tuple(without_numbers(draw(Scene(map_)))))
-        assert len(pictures) == count
-        assert all(len(drawn) == 1 for drawn in pictures.values())
-        assert len(set.union(*pictures.values())) == count
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds import check, run
+from allworlds import run
 from allworlds.document.struct import replace
 from allworlds.engines.examiner import Examiner
 from allworlds.explorers.loading import load
@@ -15,7 +15,6 @@ from allworlds.studies.worst import all_worlds, compiled_engine
 from allworlds.studies.worst.all_worlds import worst
 from allworlds.studies.worst.every_schedule import EverySchedule, WrongTest
 from allworlds.world import Directional, World
-from schedules import schedules
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -45,43 +44,11 @@ def test_the_compiled_program_agrees_with_its_twin(report):
         assert rows_of(report, edges) == twin(edges, report.request.transit)
 
 
-@pytest.mark.slow
-@pytest.mark.no_cover
-@pytest.mark.parametrize("map_class", ["simple", "planar", "planar-simple"])
-def test_other_classes_agree_with_the_twin(map_class):
-    report = worst(edges=4, map_class=map_class)
-    for edges in (1, 2, 3, 4):
-        assert rows_of(report, edges) == twin(edges, "simple", MapClass(map_class))
-    assert report.exit_code == 0
-
-
-@pytest.mark.slow
-@pytest.mark.no_cover
-def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says():
-    examiner = Examiner(load("algorithm1"), Rules())
-    for edges in (1, 2, 3):
-        for map_ in rooted_maps(edges):
-            costs = {
-                examiner.examine(World(map_, Directional(0), 0), choices).cost
-                for choices in schedules()
-            }
-            every = EverySchedule(map_, 0, "simple")
-            assert (every.worst, every.best) == (max(costs), min(costs))
-
-
 def test_no_start_dart_of_a_vertex_is_better_than_another():
     for map_ in rooted_maps(3):
         for dart in map_.vertices[map_.vertex_of[0]]:
             one, other = EverySchedule(map_, 0), EverySchedule(map_, dart)
             assert (one.worst, one.best) == (other.worst, other.best)
-
-
-@pytest.mark.slow
-def test_the_check_of_all_schedules_finds_the_same_largest_costs():
-    checked = check(edges=3, schedules="all", workers=2)
-    report = worst(edges=3)
-    largest = {(row.edges, row.vertices): row.max_cost for row in checked.rows}
-    assert largest == {(row.edges, row.vertices): row.worst for row in report.rows}
 
 
 def test_the_most_expensive_schedules_cost_what_an_independent_program_found(report):
@@ -105,15 +72,6 @@ def test_every_row_is_attained_in_its_world(report):
 def test_the_worlds_are_all_there(report):
     for edges in (1, 2, 3, 4, 5):
         assert {r.vertices: r.worlds for r in report.rows if r.edges == edges} == counted(edges)
-
-
-@pytest.mark.slow
-def test_any_simple_path_may_be_dearer_than_a_shortest_one_and_not_cheaper():
-    shortest, simple = (worst(edges=5, transit=way).rows for way in ("shortest", "simple"))
-    assert all(
-        a.worst <= b.worst and a.best == b.best for a, b in zip(shortest, simple, strict=True)
-    )
-    assert any(a.worst < b.worst for a, b in zip(shortest, simple, strict=True))
 
 
 def test_no_policy_walks_less_than_the_best_or_more_than_the_worst_schedule():

@@ -79,7 +79,7 @@ def test_a_wrong_bisimulation_is_an_internal_error(monkeypatch):
     pair = asked_for("position")
     wrong = ((0, 0, 0, 0), (0, 0, 0, 1))
     monkeypatch.setattr(
-        sys.modules["allworlds.studies.ambiguity.twin_search"], "classes_of_union", lambda *_: wrong
+        sys.modules["allworlds.studies.ambiguity.twin_search"], "bisimulation", lambda *_: wrong
     )
     with pytest.raises(RuntimeError, match="does not answer"):
         decoded(pair, model_of(pair, *LOOPS))

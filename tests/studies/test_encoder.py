@@ -12,7 +12,6 @@ from allworlds.studies.ambiguity.question import Question, Size, Sizes
 from allworlds.studies.ambiguity.solvers import solve_with_z3
 from bruteforce import rooted_maps_by_permutations as rooted_maps
 from searches import question
-from small import long
 
 
 def models(path, formula, world):
@@ -55,8 +54,6 @@ def counted(path, edges, map_class, degrees=(None, None), fewest=1, most=None):
         *(("simple", m, count) for m, count in enumerate((1, 2, 6, 23), 1)),
         *(("planar", m, count) for m, count in enumerate((2, 9, 54), 1)),
         *(("planar-simple", m, count) for m, count in enumerate((1, 2, 6, 23), 1)),
-        long("maps", 4, 706),
-        pytest.param("planar", 4, 378, marks=pytest.mark.slow),
     ],
 )
 def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
@@ -70,10 +67,7 @@ def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
 
 @pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", ["maps", "planar"])
-@pytest.mark.parametrize(
-    ("fewest", "most"),
-    [(1, 1), *(pytest.param(*bounds, marks=pytest.mark.slow) for bounds in ((2, 3), (4, 4)))],
-)
+@pytest.mark.parametrize(("fewest", "most"), [(1, 1)])
 def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
     tmp_path, map_class, fewest, most
 ):
@@ -98,18 +92,6 @@ def test_required_degrees_leave_exactly_the_maps_that_have_them(tmp_path, root, 
 def solved(path, formula):
     formula.write(path)
     return solve_with_z3(path, None).status
-
-
-@pytest.mark.slow
-def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(tmp_path):
-    # Planar simple, 6 edges: one map has two starts that look alike; nothing else does.
-    asked = question("position", "planar-simple", 6, 6)
-    sizes = list(asked.sizes())[-1]
-    formula, pair = pair_formula(asked, sizes)
-    assert solved(tmp_path / "f.cnf", formula) == "sat"
-    for start in range(1, 12):
-        forbid_other_start(formula, pair, start)
-    assert solved(tmp_path / "f.cnf", formula) == "unsat"
 
 
 def test_excluding_other_starts_keeps_a_pair_of_different_worlds(tmp_path):

@@ -1,13 +1,10 @@
 """Intervals: against tables, against every resample, and in samples whose mean is known."""
 
 from itertools import product
-from random import Random
-from statistics import NormalDist, mean, quantiles
+from statistics import NormalDist, mean
 
 import pytest
-from numpy import asarray
 
-from allworlds.studies.compare import intervals
 from allworlds.studies.compare.intervals import (
     geometric_mean,
     mean_interval,
@@ -64,24 +61,3 @@ def test_a_geometric_mean_does_not_mind_which_explorer_is_first():
     assert found == pytest.approx(1 / other)
     assert (low, high) == pytest.approx((1 / most, 1 / least), rel=0.02)
     assert geometric_mean([1.0, 0.0]) is None
-
-
-def covered(size, trials, interval):
-    """The share of normal samples of that size whose interval holds the mean, 0."""
-    random = Random(1)
-    samples = ([random.gauss() for _ in range(size)] for _ in range(trials))
-    return sum(low <= 0 <= high for low, high in map(interval, samples)) / trials
-
-
-def plain(values):
-    """Mutant: the interval of the plain bootstrap."""
-    drawn = asarray(values)[intervals._draws(len(values))].mean(axis=1)
-    ends = quantiles(drawn.tolist(), n=40)
-    return ends[0], ends[-1]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("size", [5, 10])
-def test_an_interval_holds_the_true_mean_nearly_as_often_as_it_says(size):
-    assert 0.92 < covered(size, 1000, mean_interval) < 0.97
-    assert covered(size, 1000, plain) < 0.91

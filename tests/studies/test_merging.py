@@ -25,8 +25,7 @@ def sharded(report, command, directory, shards):
 
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("name", JOBS)
-@pytest.mark.parametrize("shards", [1, 3])
+@pytest.mark.parametrize(("name", "shards"), [*((name, 3) for name in JOBS), ("check", 1)])
 def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path):
     code, whole, _ = report(JOBS[name])
     runs, codes = sharded(report, JOBS[name], tmp_path, shards)
@@ -38,8 +37,15 @@ def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path)
 
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("worlds", [{"edges": 3}, {"family": "strip", "to": 30, "worlds": 3}])
-@pytest.mark.parametrize("by", ["size", "world", "run"])
+@pytest.mark.parametrize(
+    ("worlds", "by"),
+    [
+        ({"edges": 3}, "size"),
+        ({"edges": 2}, "world"),
+        ({"family": "strip", "to": 30, "worlds": 3}, "size"),
+        ({"family": "strip", "to": 20, "worlds": 2}, "run"),
+    ],
+)
 def test_a_merge_has_the_rows_that_the_whole_has(worlds, by, tmp_path):
     runs = [tmp_path / str(k) for k in range(2)]
     for k, run in enumerate(runs):

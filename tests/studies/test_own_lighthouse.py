@@ -174,10 +174,3 @@ def test_arguments_of_a_name_make_an_explorer(folder):
         assert allworlds.replay(report.findings[0]).outcome == "reproduced"
     with pytest.raises(InputError, match="takes no argument 'width'; legal are depth"):
         allworlds.check("told.py:asks?width=2", edges=1)
-
-
-@pytest.mark.slow
-def test_the_workers_of_a_cluster_get_its_text(folder):
-    one = allworlds.check("mine.py:explore", edges=2, lighthouse="parity.py:Parity", workers=1)
-    asked = {"edges": 2, "lighthouse": "parity.py:Parity", "workers": 1}
-    assert counts(allworlds.check("mine.py:explore", dask="local", **asked)) == counts(one)

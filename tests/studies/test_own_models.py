@@ -64,12 +64,6 @@ def test_workers_and_run_directories_change_nothing(folder, asked):
     assert allworlds.merge("0", "1").to_json()["rows"] == one.to_json()["rows"]
 
 
-@pytest.mark.slow
-def test_a_cluster_changes_nothing(folder):
-    one = allworlds.check("mine.py:walks", workers=1, **WRONG)
-    assert counts(allworlds.check("mine.py:walks", dask="local", workers=1, **WRONG)) == counts(one)
-
-
 def test_one_run_with_its_page_and_a_pytest_take_them(folder):
     (finding,) = allworlds.check("mine.py:walks", **WRONG).findings
     run = allworlds.run("mine.py:walks", finding.world, task=WRONG["task"])

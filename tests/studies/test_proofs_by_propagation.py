@@ -1,14 +1,11 @@
 from itertools import product
-from random import Random
 
 import pytest
 
-from allworlds.studies.ambiguity.formulas import Formula
 from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat, write_lrat
 from allworlds.studies.ambiguity.solvers import (
     python_sat_is_installed,
     solve_here,
-    solve_with_python_sat,
 )
 
 # All eight clauses over three variables: no assignment is left.
@@ -52,32 +49,6 @@ def test_a_line_that_does_not_follow_is_refused_by_its_number(proof, message):
 def test_a_satisfiable_formula_has_no_proof():
     with pytest.raises(ProofRefused):
         lrat_of_drat(3, ALL[1:], ["1 2 0", "1 -2 0", "1 0", "-1 2 0", "2 0", "0"])
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(not python_sat_is_installed(), reason="python-sat is not installed")
-@pytest.mark.parametrize("seed", range(12))
-def test_random_formulas_are_either_solved_or_proved(tmp_path, seed):
-    chance = Random(seed)
-    variables = 20
-    formula = Formula()
-    formula.block("x", (variables,), "any")
-    formula.section("random")
-    for _ in range(110):
-        chosen = chance.sample(range(1, variables + 1), 3)
-        formula.add(*[chance.choice((1, -1)) * v for v in chosen])
-    formula.write(tmp_path / "f.cnf")
-    solved = solve_with_python_sat(tmp_path / "f.cnf", tmp_path / "f.drat", None)
-    if solved.status == "sat":
-        for clause in formula.clauses:
-            assert any((literal > 0) == (abs(literal) in solved.model) for literal in clause)
-        return
-    proof = (tmp_path / "f.drat").read_text().splitlines()
-    steps = lrat_of_drat(variables, formula.clauses, proof)
-    check_lrat(formula.clauses, lines(steps, tmp_path))
-    # Without its clauses nothing follows.
-    with pytest.raises(ProofRefused):
-        check_lrat(formula.clauses[: len(formula.clauses) // 8], lines(steps, tmp_path))
 
 
 @pytest.mark.skipif(not python_sat_is_installed(), reason="python-sat is not installed")

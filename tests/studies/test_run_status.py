@@ -49,7 +49,7 @@ def test_a_directory_can_be_looked_at_while_it_grows(tmp_path):
     assert standing.left_s >= 0
 
 
-@pytest.mark.usefixtures("without_workers")
+@pytest.mark.usefixtures("compiled", "without_workers")
 @pytest.mark.parametrize("verb", ["worst --edges 3", "ambiguity census --class simple --edges 3"])
 def test_every_verb_that_keeps_units_has_a_status(verb, report, cli, tmp_path):
     report(verb, "--run", str(tmp_path), "--shard", "0/2")

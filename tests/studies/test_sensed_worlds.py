@@ -7,7 +7,6 @@ from allworlds.inputs.checks import InputError
 from allworlds.reports.formats import text
 from allworlds.world import worlds
 from models import HEARD, PARITY
-from small import slow
 
 census, twins = allworlds.ambiguity.census, allworlds.twins
 
@@ -78,11 +77,8 @@ def parted(kind, edges):
     [
         *((kind, 2) for kind in ("none", "compass", "position", "position+told:n,m")),
         ("natural", 3),
-        slow("natural", 4),
         ("heard.py:Words", 2),
-        slow("heard.py:Words", 4),
         ("heard.py:Neighbour", 2),
-        slow("heard.py:Neighbour", 4),
     ],
 )
 def test_parts_are_those_that_comparing_every_two_worlds_gives(folder, kind, edges):

@@ -10,7 +10,6 @@ import pytest
 
 import allworlds
 from allworlds.reports.formats import text
-from small import slow
 
 ATTACK = Path(__file__).parents[1] / "attacks" / "reaching" / "shares_its_file.py"
 
@@ -41,8 +40,6 @@ def explore(first):
     yield
 """
 
-MODELS = {"where": "everything", "task": "judge", "lighthouse": "Beacon"}
-
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
@@ -69,7 +66,7 @@ def checked(explorer, option, model):
 
 @pytest.mark.parametrize(
     ("option", "name"),
-    [("task", "judge"), slow("where", "everything"), slow("lighthouse", "Beacon")],
+    [("task", "judge")],
 )
 def test_an_explorer_in_the_file_of_its_model_can_make_the_verdict_and_the_scope_says_so(
     folder, option, name
@@ -77,24 +74,6 @@ def test_an_explorer_in_the_file_of_its_model_can_make_the_verdict_and_the_scope
     verdict, shared, shown = checked("attack", option, f"attack.py:{name}")
     assert (verdict, shared) == ("holds", "attack.py")
     assert "attack.py holds the explorer, and code that judges it" in shown
-
-
-@pytest.mark.slow
-def test_a_model_that_only_imports_from_the_file_of_the_explorer_is_as_dangerous(folder, tmp_path):
-    (tmp_path / "models.py").write_text("from attack import judge\n")
-    assert checked("attack", "task", "models.py:judge")[:2] == ("holds", "attack.py")
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("option", "name"), MODELS.items())
-def test_a_model_in_a_file_of_its_own_judges_as_it_should(folder, option, name):
-    assert checked("explorers", option, f"models.py:{name}")[:2] == ("refuted", "")
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("option", "name"), MODELS.items())
-def test_the_attack_is_lost_where_nobody_who_judges_loads_it(folder, option, name):
-    assert checked("attack", option, f"models.py:{name}")[:2] == ("refuted", "")
 
 
 @pytest.fixture

@@ -1,10 +1,10 @@
 import sys
-from itertools import combinations, combinations_with_replacement, pairwise, product
+from itertools import combinations, combinations_with_replacement, product
 
 import pytest
 
 from allworlds.inputs.checks import InputError
-from allworlds.maps import named_map, rooted_code, rooted_maps
+from allworlds.maps import named_map, rooted_maps
 from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Move
 from allworlds.reports.formats import text
@@ -83,30 +83,6 @@ def test_the_same_world_under_other_names_is_the_same(kind):
         other = world.relabelled([*reversed(world.map.darts)])
         found = twins(world, other)
         assert (found.relation, found.distinguishable, found.twins) == ("same", False, False)
-
-
-@pytest.mark.slow
-@pytest.mark.long
-@pytest.mark.no_cover
-def test_directional_worlds_are_told_apart_unless_they_are_the_same():
-    # All pairs with at most three edges: a directional marker settles the map and the pose.
-    known = {}
-    for world in worlds(Directional, 3):
-        code = rooted_code(world.map.sigma, world.map.alpha, 0)
-        known[code, world.first.bearing] = world
-    different = list(known.values())
-    assert len(different) == 309  # 2, 10, 74 rooted maps weighed by the degree of the root
-    for i, one in enumerate(different):
-        for other in different[:i]:
-            assert not same_start_class(one, other)
-    for one, other in pairwise(different):
-        assert twins(one, other).distinguishable
-
-
-def same_start_class(one, other):
-    labelled = [(w.map, w.percepts, w.start) for w in (one, other)]
-    first, second = twins_module.classes_of_union(*labelled)
-    return first[one.start] == second[other.start]
 
 
 # ------------------------------------------------------------------------ known results
@@ -220,9 +196,7 @@ def test_a_wrong_proof_is_an_internal_fault(monkeypatch):
         separation(a, a)
 
 
-@pytest.mark.parametrize(
-    ("kind", "fewest"), [("cluster", 3), pytest.param("natural", 4, marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize(("kind", "fewest"), [("cluster", 3)])
 def test_worlds_look_alike_under_a_cluster_from_3_edges_on_and_under_a_natural_from_4(kind, fewest):
     # docs/protocol.md says so.
     by_first = {}

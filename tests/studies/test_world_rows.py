@@ -5,7 +5,7 @@ import io
 
 import pytest
 
-from allworlds import compare, run, worst
+from allworlds import compare, run
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, named_map, rooted_isomorphism
 from allworlds.reports.formats import file_of
@@ -130,15 +130,6 @@ def test_what_says_nothing_of_the_world_is_named(given, said):
         run("algorithm1", **given)
 
 
-@pytest.mark.slow
-def test_every_file_of_a_worst_case_names_a_run_that_attains_it():
-    report = worst(edges=3)
-    for row in rows_of(report, "worst"):
-        world = at_place(world_named(row["code"]), int(row["place"]))
-        choices = [int(choice) for choice in row["choices"].split(",") if choice]
-        assert run("algorithm1", world, choices=choices).outcome.cost == int(row["worst"])
-
-
 def test_a_code_is_the_same_for_isomorphic_worlds_alone():
     every = [world.map for world in worlds(edges=3)]
     codes = {code_of(map_) for map_ in every}
@@ -161,18 +152,3 @@ def test_a_place_has_the_number_that_the_rows_have():
     assert [at_place(world, i).lighthouse.dart for i in range(3)] == [0, 1, 2]
     with pytest.raises(InputError, match="place -1 is none of the 3"):
         at_place(world, -1)
-
-
-@pytest.mark.slow
-def test_parquet_has_the_rows_of_the_csv(cli, refused, monkeypatch, tmp_path):
-    parquet = pytest.importorskip("pyarrow.parquet")
-    file, text = tmp_path / "a.parquet", tmp_path / "a.csv"
-    words = ("compare", "algorithm1", "folding", "--edges", 2, "--by", "world", "-o")
-    assert cli(*words, file)[0] == 0
-    assert cli(*words, text)[0] == 0
-    told = parquet.read_table(file).to_pylist()
-    assert [
-        {name: "" if value is None else str(value) for name, value in row.items()} for row in told
-    ] == [*csv.DictReader(text.read_text().splitlines())]
-    monkeypatch.setattr("allworlds.inputs.checks.find_spec", lambda _: None)
-    assert "notebook" in refused(*words, tmp_path / "b.parquet")

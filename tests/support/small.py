@@ -20,10 +20,6 @@ PLANE = CombinatorialMap((1, 2, 3, 0), (1, 0, 3, 2))
 TORUS = CombinatorialMap((1, 2, 3, 0), (2, 3, 0, 1))
 
 
-LONG = (pytest.mark.slow, pytest.mark.long)
-"""The marks of a test that is left to ``nox -s full``."""
-
-
 def stepped(world, dart, action):
     """The dart after an action of a robot without markers, and what is sensed there."""
     state, percept = world.step(State(dart), action)
@@ -31,13 +27,13 @@ def stepped(world, dart, action):
 
 
 def slow(*values):
-    """Parameters that are left to ``pytest -m slow``."""
+    """Parameters of a test of a paper, which are tried with ``-m 'not long'``."""
     return pytest.param(*values, marks=pytest.mark.slow)
 
 
 def long(*values):
     """Parameters that are left to ``nox -s full``."""
-    return pytest.param(*values, marks=LONG)
+    return pytest.param(*values, marks=pytest.mark.long)
 
 
 def all_maps(most):

@@ -115,7 +115,7 @@ def _write_files(result: Report, output: OutputGroup, document: Callable[[], str
     for form, path in output.named:
         made = document() if form == "json" else file_of(form, result)
         write_file(path, made if isinstance(made, bytes) else made.encode())
-    if FINDINGS not in BY_NAME[output.verb].has or not hasattr(result, "findings"):
+    if not hasattr(result, "findings"):
         return
     for form, format_ in formats_of(output.verb).items():
         if os.environ.get(format_.read_by) == "true":

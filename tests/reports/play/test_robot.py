@@ -10,7 +10,7 @@ from allworlds.protocol.actions import Drop, Pick, Write
 from allworlds.reports.web.play import world_data
 from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, State, World
 from allworlds.world.lighthouses.kinds import lighthouse_kind
-from small import EDGE, LONG, LOOP, PLANE, TORUS, all_maps
+from small import EDGE, LOOP, PLANE, TORUS, all_maps
 
 
 def state_json(state):
@@ -69,7 +69,7 @@ def up_to_three_edges():
     for name, kind in LIGHTHOUSES.items():
         if name == "ports":
             yield pytest.param(kind, 2, id=name)
-            yield pytest.param(kind, 3, id=f"{name}, three edges", marks=LONG)
+            yield pytest.param(kind, 3, id=f"{name}, three edges", marks=pytest.mark.long)
         else:
             yield pytest.param(kind, 3, id=name)
 

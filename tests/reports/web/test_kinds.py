@@ -19,6 +19,8 @@ from allworlds.studies.compare.comparison import compare
 from allworlds.world import Directional, World, world_named
 from html_tree import read
 
+pytestmark = pytest.mark.usefixtures("compiled")  # for worst
+
 WALKS = [
     *("check", "fuzz", "run", "replay", "explain", "compare", "worst"),
     *("ambiguity twins", "ambiguity class", "ambiguity search"),

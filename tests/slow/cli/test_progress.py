@@ -1,0 +1,14 @@
+"""Progress: how far a long job is, and how long it would take."""
+
+import pytest
+
+from cli import test_progress as quick
+from small import long
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("name", [long("count compiled")])
+def test_what_is_promised_is_done(name):
+    quick.test_what_is_promised_is_done(name)

@@ -1,0 +1,89 @@
+"""Explorers in shared libraries: where they take part, and what they do to their process."""
+
+from array import array
+
+import pytest
+
+from allworlds.explorers.loading import load
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.check.report import most_expensive_runs
+from allworlds.studies.fuzz import fuzz
+from explorers import test_native as quick
+from explorers.test_native import QUICK, native
+from native_libraries import ATTACKS, EXAMPLES, attack, built, example
+
+
+def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
+    assert fuzz(native(example("c/algorithm1.c")), edges=8, runs=20).exit_code == 0
+    wrong = native(example("c/hasty.c"))
+    assert fuzz(wrong, edges=8, runs=20).exit_code == 1
+    check(wrong, edges=2, corpus=tmp_path)
+    again = check(wrong, edges=2, corpus=tmp_path)
+    assert again.exit_code == 1
+    assert again.runs == 0
+
+
+@pytest.fixture(scope="module")
+def without_choices():
+    """Algorithm 1 in C without ``choose``."""
+    return native(built(EXAMPLES / "c/algorithm1.c", "-Dallworlds_choose=not_exported"))
+
+
+@pytest.mark.usefixtures("compiled")
+def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
+    from allworlds.engines.compiled_engine import level_of
+    from allworlds.engines.kernel.batches import UnitJudge
+    from allworlds.engines.kernel.library_player import LibraryPlayer
+    from allworlds.engines.kernel.records import Stretch
+
+    memory = Stretch.of(2)
+    beat = array("q", [0, 0])
+    level = level_of("algorithm1", Rules(), Extent(MapClass.MAPS, 2), 2)
+    judge = UnitJudge(level, (-4,), 1, memory, memory)
+    judge.lay_out(4)
+    laid = judge.lay_out(4)  # a second batch, whose numbers in the unit are others
+    subject = load(native(example("c/algorithm1.c")))
+    player, played = LibraryPlayer(subject.native, beat), set()
+    for seed in range(30):
+        batch = {"heads": judge.heads.tobytes(), "worlds": memory.worlds[: laid.runs].tobytes()}
+        told = {"edges": 2, "runs": laid.runs, "seed": seed, "policy": "fifo", "again": False}
+        assert player.play(batch | told)
+        played.add(beat[0])
+    assert played == {*range(laid.runs)}
+
+
+@pytest.mark.long
+@pytest.mark.usefixtures("compiled")
+def test_both_engines_find_the_same_most_expensive_runs_of_a_library(without_choices):
+    by_kernel, by_python = (
+        [(run.world, run.outcome.cost) for run in most_expensive_runs(report)]
+        for report in (
+            check(without_choices, edges=4, engine=engine) for engine in ("kernel", "python")
+        )
+    )
+    assert by_kernel == by_python
+
+
+def test_a_library_that_counts_its_runs_is_found():
+    # In three runs the two orders may agree by chance, in about one check of four.
+    library = native(attack("here_is = episodes % 2"))
+    found = (one for _ in range(40) for one in check(library, edges=1).findings)
+    first = next(one for one in found if one.law == "nondeterministic")
+    assert "the second answer differs" in first.seen
+
+
+@pytest.mark.parametrize("source", ["cpp/algorithm1.cpp", "rust/algorithm1.rs"])
+@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
+def test_algorithm_1_in_another_language_walks_as_ours(source, policy):
+    quick.test_algorithm_1_in_another_language_walks_as_ours(source, policy)
+
+
+@pytest.mark.processes
+@pytest.mark.early
+@pytest.mark.no_cover
+@pytest.mark.parametrize("code", [*((code) for code in ATTACKS if code not in QUICK)])
+def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
+    quick.test_what_it_does_to_its_process_is_a_finding_in_that_world(code)

@@ -1,0 +1,21 @@
+"""Whatever is given, the answer keeps the law of inputs; and a fault that breaks it is found.
+
+Two thousand cases are drawn from a seed: the same every time, on every machine.  Each is named
+``SEED/NUMBER`` and drawn from its name alone.  ``INPUTS_SEED=7 pytest tests/ground -m ''``
+draws others.
+"""
+
+import pytest
+
+from ground import test_inputs as quick
+from ground.test_inputs import ALL, PART, keep_the_law
+from small import long
+
+folder = quick.folder
+
+pytestmark = pytest.mark.usefixtures("without_workers")
+
+
+@pytest.mark.parametrize("first", [0, *map(long, range(PART, ALL, PART))])
+def test_every_input_is_answered_or_refused_in_one_line(first, folder):
+    keep_the_law(range(first, first + PART), folder)

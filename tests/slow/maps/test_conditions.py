@@ -1,0 +1,19 @@
+"""Conditions that narrow a class of maps, compared with all permutations."""
+
+import pytest
+
+from maps import test_conditions as quick
+from maps.test_conditions import NAMES, TOGETHER
+from small import long
+
+
+@pytest.mark.parametrize("edges", [4, long(6)])
+@pytest.mark.parametrize("name", TOGETHER)
+def test_several_conditions_leave_what_each_of_them_leaves(name, edges):
+    quick.test_several_conditions_leave_what_each_of_them_leaves(name, edges)
+
+
+@pytest.mark.parametrize("edges", [4])
+@pytest.mark.parametrize("name", NAMES)
+def test_a_condition_leaves_what_filtering_all_permutations_leaves(name, edges):
+    quick.test_a_condition_leaves_what_filtering_all_permutations_leaves(name, edges)

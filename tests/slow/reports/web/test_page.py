@@ -1,0 +1,59 @@
+"""The page: complete, self-contained, and the same every time."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from allworlds.corpus.explorers import WRONG_EXPLORERS
+from allworlds.studies.check.exhaustive import check
+from html_tree import read
+from reports.web import test_page as quick
+from reports.web.test_page import mutant, page
+
+refuted = quick.refuted
+root = quick.root
+
+
+@pytest.mark.parametrize("name", [m.name for m in WRONG_EXPLORERS])
+def test_there_is_a_page_of_every_wrong_explorer(name):
+    report = check(mutant(name), edges=2)
+    root = read(page(report))
+    assert len([*root.all("section", class_="finding")]) == len(report.findings)
+    for finding, walk in zip(report.findings, root.all("ol"), strict=True):
+        assert len([*walk.all("li")]) == len(finding.transcript.steps) + 1
+
+
+@pytest.mark.parametrize("kind", ["none", "position", "compass"])
+def test_under_every_lighthouse_there_is_a_page(kind):
+    report = check(edges=2, lighthouse=kind, laws=("map", "pose"))
+    assert report.findings
+    assert read(page(report)).one(id="finding-1-world")
+
+
+SAME = """
+import sys
+from allworlds import check
+from allworlds.corpus.explorers import WRONG_EXPLORERS
+from allworlds.reports.formats import file_of
+from html_tree import read
+wrong = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")
+report = check(wrong.explorer(), edges=3)
+sys.stdout.buffer.write(file_of("check", "html", report).encode())
+"""
+
+
+def test_the_bytes_are_the_same_whatever_the_hash_seed():
+    paths = os.pathsep.join(filter(None, sys.path))
+    pages = {
+        subprocess.run(
+            [sys.executable, "-c", SAME],
+            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": paths},
+            capture_output=True,
+            check=True,
+        ).stdout
+        for seed in ("0", "1", "2")
+    }
+    assert len(pages) == 1
+    assert b"finding-1-answer" in pages.pop()

@@ -1,0 +1,44 @@
+from random import Random
+
+import pytest
+
+from allworlds.maps import CombinatorialMap
+from allworlds.studies.fuzz import GENERATORS
+from studies import test_sample as quick
+from studies.test_sample import CLASSES, code, drawn
+
+
+@pytest.mark.no_cover
+@CLASSES
+def test_a_sample_is_a_function_of_its_seed(map_class):
+    assert drawn(map_class, 10, 100, seed=7) == drawn(map_class, 10, 100, seed=7)
+    assert drawn(map_class, 10, 100, seed=7) != drawn(map_class, 10, 100, seed=8)
+
+
+@CLASSES
+def test_every_run_has_one_valid_world_of_the_class_within_the_bound(map_class):
+    sample = drawn(map_class, 12, 200)
+    assert len(sample) == 200
+    for map_, places in sample:
+        assert CombinatorialMap(map_.sigma, map_.alpha) == map_
+        assert map_class.includes(map_)
+        assert map_.edge_count <= 12
+        ((place, lighthouse),) = places
+        assert lighthouse.dart == map_.turn(0, place)
+
+
+@pytest.mark.no_cover
+@CLASSES
+def test_every_generator_comes_in_turn_and_makes_what_the_class_can_use(map_class):
+    for generator in GENERATORS[map_class]:
+        random = Random(1)
+        found = [generator(8, random) for _ in range(100)]
+        assert all(map_.edge_count <= 8 for map_ in found)
+        assert len({code(map_) for map_ in found}) > 5
+        assert any(map_class.includes(map_) for map_ in found)
+
+
+@CLASSES
+@pytest.mark.parametrize("least", [14])
+def test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least):
+    quick.test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least)

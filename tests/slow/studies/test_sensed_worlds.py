@@ -1,0 +1,15 @@
+"""The census of any lighthouse."""
+
+import pytest
+
+from studies import test_sensed_worlds as quick
+
+folder = quick.folder
+
+
+@pytest.mark.parametrize(
+    ("kind", "edges"),
+    [("natural", 4), ("heard.py:Words", 4), ("heard.py:Neighbour", 4)],
+)
+def test_parts_are_those_that_comparing_every_two_worlds_gives(folder, kind, edges):
+    quick.test_parts_are_those_that_comparing_every_two_worlds_gives(folder, kind, edges)
