@@ -278,15 +278,16 @@ def test_by_world_the_csv_has_a_line_for_each_world_and_explorer(report):
 
 
 def test_by_size_the_csv_has_a_line_for_each_row_with_its_ratio(report):
-    rows = report.records("size")
+    rows = replace(report, by="size").records()
     assert [(r["family"], r["edges"], r["explorer"], r["mean"]) for r in rows] == [
         (row.family, row.edges, row.explorer, row.mean) for row in report.rows
     ]
     assert [r["ratio"] for r in rows if r["ratio"]] == [one.ratio for one in report.ratios]
-    assert len(report.records("world")) == sum(row.worlds for row in report.rows)
-    assert report.records() == report.records("run")
+    by_world, by_run = (replace(report, by=by).records() for by in ("world", "run"))
+    assert len(by_world) == sum(row.worlds for row in report.rows)
+    assert report.records() == by_run
     with pytest.raises(InputError, match="by 'edge' is not one of size, world, run"):
-        report.records("edge")
+        compare("algorithm1", "folding", edges=1, by="edge")
 
 
 def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):

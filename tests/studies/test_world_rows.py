@@ -68,8 +68,6 @@ def test_without_by_there_is_a_row_for_each_size_and_explorer():
     report = compare("algorithm1", "folding", edges=2)
     assert len(rows_of(report)) == 2 * len(report.rows)
     assert report.in_worlds == ()
-    with pytest.raises(InputError, match="by world: these rows are kept if compare has"):
-        report.records("world")
 
 
 def test_rows_without_a_file_are_refused(refused):

@@ -163,7 +163,7 @@ SIZES = (
 def _rows(report: Comparison) -> CsvRows:
     """A row for each size and explorer, or as is asked for."""
     if report.by in ("world", "run"):
-        return rows_of_worlds(report.worlds_kept, report.names[0], report.by)
+        return rows_of_worlds(report.in_worlds, report.names[0], report.by)
     return CsvRows(SIZES, _by_size(report, report.names))
 
 

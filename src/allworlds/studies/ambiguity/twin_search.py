@@ -264,8 +264,7 @@ def search(request: SearchRequest) -> SearchResult:
         a_path("solver", request.solver)
         # As it was given: of ./solver a Path would leave a name that is looked for on PATH.
         external = ExternalSolver(request.solver)
-    directory = _directory(request.out)
-    deadline = deadline_after(time_limit)
+    directory, deadline = _directory(request.out), deadline_after(time_limit)
     try:
         found = _TwinsSearch(asked, external, directory, deadline, request.listener).run()
     except BaseException:

@@ -39,7 +39,6 @@ from allworlds.engines.swept_report import (
     By,
     SweptReport,
     TriedPlaces,
-    by_named,
     told_scope,
     tried_places,
 )
@@ -395,19 +394,6 @@ class ContestReport(SweptReport, kw_only=True):
     def names(self) -> list[str]:
         """The names of the explorers."""
         return [one.name for one in self.entrants]
-
-    @override
-    def records(self, by: str | None = None) -> list[dict[str, Any]]:
-        """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``.
-
-        Args:
-            by: ``size``, ``world`` or ``run``, as in the request; by default as was asked for.
-
-        Raises:
-            InputError: for another word, or for rows that were not kept.
-        """
-        found = self if by is None else replace(self, by=by_named(by))
-        return super(ContestReport, found).records()
 
 
 class Contest(Sweep[CostsOfAll, Answer]):
