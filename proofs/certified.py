@@ -40,12 +40,12 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from allworlds.claims import Algorithm1
 from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
     WrongExplorer,
 )
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.loading import in_process_subject, load
 from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.bounds import paper_bound

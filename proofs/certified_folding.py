@@ -17,7 +17,6 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from allworlds.claims import Algorithm1
 from allworlds.corpus.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
@@ -25,6 +24,7 @@ from allworlds.corpus.explorers import (
 )
 from allworlds.engines.kernel.laws import folds
 from allworlds.engines.kernel.records import FOLD, LOG, WORLD
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.loading import in_process_subject, load
 from allworlds.judging.episode import play
 from allworlds.judging.laws.bounds import paper_bound

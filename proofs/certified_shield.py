@@ -15,8 +15,8 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-from allworlds.claims import FoldedLog, estimate, has_open_dart
 from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers.builtin.folding import FoldedLog, estimate, has_open_dart
 from allworlds.explorers.builtin.shield import Shield
 from allworlds.explorers.loading import load
 from allworlds.judging.episode import Answered, Ending, play

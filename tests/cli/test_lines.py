@@ -123,15 +123,6 @@ def test_every_verb_of_levels_tells_it_before_it_begins():
             verb(edges=92, listener=Once())
 
 
-@pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize(("edges", "runs"), [(3, 10**12), (100_000, 101)])
-def test_fuzz_tells_it_before_it_begins(edges, runs):
-    import allworlds
-
-    with pytest.raises(Enough):
-        allworlds.fuzz(edges=edges, runs=runs, listener=Once())
-
-
 @pytest.mark.parametrize("edges", [100_001, 10**13, 10**4000, 10**5000], ids=show)
 def test_what_cannot_be_counted_is_refused(edges):
     import allworlds

@@ -6,12 +6,9 @@ from allworlds import check
 from allworlds.document.struct import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of
-from allworlds.engines.kernel.engine import judge, walk
+from allworlds.engines.kernel.engine import judge
 from allworlds.engines.kernel.runs import UNDEFINED
 from allworlds.judging.findings.rules import Rules
-from allworlds.maps import CombinatorialMap, MapClass, rooted_maps, unrooted_code
-from allworlds.maps.classes import Extent
-from allworlds.maps.enumeration import prefixes
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -28,39 +25,9 @@ def fresh_comparison():
     LEVEL_OF.cache_clear()
 
 
-def asked(edges, **given):
-    """The question of a level, with these values."""
-    level = compiled.level_of("algorithm1", Rules(), Extent(MapClass.MAPS, edges), edges)
-    return replace(level, **given)
-
-
 def table_of(bounds):
     """The table of the kernel of these largest costs, by vertices from 0 on."""
     return [[[bound]] for bound in bounds]
-
-
-def test_the_least_broken_worlds_come_first():
-    level = asked(4, bounds=table_of([0, 0, 0, 10, 10, 10]), budgets=(2000,))
-    for prefix in prefixes(4, depth=1):
-        few, all_ = (walk(level, prefix, keep=keep).broken for keep in (3, 500))
-        codes = [(world.vertices, world.sigma, world.alpha) for world in all_]
-        assert codes == sorted(codes)
-        assert few == all_[:3]
-    # With one vertex 4 loops cost 4 traversals, and 0 are allowed: all 105 rooted maps are broken.
-    # They are 18 maps without a root (OEIS A007769), of each of which the least is kept.
-    assert len(walk(level, (-8,), keep=500).broken) == 18
-
-
-def test_a_walk_that_fails_half_way_blames_every_completion():
-    # Out of fuel from the first pass on: every world of the unit is broken, and all are met.
-    broken = walk(asked(4, budgets=(0,)), (-3,), keep=1000)
-    honest = walk(asked(4), (-3,))
-    assert [row.worlds for row in broken.counts] == [row.worlds for row in honest.counts]
-    maps = [CombinatorialMap(world.sigma, world.alpha) for world in broken.broken]
-    blamed = {unrooted_code(map_) for map_ in maps}
-    assert blamed == {unrooted_code(map_) for map_ in rooted_maps(4, prefix=(-3,))}
-    assert len(blamed) == len(maps)  # the least of each
-    assert all(row.traversals == 0 for row in broken.counts)
 
 
 def test_a_judge_that_is_wrong_is_found_out_before_the_first_level(monkeypatch):

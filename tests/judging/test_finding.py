@@ -118,7 +118,9 @@ def test_a_report_of_one_run_is_a_finding_too(finding):
     assert Finding.from_json(report).key == finding.key
 
 
+@pytest.mark.processes
 @pytest.mark.early
+@pytest.mark.processes
 def test_all_zero_choices_are_told_where_another_policy_would_choose_otherwise(wrong, clock):
     world = next(worlds(edges=1))
     told = run(

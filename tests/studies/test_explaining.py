@@ -111,7 +111,6 @@ def test_an_answer_that_is_no_map_is_told_once_with_what_was_tried(report_of, tm
     assert out.count("sigma  1   0  [3] [3]") == 1
     assert "counted anticlockwise" in " ".join(out.split())
     assert " ".join(out.split()).count("line 18, in no_map: return Estimate(") == 1
-    assert out.index("the permutations that were tried") < out.index("The world")
 
 
 def test_what_was_tried_is_shown_only_if_it_can_be(report_of, cli):

@@ -109,7 +109,7 @@ class SingleRun(Report):
 
     @computed
     def output(self) -> Text | UnsetType:
-        """What the explorer printed, if anything."""
+        """Output of the explorer, if it printed anything."""
         return self.outcome.output or UNSET
 
     @property

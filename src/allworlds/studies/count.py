@@ -100,7 +100,7 @@ class Census(SweptReport):
 
     @computed
     def scope(self) -> CountedScope:
-        """What was counted."""
+        """All that was counted."""
         return told_scope(CountedScope, self.request, shard=str(self.portion))
 
     @computed

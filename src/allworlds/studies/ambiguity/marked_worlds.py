@@ -321,7 +321,7 @@ class AmbiguityCensus(SweptReport):
 
     @computed
     def scope(self) -> CensusScope:
-        """What was classified."""
+        """All that was classified."""
         return told_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
 
     @computed

@@ -193,7 +193,7 @@ class CheckReport(EndedReport):
 
     @computed
     def scope(self) -> CheckedScope:
-        """What was checked."""
+        """All that was checked."""
         return self.checked_scope()
 
     @computed

@@ -195,7 +195,7 @@ class WorstReport(SweptReport, kw_only=True):
 
     @computed
     def scope(self) -> WorstScope:
-        """What was searched."""
+        """All that was searched."""
         return told_scope(
             WorstScope,
             self.request,
