@@ -353,7 +353,7 @@ class ContestScope(Document):
 class ContestReport(SweptReport, kw_only=True):
     """The report of explorers that were run in the same worlds.
 
-    ``entrants`` were run; rows for programs are wanted ``by`` world or run.
+    ``entrants`` were run; ``by`` says for what there are rows for programs.
     """
 
     findings: Annotated[
