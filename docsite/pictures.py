@@ -246,7 +246,7 @@ def walks() -> list[Live]:
         Live(
             "worst-runs",
             "worst --edges 3",
-            "The most expensive schedules of Algorithm 1, cost against bound.",
+            "The costs of Algorithm 1, and the most expensive schedule.",
         ),
     ]
 

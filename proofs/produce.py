@@ -21,7 +21,7 @@ from allworlds import search
 from allworlds.maps import from_cycles, from_rotation
 from allworlds.studies.ambiguity.twin_search import bisimulation
 from allworlds.world import Natural, Position, World
-from allworlds.world.bisimulation import same_world_from
+from allworlds.world.bisimulation import flaw, same_world_from
 
 HERE = Path(__file__).resolve().parent
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
@@ -50,7 +50,7 @@ def _compress(source: Path, target: Path) -> None:
 def entry(worlds: list[World]) -> dict[str, Any]:
     """A pair and its bisimulation, as the checkers read them."""
     classes = bisimulation(*worlds)
-    if classes is None:
+    if flaw(worlds, classes):
         raise SystemExit(f"{worlds} do not look alike")
     return {"pair": [world.to_json() for world in worlds], "bisimulation": list(classes)}
 
@@ -97,7 +97,8 @@ def wheels() -> list[World]:
         for turned in product((1, -1), repeat=4):
             around = [rim[::turn] for rim, turn in zip(rims, turned, strict=True)]
             drawn = World(from_rotation([[1, *hub], *around]), Position(0))
-            if bisimulation(plane, drawn) and same_world_from(plane, drawn) is None:
+            alike = flaw((plane, drawn), bisimulation(plane, drawn)) is None
+            if alike and same_world_from(plane, drawn) is None:
                 return [plane, drawn]
     raise SystemExit("no drawing of the wheel looks like another")
 

@@ -327,6 +327,6 @@ def _bounds(options: Mapping[str, Any]) -> dict[str, Any]:
 
 def _said(report: CheckReport) -> str:
     """The text about a report whose verdict is not that the laws hold."""
-    verdict = brief("check", report, WIDTH)
+    verdict = brief(report, WIDTH)
     findings = [finding_in_words(finding, WIDTH) for finding in report.findings]
     return "\n" + "\n\n".join([*findings, verdict])

@@ -17,11 +17,11 @@ WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
 
 
 def junit(report):
-    return file_of("check", "junit", report)
+    return file_of("junit", report)
 
 
 def page(report):
-    return file_of("check", "html", report)
+    return file_of("html", report)
 
 
 pytestmark = pytest.mark.usefixtures("without_workers")

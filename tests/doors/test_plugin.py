@@ -35,7 +35,7 @@ def test_mine(explores):
 @pytest.fixture(scope="module")
 def loaded():
     """Modules that a run of pytester would load itself, and forget while others still use them."""
-    text("check", allworlds.check(lambda _: (yield 0), edges=1), 80)
+    text(allworlds.check(lambda _: (yield 0), edges=1), 80)
     command_line()
 
 

@@ -8,15 +8,15 @@ from allworlds.world import Position, World
 
 
 def census_text(census, width):
-    return text_of("ambiguity census", census, width)
+    return text_of(census, width)
 
 
 def class_text(found, width):
-    return text_of("ambiguity class", found, width)
+    return text_of(found, width)
 
 
 def twins_text(comparison, width):
-    return text_of("ambiguity twins", comparison, width)
+    return text_of(comparison, width)
 
 
 def named(name, kind="position"):

@@ -14,7 +14,7 @@ from allworlds.world import Directional, World
 
 
 def explain_text(explanation, width):
-    return text_of("explain", explanation, width)
+    return text_of(explanation, width)
 
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}

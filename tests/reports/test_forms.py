@@ -174,6 +174,6 @@ def test_a_form_is_offered_where_there_is_what_it_shows():
     assert "sarif" in formats_of("check")
     assert "sarif" not in formats_of("worst")
     assert {*formats_of("status")} == {"json"}
-    assert file_of("count", "csv", count(edges=1)) == (
+    assert file_of("csv", count(edges=1)) == (
         "edges,vertices,genus,rooted,unrooted\n1,1,0,1,1\n1,2,0,1,1\n"
     )

@@ -56,8 +56,8 @@ def test_no_cell_is_lost_in_any_width(width):
 
 @pytest.mark.parametrize("width", [40, 50, 60, 80, 100])
 def test_every_line_of_a_check_and_of_a_walk_is_within_the_width(width):
-    walk = text("run", run("algorithm1", "theta"), width)
-    told = text("check", check(edges=3), width).splitlines() + walk.splitlines()
+    walk = text(run("algorithm1", "theta"), width)
+    told = text(check(edges=3), width).splitlines() + walk.splitlines()
     assert max(map(len, told)) <= width
     for step in range(9):
         assert f"\n{step:>4}  " in walk

@@ -12,9 +12,7 @@ from allworlds import maps
 from allworlds.inputs.checks import InputError
 from allworlds.reports.drawing import svg as drawn_by
 from allworlds.reports.drawing.svg import draw
-from allworlds.reports.formats import text, verb_of
-from allworlds.reports.schemas import reports_of
-from allworlds.verbs import VERBS
+from allworlds.reports.formats import text
 from allworlds.world import Directional, World
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -92,7 +90,7 @@ def test_a_notebook_shows_maps_and_worlds_as_their_drawings(world):
 
 def test_a_report_is_printed_as_on_the_command_line():
     report = allworlds.check("algorithm1", edges=2)
-    assert str(report) == text("check", report, 100).rstrip("\n")
+    assert str(report) == text(report, 100).rstrip("\n")
     assert str(report).startswith("HOLDS")
     assert "12 worlds" in report._repr_html_()
 
@@ -114,15 +112,6 @@ def test_a_plain_ipython_shows_what_print_does():
         # IPython takes what stands in a class itself before a repr of its bases.
         vars(type(shown))["_repr_pretty_"](shown, SimpleNamespace(text=said.append), cycle=False)
         assert said == [str(shown)]
-
-
-@pytest.mark.parametrize("verb", VERBS, ids=lambda verb: verb.name)
-def test_every_report_knows_its_verb(verb):
-    for kind in reports_of(verb):
-        if verb.name != "merge":  # which hands on that of another verb
-            other = verb_of(kind)
-            same = {"fuzz": "check"}.get(verb.name, verb.name)
-            assert other == same
 
 
 def test_a_page_in_a_frame_cannot_end_it():

@@ -28,11 +28,11 @@ def read(line):
 
 
 def markdown(report):
-    return file_of("check", "markdown", report)
+    return file_of("markdown", report)
 
 
 def runner_commands(report):
-    return file_of("check", "annotations", report)
+    return file_of("annotations", report)
 
 
 RAISES = """
@@ -50,7 +50,7 @@ def test_what_an_explorer_says_or_is_called_fits_into_every_file(form, tmp_path,
         (tmp_path / "q\udcff.py").write_text(RAISES)
     except OSError:
         pytest.skip("names of files are UTF-8 here")
-    text = file_of("check", form, check("q\udcff.py:explore", edges=1))
+    text = file_of(form, check("q\udcff.py:explore", edges=1))
     assert text.encode()
     assert not re.search(r"[\x00-\x08\x0b-\x1f\x7f]", text)
     assert form == "csv" or "ends with" in text  # its rows are numbers
@@ -73,7 +73,7 @@ def test_no_line_of_a_file_is_a_command_because_of_an_explorer(form, tmp_path):
     report = check(f"{file}:explore", edges=1)
     for text in (str(report), finding_text(report.findings[0], 80)):
         assert not re.search(r"\n\s*::|##\[|\u200b", text)
-    lines = file_of("check", form, report).splitlines()
+    lines = file_of(form, report).splitlines()
     ours = len(report.findings) if form == "annotations" else 0
     assert sum(line.lstrip().startswith("::") for line in lines) == ours
     if not ours:

@@ -16,19 +16,19 @@ pytestmark = pytest.mark.usefixtures("without_workers")
 
 
 def check_text(report, width):
-    return text_of("check", report, width)
+    return text_of(report, width)
 
 
 def run_text(told, width):
-    return text_of("run", told, width)
+    return text_of(told, width)
 
 
 def replay_text(told, width):
-    return text_of("replay", told, width)
+    return text_of(told, width)
 
 
 def count_text(census, width):
-    return text_of("count", census, width)
+    return text_of(census, width)
 
 
 def lazy(first):
@@ -168,44 +168,44 @@ def test_what_was_seen_is_a_number_and_what_was_expected_a_bound():
 
 def test_a_run_and_a_replay_have_one_line_each():
     right = run("algorithm1", World(named_map("theta"), Directional(0)))
-    assert brief("run", right, 40) == "HOLDS: 8 traversals of at most 17: no law is broken"
+    assert brief(right, 40) == "HOLDS: 8 traversals of at most 17: no law is broken"
     explore = lambda f: (yield from single_edge(f))  # noqa: E731
     (finding,) = check(explore, edges=1, engine="python").findings
     wrong = run(explore, finding.world)
-    assert brief("run", wrong, 40) == f"REFUTED: law {finding.law} is broken"
-    again = brief("replay", replay(finding, explore), 40)
+    assert brief(wrong, 40) == f"REFUTED: law {finding.law} is broken"
+    again = brief(replay(finding, explore), 40)
     assert again == f"REPRODUCED: law '{finding.law}' is broken again"
-    fixed = brief("replay", replay(finding, "algorithm1"), 40)
+    fixed = brief(replay(finding, "algorithm1"), 40)
     assert fixed == "FIXED: algorithm1 now keeps every law in the recorded world"
-    other = brief("replay", replay(replace(finding, law="pose"), explore), 40)
+    other = brief(replay(replace(finding, law="pose"), explore), 40)
     assert other.startswith("REPRODUCED: law ")
     assert other.endswith("is broken now, where 'pose' was recorded")
 
 
 def test_a_shard_says_that_it_is_one_in_its_one_line_too():
-    whole = brief("check", check("algorithm1", engine="python", edges=2), 100)
-    shard = brief("check", check("algorithm1", engine="python", edges=2, shard=(0, 2)), 100)
+    whole = brief(check("algorithm1", engine="python", edges=2), 100)
+    shard = brief(check("algorithm1", engine="python", edges=2, shard=(0, 2)), 100)
     assert "shard" not in whole
     assert shard.startswith("HOLDS: ")
     assert "in shard 0/2; the verdict on the whole needs the merge of all shards" in shard
 
 
 def test_a_shard_of_a_sample_says_so_too():
-    told = brief("fuzz", fuzz("algorithm1", edges=6, runs=100, shard=(1, 2)), 100)
+    told = brief(fuzz("algorithm1", edges=6, runs=100, shard=(1, 2)), 100)
     assert "in shard 1/2; the verdict on the whole needs the merge of all shards" in told
-    empty = brief("fuzz", fuzz("algorithm1", edges=6, runs=1, shard=(0, 2)), 100)
+    empty = brief(fuzz("algorithm1", edges=6, runs=1, shard=(0, 2)), 100)
     assert empty.startswith("EMPTY: ")
 
 
 def test_laws_of_checkpoints_alone_are_vacuous_for_an_explorer_without_checkpoints():
     silent = {"laws": ("invariant-1", "variant")}
-    for verb, report in (
-        ("check", check("folding", edges=1, engine="python", **silent)),
-        ("fuzz", fuzz("folding", edges=3, runs=2, **silent)),
-        ("run", run("folding", "theta", **silent)),
+    for report in (
+        check("folding", edges=1, engine="python", **silent),
+        fuzz("folding", edges=3, runs=2, **silent),
+        run("folding", "theta", **silent),
     ):
         assert (report.verdict, report.exit_code) == ("vacuous", 4)
-        told = brief(verb, report, 40)
+        told = brief(report, 40)
         assert told.startswith("VACUOUS: nothing was checked: the explorer shows no checkpoint")
         assert "invariant-1 and variant" in told
     spoken = run("algorithm1", "theta", **silent)

@@ -104,7 +104,7 @@ def test_a_replay_that_costs_something_else_is_an_internal_error(report):
     damaged = replace(report.rows[3], replayed=report.rows[3].worst - 1)
     broken = replace(report, rows=(*report.rows[:3], damaged))
     assert broken.exit_code == 70
-    assert "the python engine walks" in text("worst", broken, 100)
+    assert "the python engine walks" in text(broken, 100)
     doubled = replace(report, rows=(replace(report.rows[0], worlds=2),))
     assert doubled.exit_code == 70
     refuted = replace(report, rows=(replace(report.rows[0], wrong_tests=1),))
@@ -118,7 +118,7 @@ def test_a_size_that_was_not_met_is_an_internal_error(monkeypatch):
     )
     lost = worst(edges=2)
     assert lost.exit_code == 70
-    assert "no map with 1 edge and 5 vertices" in text("worst", lost, 100)
+    assert "no map with 1 edge and 5 vertices" in text(lost, 100)
     assert worst(edges=2, shard=(0, 2)).exit_code == 0
 
 
@@ -140,7 +140,7 @@ def test_the_document_and_the_text(report):
     row = document["rows"][-1]
     assert {"edges", "vertices", "worst", "best", "bound", "world", "choices"} <= set(row)
     assert row["world"]["start"] == 0
-    told = text("worst", report, 100)
+    told = text(report, 100)
     assert "all rejected" in told
     assert "every worst cost was attained by the python engine" in told
 

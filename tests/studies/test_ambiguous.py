@@ -36,7 +36,7 @@ def test_two_loops_look_alike_in_the_plane_and_on_the_torus_and_saying_so_is_rig
         "marks": [1],
         "here": 0,
     }
-    told = text("run", found, 100)
+    told = text(found, 100)
     assert "several worlds look alike" in told
     assert "HOLDS" in told
 
@@ -49,9 +49,9 @@ def test_where_one_world_looks_so_it_is_refuted_confirmed_explained_and_replayed
     assert finding.world.map.edge_count == 1
     again = Finding.from_json(json.loads(json.dumps(finding.to_json())))
     assert again.law == "ambiguity"
-    assert "several worlds look alike" in text("explain", allworlds.explain(again), 1000)
+    assert "several worlds look alike" in text(allworlds.explain(again), 1000)
     assert allworlds.replay(again).outcome == "reproduced"
-    assert text("check", report, 100)
+    assert text(report, 100)
 
 
 def test_under_a_lighthouse_that_leaves_nothing_open_it_is_no_estimate():

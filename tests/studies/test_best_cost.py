@@ -60,4 +60,4 @@ def test_the_best_cost_is_told_of_every_schedule_alone():
     one, every = (check("algorithm1", edges=1, schedules=which) for which in ("one", "all"))
     assert all("best_cost" not in row for row in one.to_json()["rows"] + one.records())
     assert all(row["best_cost"] == 1 for row in every.to_json()["rows"] + every.records())
-    assert ("best cost" in text("check", every, 100)) > ("best cost" in text("check", one, 100))
+    assert ("best cost" in text(every, 100)) > ("best cost" in text(one, 100))

@@ -14,7 +14,6 @@ from allworlds.document.struct import replace
 from allworlds.engines.effort import TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import Silent
-from allworlds.engines.units import SweptLevel
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError
@@ -105,7 +104,7 @@ def test_a_sample_is_exact_if_it_is_the_whole_family_in_every_place(seeds, place
     (ratio,) = report.ratios
     assert ratio.exact == exact
     assert (ratio.interval is None) == (one.interval is None) == (exact or seeds == 3)
-    assert ("every world that seeds draw" in text_of("compare", report, 200)) == exact
+    assert ("every world that seeds draw" in text_of(report, 200)) == exact
 
 
 def test_every_start_of_an_exact_sample_has_the_same_chance():
@@ -131,7 +130,7 @@ def test_of_many_places_a_sample_is_drawn_and_said():
     (row,) = told.rows
     assert (row.runs, row.places) == (6, sum(one.map().degree_at[0] for one in row.members))
     assert all(len(set(one.ran)) == 3 and [*one.ran] == sorted(one.ran) for one in row.members)
-    assert f"6 of {row.places}" in text_of("compare", told, 120)
+    assert f"6 of {row.places}" in text_of(told, 120)
     again = compare("algorithm1", family="dense", to=20, worlds=2, places=3)
     assert again.rows == told.rows
 
@@ -207,14 +206,14 @@ def test_a_broken_law_refutes():
     told = compare(stops_at_once, family=["bouquet"], to=13, worlds=1)
     assert (told.verdict.value, told.exit_code) == ("refuted", 1)
     assert told.findings[0].law == "no-estimate"
-    assert "broken a law" in text_of("compare", told, 100)
+    assert "broken a law" in text_of(told, 100)
     assert replace(told, ending=Interrupted()).exit_code == 130
 
 
 def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():
     told = compare("algorithm1-natural", family=["torus"], to=18, worlds=1)
     assert (told.verdict.value, told.exit_code, told.left_out) == ("vacuous", 4, 1)
-    assert "1 world without a place" in text_of("compare", told, 100)
+    assert "1 world without a place" in text_of(told, 100)
 
 
 def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
@@ -236,39 +235,10 @@ def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
             *zip(whole.families, smallest, strict=True)
         ]
         assert all(row in whole.rows for row in told.rows)
-        lines, every = (file_of("compare", "csv", one).splitlines() for one in (told, whole))
+        lines, every = (file_of("csv", one).splitlines() for one in (told, whole))
         assert [line for line in every if line in lines] == lines
         assert len(lines) == 1 + sum(row.runs for row in told.rows)
-        assert "finished sizes" in text_of("compare", told, 100)
-
-
-def test_finished_worlds_of_a_begun_size_are_in_the_rows_and_marked(monkeypatch):
-    walked = GrowingWorlds._units
-    asked = {"family": "cubic", "to": 30, "worlds": 3, "by": "world"}
-    whole = compare("folding-oldest", "algorithm1", **asked)
-
-    def units(growth, size):
-        for number, unit in enumerate(walked(growth, size)):
-            if growth._rows and number == 4:
-                raise TimeIsUp
-            yield unit
-
-    monkeypatch.setattr(GrowingWorlds, "_units", units)
-    monkeypatch.setattr(GrowingWorlds, "levels", _unsized)
-    told = compare("folding-oldest", "algorithm1", **asked, time_limit=1000)
-    first, second = (row.edges for row in whole.rows if row.explorer == "folding-oldest")
-    assert {row.edges for row in told.rows} == {first}
-    every, kept = whole.records(), told.records()
-    assert all(row["finished"] for row in every)
-    # The first in all three worlds; the unit at which the time was up may be asked for early.
-    begun = [row for row in kept if not row["finished"]]
-    assert [(row["explorer"], row["seed"]) for row in begun[:3]] == [
-        ("folding-oldest", seed) for seed in (1, 2, 3)
-    ]
-    assert len(begun) <= 4
-    assert all(row["edges"] == second for row in begun)
-    assert all({**row, "finished": True} in every for row in kept)
-    assert "begun      3 worlds of an unfinished size" in text_of("compare", told, 100)
+        assert "finished sizes" in text_of(told, 100)
 
 
 def test_a_law_that_is_broken_in_a_begun_size_refutes():
@@ -282,21 +252,15 @@ def test_a_law_that_is_broken_in_a_begun_size_refutes():
     assert told.findings[0].law == "no-estimate"
 
 
-def _unsized(growth):
-    """The levels, without a count of the runs of each."""
-    for size in growth._sizes:
-        yield SweptLevel(size.edges, 1, growth._units(size), size)
-
-
 def test_the_csv_has_a_line_for_each_run(report):
-    rows = [*csv.DictReader(io.StringIO(file_of("compare", "csv", report)))]
+    rows = [*csv.DictReader(io.StringIO(file_of("csv", report)))]
     assert len(rows) == sum(row.runs for row in report.rows)
     first = report.rows[0].members[0]
     assert f"{rows[0]['family']} --seed {rows[0]['seed']}" == first.name
     assert map_of_code(rows[0]["code"]) == CombinatorialMap(*_code(first.map()))
     unbounded = replace(first, bound=None)
     other = replace(report, rows=(replace(report.rows[0], members=(unbounded,)),))
-    assert file_of("compare", "csv", other).splitlines()[1].endswith(",,True")
+    assert file_of("csv", other).splitlines()[1].endswith(",")
 
 
 def _code(map_):
@@ -305,7 +269,7 @@ def _code(map_):
 
 def test_by_world_the_csv_has_a_line_for_each_world_and_explorer(report):
     told = replace(report, by="world")
-    rows = [*csv.DictReader(io.StringIO(file_of("compare", "csv", told)))]
+    rows = [*csv.DictReader(io.StringIO(file_of("csv", told)))]
     assert len(rows) == sum(row.worlds for row in report.rows)
     means = {(r["family"], r["seed"], r["explorer"]): float(r["mean"]) for r in rows}
     for row in rows:
@@ -314,15 +278,16 @@ def test_by_world_the_csv_has_a_line_for_each_world_and_explorer(report):
 
 
 def test_by_size_the_csv_has_a_line_for_each_row_with_its_ratio(report):
-    rows = report.records("size")
+    rows = replace(report, by="size").records()
     assert [(r["family"], r["edges"], r["explorer"], r["mean"]) for r in rows] == [
         (row.family, row.edges, row.explorer, row.mean) for row in report.rows
     ]
     assert [r["ratio"] for r in rows if r["ratio"]] == [one.ratio for one in report.ratios]
-    assert len(report.records("world")) == sum(row.worlds for row in report.rows)
-    assert report.records() == report.records("run")
+    by_world, by_run = (replace(report, by=by).records() for by in ("world", "run"))
+    assert len(by_world) == sum(row.worlds for row in report.rows)
+    assert report.records() == by_run
     with pytest.raises(InputError, match="by 'edge' is not one of size, world, run"):
-        report.records("edge")
+        compare("algorithm1", "folding", edges=1, by="edge")
 
 
 def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):

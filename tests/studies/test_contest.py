@@ -111,7 +111,7 @@ def test_a_map_without_a_place_for_one_is_left_out_for_all():
 def test_nothing_to_compare_is_vacuous():
     report = compare("folding", CLUSTER, family="bouquet:0", lighthouse="natural")
     assert (report.verdict.value, report.exit_code) == ("vacuous", 4)
-    assert "no world" in text_of("compare", report, 100)
+    assert "no world" in text_of(report, 100)
 
 
 def stops_at_once(first):
@@ -125,7 +125,7 @@ def test_a_broken_law_ends_the_comparison_with_a_finding():
     assert {row.edges for row in report.rows} == {1}
     (finding,) = report.findings
     assert finding.law == "no-estimate"
-    assert "broken a law" in text_of("compare", report, 100)
+    assert "broken a law" in text_of(report, 100)
 
 
 def test_one_world_of_a_family_is_compared_over_every_place():
@@ -138,7 +138,7 @@ def test_one_world_of_a_family_is_compared_over_every_place():
     scope = document["scope"]
     assert (scope["family"], scope["holes"], scope["seed"]) == (["lattice:4x4"], "10%", 5)
     assert scope["edges"] is None
-    assert "one world: lattice:4x4 with holes 10%, seed 5" in text_of("compare", report, 100)
+    assert "one world: lattice:4x4 --holes 10% --seed 5" in text_of(report, 100)
 
 
 def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
@@ -156,7 +156,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
         report = compare("algorithm1", "folding", edges=3, time_limit=1000)
         assert report.exit_code == code
         assert [row.edges for row in report.rows] == [1, 1]
-        assert "finished levels" in text_of("compare", report, 100)
+        assert "finished levels" in text_of(report, 100)
         assert report.to_json()["complete"] is False
 
 
@@ -169,11 +169,11 @@ def test_an_interrupt_goes_before_a_finding_and_a_count_that_disagrees_before_bo
 def test_a_count_that_disagrees_is_an_error(report):
     told = replace(report, all_counted=False)
     assert told.exit_code == 70
-    assert "disagree" in text_of("compare", told, 100)
+    assert "disagree" in text_of(told, 100)
 
 
 def test_the_csv_has_a_line_for_each_size_and_explorer(report):
-    rows = [*csv.DictReader(io.StringIO(file_of("compare", "csv", report)))]
+    rows = [*csv.DictReader(io.StringIO(file_of("csv", report)))]
     assert len(rows) == len(report.rows) * 3
     last = rows[-2]
     assert last["explorer"] == "folding"
@@ -182,7 +182,7 @@ def test_the_csv_has_a_line_for_each_size_and_explorer(report):
 
 
 def test_the_page_holds_both_walks_and_the_document(report):
-    page = file_of("compare", "html", report)
+    page = file_of("html", report)
     assert page.count('class="viewer"') == 3
     assert page.count("In the world that differs most") == 3
     record = page.split('id="report-json"')[1].split(">", 1)[1].split("</script>")[0]

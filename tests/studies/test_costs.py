@@ -70,7 +70,7 @@ def test_a_seed_without_a_family_is_refused(world):
 def test_the_page_has_the_costs_and_no_text_tells_them_before_the_walk():
     made = play("random:3", seed=3)
     assert all(json.dumps(NAMES[one.who]) in game(made) for one in made.costs)
-    assert "Algorithm 1" not in text("play", made, 100)
+    assert "Algorithm 1" not in text(made, 100)
 
 
 def test_the_own_cost_stands_beside_the_others(monkeypatch, capsys):

@@ -35,20 +35,20 @@ def test_a_sample_beyond_the_exhaustive_bound_has_a_row_for_each_number_of_edges
         told = sum(int(row[header.index(what)].replace(",", "")) for row in rows)
         assert told == sum(row[what] for row in report.to_json()["rows"])
     assert "of the class maps with 6 to 9 edges" in dict(scope_words(report))["scope"]
-    assert 'name="40 random worlds with 6 to 9 edges"' in file_of("fuzz", "junit", report)
+    assert 'name="40 random worlds with 6 to 9 edges"' in file_of("junit", report)
 
 
 def test_a_sample_without_any_place_of_the_lighthouse_is_vacuous():
     report = fuzz("algorithm1-natural", edges=1, runs=5, map_class="simple")
     assert (report.verdict, report.exit_code, report.left_out) == ("vacuous", 4, 5)
-    assert text_of("fuzz", report, 100).startswith("VACUOUS    the scope holds no run\n")
+    assert text_of(report, 100).startswith("VACUOUS    the scope holds no run\n")
 
 
 def test_a_shard_without_a_run_says_so(tmp_path):
     (tmp_path / "runs").mkdir()
     reports = [fuzz(edges=4, runs=2, shard=(k, 3), run=tmp_path / f"runs/{k}") for k in range(3)]
     assert [report.runs for report in reports] == [0, 1, 1]
-    assert [text_of("fuzz", report, 100).split()[0] for report in reports] == [
+    assert [text_of(report, 100).split()[0] for report in reports] == [
         "EMPTY",
         "NOT-REFUTED",
         "NOT-REFUTED",
@@ -62,7 +62,7 @@ def test_the_text_of_a_sample_speaks_of_no_levels():
         fuzz("algorithm1", edges=40, runs=10**6, time_limit=0.2),
         fuzz(stays, edges=2, runs=3),
     ):
-        assert "level" not in text_of("fuzz", report, 100)
+        assert "level" not in text_of(report, 100)
 
 
 def stays(first):

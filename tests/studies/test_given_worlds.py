@@ -35,7 +35,7 @@ def test_given_worlds_are_tried_as_they_are_in_a_check_of_all(workers):
     scope = report.to_json()["scope"]
     assert (scope["given"], scope["gate"], scope["complete"]) == (every.runs, "absent", True)
     assert "given" not in every.to_json()["scope"]
-    said = text("check", report, 1000)
+    said = text(report, 1000)
     assert f"each of {every.runs} given worlds of the class maps" in said
     assert "absent: the worlds were given" in said
 
@@ -58,7 +58,7 @@ def test_a_refuted_world_is_found_and_is_not_said_to_be_the_smallest(folder):
     assert finding.world in given
     assert finding.confirmed
     assert not finding.minimal
-    assert "every given world with 2 edges" in file_of("check", "junit", report)
+    assert "every given world with 2 edges" in file_of("junit", report)
     alone = allworlds.check("mine.py:goes_on", worlds=given[:2], task="cover:edges", workers=1)
     assert alone.verdict.value == "holds"
 

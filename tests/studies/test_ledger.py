@@ -182,7 +182,7 @@ def test_the_line_tells_what_those_need_that_were_not_checked(paper):
     claims = claims_in(paper / "ledger.toml")
     reasons = ("no Coq", "no Coq", "no time")
     some = [entry_with(c, "quick", NotChecked(r)) for c, r in zip(claims, reasons, strict=True)]
-    told = brief("ledger", report_of(*some), 100)
+    told = brief(report_of(*some), 100)
     assert told.startswith("VACUOUS: 3 claims: 3 not checked (2: no Coq; 1: no time)")
 
 
@@ -261,38 +261,38 @@ def test_a_refuted_check_names_its_smallest_world():
 def test_each_standing_has_its_sign_and_what_differs_is_told(paper):
     with_function(paper, "not_all", 'return Found("holds", {"worlds": 1})')
     report = allworlds.ledger(paper, require=["proof"])
-    told = text("ledger", report, 100)
+    told = text(report, 100)
     signs = [line[0] for line in told.splitlines() if line[:1] in "=≠?-" and line[1:2] == " "]
     assert signs[:3] == ["=", "≠", "-"]
     assert "DIFFERS    not-all: verdict: refuted expected, holds found" in told
     assert "REQUIRED   proof was not checked" in told
-    assert brief("ledger", report, 100) == (
+    assert brief(report, 100) == (
         "REFUTED: 3 claims: 1 holds, 1 not as expected, 1 not checked (Coq is not installed)"
     )
 
 
 def test_one_claim_is_told_at_length_and_drawn(paper):
-    told = text("ledger", allworlds.ledger(paper, only=["not-all"]), 100)
+    told = text(allworlds.ledger(paper, only=["not-all"]), 100)
     assert "The one" in told
     assert "Beyond: not-all" in told
     assert "witnesses  worlds 1" in told
-    told = text("ledger", allworlds.ledger(paper, only=["pairs"]), 100)
+    told = text(allworlds.ledger(paper, only=["pairs"]), 100)
     assert "Section IV: pairs" in told
     assert "figures    best [1, 2], name x" in told
 
 
 def test_the_cases_of_junit_are_the_claims(paper):
-    suite = ET.fromstring(file_of("ledger", "junit", allworlds.ledger(paper, require=["proof"])))
+    suite = ET.fromstring(file_of("junit", allworlds.ledger(paper, require=["proof"])))
     assert [case.find("failure").get("type") for case in suite.iter("testcase") if len(case)] == [
         "required"
     ]
-    free = ET.fromstring(file_of("ledger", "junit", allworlds.ledger(paper)))
+    free = ET.fromstring(file_of("junit", allworlds.ledger(paper)))
     assert len([*free.iter("skipped")]) == 1
 
 
 def test_the_page_has_every_claim_and_draws_its_worlds(paper):
     report = allworlds.ledger(paper)
-    page = file_of("ledger", "html", report)
+    page = file_of("html", report)
     assert page.count("<figure") == 1
     assert all(f'id="{one.id}"' in page for one in report.claims)
 

@@ -99,15 +99,15 @@ def test_a_finding_with_markers_is_written_read_replayed_drawn_and_explained():
     again = Finding.from_json(json.loads(json.dumps(document)))
     assert again.transcript == finding.transcript
     assert allworlds.replay(again).outcome == "reproduced"
-    told = text("explain", allworlds.explain(again), 100)
+    told = text(allworlds.explain(again), 100)
     assert "They part" in told
-    assert text("run", allworlds.run(f"{FILE}:drops_and_takes", finding.world), 100)
+    assert text(allworlds.run(f"{FILE}:drops_and_takes", finding.world), 100)
 
 
 def test_a_marker_that_lies_at_the_end_of_the_walk_is_in_the_picture():
-    lying = text("run", allworlds.run(f"{FILE}:marks_its_start", World(PATH, Movable())), 100)
+    lying = text(allworlds.run(f"{FILE}:marks_its_start", World(PATH, Movable())), 100)
     assert "●" in lying
-    taken = text("run", allworlds.run(f"{FILE}:drops_and_takes", World(PATH, Movable())), 100)
+    taken = text(allworlds.run(f"{FILE}:drops_and_takes", World(PATH, Movable())), 100)
     assert "●" not in taken
 
 

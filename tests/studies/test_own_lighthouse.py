@@ -71,7 +71,7 @@ def test_a_check_under_it_is_the_same_with_one_worker_and_with_two(folder, explo
     assert finding.world.lighthouse.code.name == "parity.py:Parity"
     again = Finding.from_json(finding.to_json())
     assert allworlds.replay(again).outcome == "reproduced"
-    assert text("check", one, 100)
+    assert text(one, 100)
 
 
 def test_with_so_many_bearings_that_none_is_lost_it_is_as_good_as_directional(folder):
@@ -105,7 +105,7 @@ def test_an_explorer_in_the_same_file_is_told_of_in_the_scope(folder):
     same = allworlds.check("both.py:explore", lighthouse="both.py:Parity", **asked)
     apart = allworlds.check("mine.py:explore", lighthouse="both.py:Parity", **asked)
     assert same.to_json()["scope"]["shared_file"] == "both.py"
-    assert "both.py holds the explorer, and code that judges it" in text("check", same, 100)
+    assert "both.py holds the explorer, and code that judges it" in text(same, 100)
     assert "shared_file" not in apart.to_json()["scope"]
 
 
@@ -162,7 +162,7 @@ def test_what_is_told_is_a_dictionary_and_each_play_gets_its_own(folder):
     report = allworlds.check("told.py:counts", edges=1, lighthouse="told:n,m", workers=1)
     assert report.verdict.value == "holds"
     world = next(allworlds.worlds(edges=1, lighthouse="position+told:m"))
-    assert "told before the start" in text("run", allworlds.run("told.py:counts", world), 100)
+    assert "told before the start" in text(allworlds.run("told.py:counts", world), 100)
 
 
 def test_arguments_of_a_name_make_an_explorer(folder):

@@ -68,7 +68,7 @@ def test_one_run_with_its_page_and_a_pytest_take_them(folder):
     (finding,) = allworlds.check("mine.py:walks", **WRONG).findings
     run = allworlds.run("mine.py:walks", finding.world, task=WRONG["task"])
     assert run.finding.law == "task"
-    page = file_of("run", "html", run)
+    page = file_of("html", run)
     assert "done is said" in page
     assert "models.py:says?word=home" in page
     assert_explores("mine.py:walks", **ASKED)

@@ -27,13 +27,6 @@ def test_what_propagation_proves_becomes_an_lrat_proof(tmp_path):
     check_lrat(ALL, lines(steps, tmp_path))
 
 
-def test_lemmas_on_which_nothing_rests_are_left_out():
-    steps = lrat_of_drat(3, ALL, DRAT)
-    rests_on = {hint for _, _, hints in steps for hint in hints}
-    assert all(number in rests_on for number, clause, _ in steps if clause)
-    assert [number for number, _, _ in steps] == list(range(9, 9 + len(steps)))
-
-
 @pytest.mark.parametrize(
     ("proof", "message"),
     [

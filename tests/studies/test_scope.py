@@ -52,7 +52,7 @@ def test_every_study_that_is_told_of_here_is_tried():
 @pytest.mark.parametrize("name", STUDIES)
 def test_the_worlds_that_were_asked_for_are_told_in_document_and_text(name):
     report = STUDIES[name](**WORLDS)
-    said = flat(text(name, report, 100))
+    said = flat(text(report, 100))
     for scope in of_all(report):
         assert (scope["class"], scope["edges"], scope["where"]) == ("simple", 2, "trees")
         assert name == "count" or scope["lighthouse"] == "compass"
@@ -67,7 +67,7 @@ def test_every_rule_is_told_in_document_and_text(name):
     for scope in of_all(report):
         effective = {**ALL_RULES, "laws": ["task", "bound"]}
         assert {key: scope[key] for key in effective} == effective
-    said = flat(text(name, report, 100))
+    said = flat(text(report, 100))
     for words in ("cover", "lifo", "7*m", "--step-budget 90"):
         assert words in said
 
@@ -86,8 +86,8 @@ def test_places_that_are_not_tried_are_told_from_the_size_on_where_they_are_left
     whole, partial = (STUDIES[name](edges=edges, lighthouse="compass") for edges in (3, 4))
     assert not any("places" in {key for key in scope if scope[key]} for scope in of_all(whole))
     assert all(scope["places"] == PLACES for scope in of_all(partial))
-    assert PLACES in flat(text(name, partial, 100))
-    assert PLACES not in flat(text(name, whole, 100))
+    assert PLACES in flat(text(partial, 100))
+    assert PLACES not in flat(text(whole, 100))
 
 
 def test_of_two_lighthouses_the_places_of_both_are_told():

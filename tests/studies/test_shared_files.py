@@ -101,10 +101,10 @@ def test_every_verb_that_judges_runs_names_the_shared_file_and_no_other_file(mod
     options = {"edges": 1, "task": "shared_judge.py:judge"}
     checked = allworlds.check("shared_walker.py:explore", **options)
     assert checked.scope.shared_file == "shared_walker.py"
-    assert "trust shared_walker.py holds" in " ".join(text("check", checked, 100).split())
+    assert "trust shared_walker.py holds" in " ".join(text(checked, 100).split())
     compared = allworlds.compare("shared_walker.py:explore", "dfs", **options)
     assert [one.shared_file for one in compared.explorers] == ["shared_walker.py", ""]
-    assert "trust shared_walker.py holds" in " ".join(text("compare", compared, 100).split())
+    assert "trust shared_walker.py holds" in " ".join(text(compared, 100).split())
     apart = allworlds.check("shared_walker.py:explore", edges=1, task="shared_alone.py:judge")
     assert apart.scope.shared_file == ""
 

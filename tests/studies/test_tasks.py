@@ -120,8 +120,8 @@ def test_an_end_before_all_is_visited_breaks_the_task(folder):
     assert again.to_json() == finding.to_json()
     assert allworlds.replay(again).outcome == "reproduced"
     assert "--task stop" in finding.reproduce
-    assert "did not do what the task asks for" in text("explain", allworlds.explain(finding), 100)
-    assert text("check", report, 100)
+    assert "did not do what the task asks for" in text(allworlds.explain(finding), 100)
+    assert text(report, 100)
 
 
 def test_any_answer_gets_to_the_judge(folder):
@@ -170,9 +170,9 @@ def test_one_run_says_what_the_task_made_of_it(folder):
     world = next(w for w in allworlds.worlds(edges=1) if w.map.vertex_count == 2)
     over = allworlds.run("mine.py:goes_on", world, task="cover")
     assert over.outcome.episode.transcript.actions == (Move(0),)
-    assert "all is done: every vertex visited" in text("run", over, 100)
+    assert "all is done: every vertex visited" in text(over, 100)
     said = allworlds.run("mine.py:gives_up", world, task="stop")
-    assert 'answer     "done"' in text("run", said, 100)
+    assert 'answer     "done"' in text(said, 100)
     assert allworlds.run("mine.py:gives_up", world, task="home").finding.law == "task"
 
 
@@ -183,4 +183,4 @@ def test_a_judge_in_the_explorers_file_can_let_it_pass_and_the_scope_says_so(fol
     report = allworlds.check("attack.py:gives_up", task="attack.py:blind", edges=3, workers=1)
     assert report.verdict.value == "holds"
     assert report.scope.shared_file == "attack.py"
-    assert "attack.py holds the explorer, and code that judges it" in text("check", report, 100)
+    assert "attack.py holds the explorer, and code that judges it" in text(report, 100)

@@ -26,7 +26,7 @@ def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
     assert guess.worlds == sum(level_size(Extent(MapClass.MAPS, 4), m) for m in range(1, 5))
     assert guess.sampled > 0
     assert guess.seconds == round(guess.worlds / guess.rate, 1)
-    assert "for 792 worlds: a guess" in text_of("check", guess, 100)
+    assert "for 792 worlds: a guess" in text_of(guess, 100)
     assert estimate(edges=4, engine=engine, shard=(0, 4)).worlds == guess.worlds // 4
 
 
@@ -79,7 +79,7 @@ def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch
     told = [(guess.edges, guess.engine, guess.sampled, guess.rate) for guess in guesses]
     assert told == expected
     assert [guess.worlds for guess in guesses] == [WORLDS[guess.edges] for guess in guesses]
-    _, _, rows = text_of("check", said, 100).partition("\nedges ")
+    _, _, rows = text_of(said, 100).partition("\nedges ")
     table = rows.splitlines()
     known = [guess for guess in guesses if guess.rate]
     assert len(table) == (1 + len(known) if said.larger else 0)
@@ -106,7 +106,7 @@ def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
     said = estimate(edges=2, engine="kernel")
     assert (said.rate, said.seconds, said.sampled) == (None, None, 0)
     assert said.to_json()["seconds"] is None
-    assert "takes very long" in text_of("check", said, 100)
+    assert "takes very long" in text_of(said, 100)
 
 
 class Hears:

@@ -79,7 +79,7 @@ def test_a_finding_is_a_value_that_replays_and_can_be_explained(tmp_path):
     wrong, how = explain(again).sentences[:2]
     assert "is wrong already" in wrong
     assert "did not end within its step budget" in how
-    assert "told before the start: 2" in text_of("run", replayed.again, 100)
+    assert "told before the start: 2" in text_of(replayed.again, 100)
     # The corpus of a user keeps it, and tries it first.
     first = check(NATURAL, edges=3, corpus=Path(tmp_path))
     second = check(NATURAL, edges=3, corpus=Path(tmp_path))
@@ -149,14 +149,14 @@ def test_a_foreign_explorer_is_told_the_degree_too():
 
 
 def test_what_was_left_out_is_shown():
-    text = text_of("check", check(CLUSTER, edges=2), 100)
+    text = text_of(check(CLUSTER, edges=2), 100)
     assert "left out   5 worlds without a place for the lighthouse" in text
     assert "of the cluster:single=true lighthouse in every map" in text
     assert "bound (two-vertices)" in text
 
 
 def test_a_cluster_is_drawn_with_its_markers():
-    text = text_of("run", run(CLUSTER, World(from_cycles(["abb", "a"]), Cluster(0))), 100)
+    text = text_of(run(CLUSTER, World(from_cycles(["abb", "a"]), Cluster(0))), 100)
     assert "v0 ●" in text
     assert "v1 ●2" in text
 

@@ -88,7 +88,7 @@ def test_a_predicate_of_ones_own_is_the_same_as_ours(folder):
     ours = allworlds.check("mine.py:explore", edges=3, where="eulerian", workers=1)
     theirs = allworlds.check("mine.py:explore", edges=3, where="alone.py:even", workers=2)
     assert ours.rows == theirs.rows
-    assert "no source counts" in text("check", theirs, 100)
+    assert "no source counts" in text(theirs, 100)
     same = allworlds.check("mine.py:explore", edges=2, where="mine.py:even", workers=1)
     assert same.scope.shared_file == "mine.py"
     assert theirs.scope.shared_file == ""
@@ -101,13 +101,13 @@ def test_a_count_is_compared_with_the_source_of_the_condition_if_it_has_one(fold
     assert [row.rooted for row in report.rows] == [1, 2, 5, 14]
     assert report.gate.source == "Catalan numbers"
     assert report.gate.agrees
-    assert "(Catalan numbers)" in text("count", report, 1000)
+    assert "(Catalan numbers)" in text(report, 1000)
     assert allworlds.count(edges=9, where="cubic").rows[-1].rooted == 1105  # OEIS A062980
     own = allworlds.count(edges=4, where="mine.py:below?edges=3")
     assert own.rows[-1].rooted == 0
     assert own.to_json()["gate"] is None
     assert own.exit_code == 0
-    assert "no source counts" in text("count", own, 100)
+    assert "no source counts" in text(own, 100)
     assert allworlds.count(edges=2, where="girth:9", map_class="maps").rows[0].rooted == 1
 
 
@@ -117,7 +117,7 @@ def test_a_wrong_count_under_a_condition_is_an_error(monkeypatch):
     assert allworlds.count(edges=3, where="trees").exit_code == 70
     report = allworlds.check(edges=3, where="trees")
     assert report.verdict.value == "error"
-    assert "but Catalan numbers counts 6" in text("check", report, 1000)
+    assert "but Catalan numbers counts 6" in text(report, 1000)
     assert allworlds.ambiguity.census(edges=3, where="trees").exit_code == 70
 
 

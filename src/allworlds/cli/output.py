@@ -113,17 +113,17 @@ def _write_files(result: Report, output: OutputGroup, document: Callable[[], str
     A file that cannot be written is lost with a word on stderr; the verdict is not.
     """
     for form, path in output.named:
-        made = document() if form == "json" else file_of(output.verb, form, result)
+        made = document() if form == "json" else file_of(form, result)
         write_file(path, made if isinstance(made, bytes) else made.encode())
     if not hasattr(result, "findings"):
         return
     for form, format_ in formats_of(output.verb).items():
         if os.environ.get(format_.read_by) == "true":
-            print(file_of(output.verb, form, result), end="", file=sys.stderr)
+            print(file_of(form, result), end="", file=sys.stderr)
         if summary := os.environ.get(format_.summary):
             try:
                 with Path(summary).open("a", encoding="utf-8") as file:
-                    file.write(file_of(output.verb, form, result))
+                    file.write(file_of(form, result))
             except OSError as error:
                 complain(f"the file of {format_.summary} cannot be written: {error.strerror}")
 
@@ -223,7 +223,7 @@ def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int
         if output.as_json:
             print(document(), end="")
         else:
-            content, columns = content_of(output.verb, result), width()
+            content, columns = content_of(result), width()
             said = (
                 content_line(content, columns)
                 if output.quiet

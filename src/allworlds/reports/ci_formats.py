@@ -86,24 +86,20 @@ _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 
 def junit(content: ReportContent) -> str:
     """A document with one suite."""
-    assert content.suite is not None
-    suite = content.suite()
-    results = Counter(case.result for case in suite.cases)
+    assert content.cases is not None
+    cases, verb = content.cases(), content.done.removeprefix("allworlds ")
+    results = Counter(case.result for case in cases)
     totals = {
-        "tests": str(len(suite.cases)),
+        "tests": str(len(cases)),
         "failures": str(results["failure"]),
         "errors": str(results["error"]),
     }
-    root = ET.Element("testsuites", {"name": f"allworlds {suite.verb}", **totals})
+    root = ET.Element("testsuites", {"name": content.done, **totals})
     # The schemas of services have this number at a suite, and not at the root.
     skipped = {"skipped": str(results["skipped"])}
-    made = ET.SubElement(root, "testsuite", {"name": _legal(suite.name), **totals, **skipped})
-    properties = ET.SubElement(made, "properties")
-    for name, value in suite.properties.items():
-        text = value if isinstance(value, str) else json.dumps(value)
-        ET.SubElement(properties, "property", {"name": name, "value": _legal(text)})
-    for case in suite.cases:
-        named = {"classname": f"allworlds.{suite.verb}", "name": _legal(case.name)}
+    made = ET.SubElement(root, "testsuite", {"name": _legal(content.subject), **totals, **skipped})
+    for case in cases:
+        named = {"classname": f"allworlds.{verb}", "name": _legal(case.name)}
         element = ET.SubElement(made, "testcase", named)
         if case.result != "passed":
             kind = {} if case.result == "skipped" else {"type": case.kind}
@@ -167,8 +163,6 @@ def sarif(content: ReportContent) -> str:
     Every law is a rule.  Every finding is a result at the file and line of the explorer, or at
     ``NO_FILE`` if no file is known (built-in explorers, programs on the PATH): its message has the
     picture and the walk.  A verdict without a finding that is no good news is a notification.
-    ``properties`` hold the report without its findings, those of a result the document of its
-    finding.
     """
     report: Any = content.result  # of a check
     head = content.headline
@@ -193,15 +187,11 @@ def sarif(content: ReportContent) -> str:
             {"level": level, "message": {"text": text}} for level, text in said
         ],
     }
-    document = {key: value for key, value in report.to_json().items() if key != "findings"}
     run = {
         "tool": {"driver": driver},
         "invocations": [invocation],
-        "columnKind": "unicodeCodePoints",
         "originalUriBaseIds": {"SRCROOT": {"uri": project_folder().as_uri() + "/"}},
-        "artifacts": [{"location": _artifact(place)}] if place else [],
         "results": [_result(*found, place) for found in enumerate(report.findings, 1)],
-        "properties": {"report": document},
     }
     log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
     return harmless_json(json.dumps(log, indent=2)) + "\n"
@@ -212,21 +202,17 @@ def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str
 
     text = finding_in_words(finding, WIDTH, number)
     head = f"{headline_of(finding)}."
-    where: dict[str, Any] = {"uri": quote(NO_FILE)}
-    if place:
-        where = {**_artifact(place), "index": 0}
-    else:
+    where = _artifact(place) if place else {"uri": quote(NO_FILE)}
+    if not place:
         head += " No file with the explorer's code is known, so this stands at none."
     region = {"startLine": place.line if place else 1}
     return {
         "ruleId": finding.law,
-        "ruleIndex": [*ASKED].index(finding.law),
         "level": "error",
         "message": {"text": f"{head}\n\n{text}", "markdown": f"{head}\n\n{fenced(text)}"},
         "locations": [{"physicalLocation": {"artifactLocation": where, "region": region}}],
         # The name of the finding's file holds a digest of all of it.
         "partialFingerprints": {"finding/v1": finding.file_name},
-        "properties": {"finding": finding.to_json()},
     }
 
 

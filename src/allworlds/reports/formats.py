@@ -11,90 +11,83 @@ import io
 import json
 import re
 from collections.abc import Callable, Mapping
-from functools import cache
-from inspect import getdoc
 from typing import Any
 
 from msgspec import Struct
 
-from allworlds.document.report import Report
 from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.reports.ci_formats import junit, markdown, runner_commands, sarif
 from allworlds.reports.parts import ReportContent, rows_of
 from allworlds.reports.plain_text import content_line, content_text
-from allworlds.verbs import BY_NAME, CASES, FINDINGS, PAGE, ROWS, VERBS
+from allworlds.verbs import BY_NAME, CASES, FINDINGS, PAGE, ROWS
 from allworlds.words import escaped, harmless, harmless_json
 
 
-def content_of(verb: str, result: Any) -> ReportContent:
+def content_of(result: Any) -> ReportContent:
     """The content of the report of a verb's result."""
-    return _maker(verb)(result)
+    return _maker(type(result))(result)
 
 
-def _maker(verb: str) -> Callable[[Any], ReportContent]:
-    """The function that makes it; of a verb without words of its own keys and rows are shown."""
-    match verb:
-        case "check" | "fuzz":
+def _maker(kind: type) -> Callable[[Any], ReportContent]:
+    """The function that makes it; of a report without words of its own keys and rows are shown."""
+    match kind.__name__:  # which no other class of this package has
+        case "CheckReport" | "TimeEstimate":
             from allworlds.reports.content.check import check_content
 
             return check_content
-        case "run":
+        case "SingleRun" | "WorldNames":
             from allworlds.reports.content.single_run import run_content
 
             return run_content
-        case "replay":
+        case "Replay":
             from allworlds.reports.content.single_run import replay_content
 
             return replay_content
-        case "explain":
+        case "Explanation":
             from allworlds.reports.content.single_run import explain_content
 
             return explain_content
-        case "init":
+        case "Skeleton" | "LedgerSkeleton" | "Header":
             from allworlds.reports.content.plain import init_content
 
             return init_content
-        case "play":
+        case "Play":
             from allworlds.reports.web.play import play_content
 
             return play_content
-        case "merge":
-            from allworlds.reports.content.plain import merge_content
-
-            return merge_content
-        case "status":
+        case "Standing":
             from allworlds.reports.content.plain import status_content
 
             return status_content
-        case "compare":
+        case "Comparison" | "Growth":
             from allworlds.reports.content.compare import compare_content
 
             return compare_content
-        case "worst":
+        case "WorstReport":
             from allworlds.reports.content.sizes import worst_content
 
             return worst_content
-        case "count":
+        case "Census":
             from allworlds.reports.content.sizes import count_content
 
             return count_content
-        case "ambiguity twins":
+        case "ComparedWorlds":
             from allworlds.reports.content.ambiguity import twins_content
 
             return twins_content
-        case "ambiguity class":
+        case "AmbiguityClass":
             from allworlds.reports.content.ambiguity import class_content
 
             return class_content
-        case "ambiguity census":
+        case "AmbiguityCensus":
             from allworlds.reports.content.ambiguity import census_content
 
             return census_content
-        case "ambiguity search":
+        case "SearchResult":
             from allworlds.reports.content.ambiguity import search_content
 
             return search_content
-        case "ledger":
+        case "LedgerReport":
             from allworlds.reports.content.ledger import ledger_content
 
             return ledger_content
@@ -103,22 +96,14 @@ def _maker(verb: str) -> Callable[[Any], ReportContent]:
     return plain_content
 
 
-@cache
-def verb_of(kind: type[Report]) -> str:
-    """The verb whose report this is: its docstring begins with the name, or its folder has it."""
-    named = re.match(r"Report of '([a-z ]+)", getdoc(kind) or "")
-    words = named[1].strip() if named else kind.__module__.split(".")[2]
-    return next(verb.name for verb in VERBS if f" {verb.name}".endswith(f" {words}"))
-
-
-def text(verb: str, result: Any, width: int) -> str:
+def text(result: Any, width: int) -> str:
     """The whole text of a verb's result, with so many columns."""
-    return harmless(content_text(content_of(verb, result), width))
+    return harmless(content_text(content_of(result), width))
 
 
-def brief(verb: str, result: Any, width: int) -> str:
+def brief(result: Any, width: int) -> str:
     """The line that ``--quiet`` leaves."""
-    return harmless(content_line(content_of(verb, result), width))
+    return harmless(content_line(content_of(result), width))
 
 
 class Format(Struct, frozen=True):
@@ -232,10 +217,10 @@ def form_and_path(verb: str, name: str) -> tuple[str, str]:
     return form, path
 
 
-def file_of(verb: str, form: str, result: Any) -> Any:
+def file_of(form: str, result: Any) -> Any:
     """The content of a file of that format: a text, or bytes if it is none."""
     format_ = FORMATS[form]
-    made = format_.of_content(content_of(verb, result))
+    made = format_.of_content(content_of(result))
     if isinstance(made, bytes):
         return made
     # UTF-8 has no halves of pairs: names of files and words of explorers may hold some.

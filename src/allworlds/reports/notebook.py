@@ -10,7 +10,7 @@ from allworlds.document.report import Report
 from allworlds.judging.findings.finding import Finding
 from allworlds.protocol.transcript import Transcript
 from allworlds.reports.content.single_run import finding_section, headline_of
-from allworlds.reports.formats import content_of, html, text, verb_of
+from allworlds.reports.formats import content_of, html, text
 from allworlds.reports.parts import Cell, Table, rows_of
 from allworlds.reports.plain_text import finding_in_words, table
 from allworlds.reports.web.frame import framed
@@ -32,12 +32,12 @@ def text_of(value: Report | Finding | Transcript) -> str:
         case Finding():
             return finding_in_words(value, WIDTH)
         case _:
-            return text(verb_of(type(value)), value, WIDTH).rstrip("\n")
+            return text(value, WIDTH).rstrip("\n")
 
 
 def records(report: Report) -> list[dict[str, Any]]:
     """The rows of ``-o FILE.csv``, by the names of their columns."""
-    return rows_of(content_of(verb_of(type(report)), report)).records
+    return rows_of(content_of(report)).records
 
 
 def shown(value: Report | Finding | Transcript) -> str:
@@ -53,7 +53,7 @@ def shown(value: Report | Finding | Transcript) -> str:
             section = element(finding_section(value))
             page = framed(("finding", value.explorer), verdict, [section], value.to_json())
         case _:
-            page = html(content_of(verb_of(type(value)), value))
+            page = html(content_of(value))
     return (
         f'<iframe srcdoc="{escape(page)}" width="100%" height="{HEIGHT}" '
         'style="border: 1px solid #d5d9dd" title="allworlds"></iframe>'

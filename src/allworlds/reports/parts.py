@@ -225,18 +225,6 @@ class ShownWalk(Struct, frozen=True):
         return Table(header, rows)
 
 
-class Bars(Struct, frozen=True):
-    """Numbers of traversals as bars.
-
-    Attributes:
-        header: what has them.
-        entries: a name for each number; that of a bound is ``bound``.
-    """
-
-    header: str
-    entries: Sequence[tuple[str, int]]
-
-
 class Quote(Struct, frozen=True):
     """Lines that are shown unchanged.
 
@@ -269,9 +257,7 @@ class DataRecord(Struct, frozen=True):
     log: str
 
 
-Block: TypeAlias = (
-    Paragraph | FactList | Table | MapPictures | ShownWalk | Bars | Quote | DataRecord
-)
+Block: TypeAlias = Paragraph | FactList | Table | MapPictures | ShownWalk | Quote | DataRecord
 """A part of a section."""
 
 
@@ -299,15 +285,6 @@ class SuiteCase(Struct, frozen=True):
     sections: Sequence[Section] = ()
 
 
-class Suite(Struct, frozen=True):
-    """All cases, with named remarks."""
-
-    verb: str
-    name: str
-    properties: Mapping[str, object]
-    cases: Sequence[SuiteCase]
-
-
 class ReportContent(Struct, frozen=True):
     """Everything that a result says.
 
@@ -320,7 +297,7 @@ class ReportContent(Struct, frozen=True):
         more: walks to be stepped through, which only a page has room for; they may have to be
             played again, and so are made when they are asked for.
         rows: makes the rows for programs, where these are not the steps of the first walk.
-        suite: makes the cases, where there are any.
+        cases: makes the cases, where there are any.
         page: makes the page, where it is not of these sections.
         apart: the keys of the result's document that sections hold as records.
         short: facts of a line each, which on a terminal stand in place of the last section.
@@ -333,7 +310,7 @@ class ReportContent(Struct, frozen=True):
     sections: Sequence[Section]
     more: Callable[[], Iterable[Section]] = field(default=tuple)
     rows: Callable[[], CsvRows] | None = None
-    suite: Callable[[], Suite] | None = None
+    cases: Callable[[], Sequence[SuiteCase]] | None = None
     page: Callable[[], str] | None = None
     apart: frozenset[str] = frozenset()
     short: Sequence[tuple[str, str]] = ()

@@ -10,7 +10,6 @@ from typing import Any
 
 from allworlds.reports.drawing.text import draw
 from allworlds.reports.parts import (
-    Bars,
     Block,
     DataRecord,
     FactList,
@@ -23,9 +22,6 @@ from allworlds.reports.parts import (
     Table,
 )
 from allworlds.words import harmless
-
-BAR = 40
-"""The longest bar, in columns."""
 
 MOST, FEW = 30, 3
 """Lines on a terminal of a content that has short facts, and of its findings after the first."""
@@ -140,8 +136,6 @@ def _block(block: Block, width: int) -> Iterator[str]:
                 yield from [*([""] if i else []), *wrap(title, width), "", draw(scene, width)]
         case ShownWalk():
             yield from _walk(block, width)
-        case Bars():
-            yield from bar_lines(block, width)
         case Quote():
             indent = block.prefix or ("  " if block.title else "")
             yield from [block.title] if block.title else []
@@ -172,21 +166,6 @@ def _walk(walk: ShownWalk, width: int) -> Iterator[str]:
         left_out = ["...", f"({len(rows) - 2 * half} more)", *[""] * (len(steps.header) - 2)]
         rows = [*rows[:half], left_out, *rows[-half:]]
     yield from table(steps.header, rows, "r", width)
-
-
-def bar_lines(bars: Bars, width: int) -> list[str]:
-    """The numbers with bars; those of bounds are light."""
-    longest = max(1, *(count for _, count in bars.entries))
-    room = max(1, min(BAR, width - 24))
-    cells = [
-        [
-            name,
-            f"{count:,}",
-            ("░" if name == "bound" else "█") * round(max(count, 0) * room / longest),
-        ]
-        for name, count in bars.entries
-    ]
-    return table([bars.header, "traversals", ""], cells, "lr")
 
 
 def table(

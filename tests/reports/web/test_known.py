@@ -23,7 +23,7 @@ def test_s_grows_to_the_whole_world_as_the_checkpoints_say():
 def test_the_picture_tells_since_when_each_part_is_known():
     told = run("algorithm1", "theta-torus")
     seen = known(told)
-    figure = read(file_of("run", "html", told)).one(id="walk-1-known")
+    figure = read(file_of("html", told)).one(id="walk-1-known")
     edges = [e.attributes for e in figure.all("path") if "data-darts" in e.attributes]
     assert len(edges) == 3
     for edge in edges:
@@ -48,6 +48,6 @@ def test_what_is_not_a_part_of_the_world_is_not_drawn_as_one():
 def test_open_darts_stay_open_where_nothing_more_is_shown():
     told = run("algorithm1", "theta")
     first = Checkpoint((1, 2, 0), (0, 1, 2), 0)
-    page = read(file_of("run", "html", with_checkpoints(told, (0, first))))
+    page = read(file_of("html", with_checkpoints(told, (0, first))))
     stubs = [s.attributes for s in page.one(id="walk-1-known").all("path", class_="stub open")]
     assert [(s["data-since"], s["data-until"]) for s in stubs[:3]] == [("0", str(NEVER))] * 3

@@ -24,7 +24,7 @@ from html_tree import read
 
 
 def page(report):
-    return file_of("check", "html", report)
+    return file_of("html", report)
 
 
 HOSTILE = (

@@ -23,12 +23,12 @@ GENUS_2 = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
 
 
 def told(map_):
-    return file_of("run", "html", run("algorithm1", World(map_, Directional(0), 0)))
+    return file_of("html", run("algorithm1", World(map_, Directional(0), 0)))
 
 
 def refuted(name):
     mutant = next(m for m in WRONG_EXPLORERS if m.name == name)
-    return file_of("check", "html", check(mutant.explorer(), edges=3))
+    return file_of("html", check(mutant.explorer(), edges=3))
 
 
 PAGES = {
@@ -37,13 +37,12 @@ PAGES = {
     "genus 2": lambda: told(GENUS_2),
     "14 edges": lambda: told(family("random:14", holes=0, seed=1)),
     "a finding": lambda: refuted("wrong-entry-label"),
-    "a check": lambda: file_of("check", "html", check(edges=3)),
+    "a check": lambda: file_of("html", check(edges=3)),
     "four findings": lambda: file_of(
-        "check", "html", check("algorithm1", lighthouse="position", edges=3, max_findings=4)
+        "html", check("algorithm1", lighthouse="position", edges=3, max_findings=4)
     ),
-    "claims": lambda: file_of("ledger", "html", ledger(PAPER, only=["cycles", "fig1"])),
+    "claims": lambda: file_of("html", ledger(PAPER, only=["cycles", "fig1"])),
     "twins": lambda: file_of(
-        "ambiguity twins",
         "html",
         twins(*(world_named(f"fig1-{side}", "position") for side in ("left", "right"))),
     ),

@@ -19,7 +19,7 @@ def test_worlds_that_no_source_counts_are_at_most_so_many(tmp_path):
     predicate = tmp_path / "mine.py"
     predicate.write_text("def few(map):\n    return map.vertex_count == 2\n", encoding="utf-8")
     guess = estimate(edges=3, where=f"{predicate}:few")
-    told = text_of("check", guess, 100)
+    told = text_of(guess, 100)
     assert "for at most 86 worlds: a guess" in told
     assert told.startswith("estimate   at most ")
-    assert "at most" not in text_of("check", estimate(edges=3, where="trees"), 100)
+    assert "at most" not in text_of(estimate(edges=3, where="trees"), 100)

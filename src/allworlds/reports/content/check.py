@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from allworlds.engines.scope import Given, Sample
@@ -26,7 +26,6 @@ from allworlds.reports.content.single_run import (
     run_section,
 )
 from allworlds.reports.parts import (
-    Bars,
     Block,
     Cell,
     CsvRows,
@@ -36,7 +35,6 @@ from allworlds.reports.parts import (
     ReportContent,
     RightText,
     Section,
-    Suite,
     SuiteCase,
     Table,
     fact,
@@ -44,7 +42,6 @@ from allworlds.reports.parts import (
 from allworlds.studies.check.exhaustive import Guess, TimeEstimate
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
 from allworlds.studies.check.tally_sweep import CorpusReport
-from allworlds.version import __version__
 from allworlds.words import about, counted, duration, listed, number, plural, size
 
 
@@ -58,20 +55,15 @@ def check_content(report: CheckReport | TimeEstimate) -> ReportContent:
     verb = "fuzz" if isinstance(report.asked.coverage, Sample) else "check"
     findings = _findings(report, range(len(report.findings)))
     seen = Section("seen", "What was checked", [FactList(scope_words(report)), size_table(report)])
-    costs = [
-        (row.edges, row.vertices, row.max_cost, row.bound) for row in report.rows if row.episodes
-    ]
     return ReportContent(
         f"allworlds {verb}",
         report.explorer,
         report,
         verdict_of(report),
         [*findings, seen],
-        more=lambda: (
-            [] if findings else most_expensive_sections(costs, most_expensive_runs(report))
-        ),
+        more=lambda: () if findings else most_expensive(most_expensive_runs(report)),
         rows=lambda: _rows(report),
-        suite=lambda: _suite(report, verb),
+        cases=lambda: [*_cases(report)],
         apart=frozenset({"findings"}),
         short=_in_short(report),
     )
@@ -285,15 +277,6 @@ def _why_vacuous(report: CheckReport) -> str:
     return "a witness is missing"
 
 
-def _suite(report: CheckReport, verb: str) -> Suite:
-    """The cases of a check, or of a sample, with the verdict and the scope."""
-    document: Mapping[str, Any] = report.to_json()
-    named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
-    properties = {"version": __version__, **{name: document[name] for name in named}}
-    properties |= {f"scope.{name}": value for name, value in document["scope"].items()}
-    return Suite(verb, report.explorer, properties, [*_cases(report)])
-
-
 def _cases(report: CheckReport) -> Iterator[SuiteCase]:
     """A case for each number of edges, of past findings before and of witnesses after; or one.
 
@@ -404,21 +387,8 @@ def _estimate(guess: TimeEstimate) -> ReportContent:
     return ReportContent("allworlds check", guess.explorer, guess, head, [seen])
 
 
-def most_expensive_sections(
-    costs: Iterable[tuple[int, int, int, int | None]], runs: Iterable[SingleRun]
-) -> Iterator[Section]:
-    """Cost against bound of each size, then the most expensive run; empty if there are no costs.
-
-    Args:
-        costs: edges, vertices, the largest cost, and the bound if there is one.
-        runs: those of these costs.
-    """
-    bars = []
-    for edges, vertices, cost, bound in costs:
-        bars.append((size(edges, vertices), cost))
-        bars += [] if bound is None else [("bound", bound)]
-    if bars:
-        yield Section("costs", "Cost against bound", [Bars("size", bars)])
+def most_expensive(runs: Iterable[SingleRun]) -> Iterator[Section]:
+    """The most expensive of some runs; no section if there is none."""
     if most := max(runs, key=lambda run: run.outcome.cost, default=None):
         map_ = most.world.map
         where = size(map_.edge_count, map_.vertex_count)

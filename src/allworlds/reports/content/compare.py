@@ -135,11 +135,6 @@ def _growth_facts(report: Growth) -> list[tuple[str, str]]:
             words.append(("exact", "every world that seeds draw was run, in every place"))
         member = report.rows[-1].members[-1].name
         words.append(("again", f"allworlds run {report.names[0]} --family {member}"))
-    if report.begun:
-        begun = len({one.name for row in report.begun for one in row.members})
-        words.append(
-            ("begun", f"{plural(begun, 'world')} of an unfinished size, in the rows alone")
-        )
     if report.left_out:
         left = plural(report.left_out, "world")
         words.append(("left out", f"{left} without a place for the lighthouse"))
@@ -168,7 +163,7 @@ SIZES = (
 def _rows(report: Comparison) -> CsvRows:
     """A row for each size and explorer, or as is asked for."""
     if report.by in ("world", "run"):
-        return rows_of_worlds(report.worlds_kept, report.names[0], report.by)
+        return rows_of_worlds(report.in_worlds, report.names[0], report.by)
     return CsvRows(SIZES, _by_size(report, report.names))
 
 
@@ -187,7 +182,7 @@ def _by_size(report: Comparison, names: Sequence[str]) -> list[list[Value]]:
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
-    scope = f"one world: {report.member.described}" if report.member else maps_in_words(report)
+    scope = f"one world: {report.member.name}" if report.member else maps_in_words(report)
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))
@@ -233,14 +228,9 @@ def _in_all(report: Comparison, name: str) -> str:
 
 
 NAMES = {"code": str, "family": str, "holes": str, "seed": int, "edges": int, "vertices": int}
-RUN = {**NAMES, "explorer": str, "place": int, "cost": int, "bound": int, "finished": bool}
-WORLD = {**NAMES, "drawn_from": int, "explorer": str, "runs": int, "places": int} | {
-    "mean": float,
-    "worst": int,
-    "bound": int,
-    "ratio": float,
-    "finished": bool,
-}
+RUN = {**NAMES, "explorer": str, "place": int, "cost": int, "bound": int}
+WORLD = {**NAMES, "drawn_from": int, "explorer": str, "runs": int, "places": int}
+WORLD |= {"mean": float, "worst": int, "bound": int, "ratio": float}
 
 
 def _names(one: InWorld) -> list[Value]:
@@ -254,8 +244,6 @@ def _names(one: InWorld) -> list[Value]:
 def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
     """A row for each world and explorer, or for each run.
 
-    Where the job ended early, rows of a size that was begun are not ``finished``.
-
     Args:
         worlds: in the order of the rows.
         first: the explorer with which the others are compared.
@@ -263,7 +251,7 @@ def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
     """
     if by == "run":
         runs = [
-            [*_names(one), one.explorer, place, cost, one.bound, one.finished]
+            [*_names(one), one.explorer, place, cost, one.bound]
             for one in worlds
             for place, cost in one.costs.items()
         ]
@@ -275,5 +263,5 @@ def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
         ratio = round(one.mean / with_this, 6) if with_this else None
         played = [one.drawn_from, one.explorer, len(one.costs), one.places]
         costs = [round(one.mean, 6), max(one.costs.values()), one.bound]
-        rows.append([*_names(one), *played, *costs, ratio, one.finished])
+        rows.append([*_names(one), *played, *costs, ratio])
     return CsvRows(WORLD, rows)

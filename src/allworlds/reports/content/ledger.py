@@ -17,7 +17,6 @@ from allworlds.reports.parts import (
     Paragraph,
     ReportContent,
     Section,
-    Suite,
     SuiteCase,
     Table,
     so_far,
@@ -61,7 +60,7 @@ def ledger_content(report: LedgerReport) -> ReportContent:
         [Section("ledger", "The ledger", ledger), *alone],
         more=lambda: [] if alone else sections,
         rows=lambda: _rows(report),
-        suite=lambda: _suite(report),
+        cases=lambda: [_case(one, required=one.id in report.missed) for one in report.claims],
     )
 
 
@@ -118,18 +117,8 @@ def _section(one: CheckedClaim) -> Section:
     return Section(one.id, f"{_heading(one.section)}: {one.id}", blocks)
 
 
-def _suite(report: LedgerReport) -> Suite:
-    """A case for each claim: passed as expected, failed otherwise, skipped if not checked."""
-    properties = {
-        "budget": report.budget,
-        "exit_code": int(report.exit_code),
-        "complete": report.complete,
-    }
-    cases = [_case(one, required=one.id in report.missed) for one in report.claims]
-    return Suite("ledger", "ledger", properties, cases)
-
-
 def _case(one: CheckedClaim, *, required: bool) -> SuiteCase:
+    """A case for a claim: passed as expected, failed otherwise, skipped if not checked."""
     name = f"{_heading(one.section)}: {one.id}: {one.statement}"
     details = [Section(one.id, "", [FactList(_details(one))])]
     if one.standing == "as-expected":

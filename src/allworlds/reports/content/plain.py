@@ -9,7 +9,6 @@ from allworlds.document.report import Report
 from allworlds.engines.units import WHOLE
 from allworlds.inputs.checks import show
 from allworlds.judging.tasks import MAP
-from allworlds.reports.formats import content_of, verb_of
 from allworlds.reports.parts import (
     Block,
     Cell,
@@ -69,11 +68,6 @@ def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> CsvRows:
 
 def _cell(value: Any) -> Cell:
     return value if value is None or type(value) in (int, str) else show(value)
-
-
-def merge_content(merged: Report) -> ReportContent:
-    """The content of the report of the verb whose shards were merged."""
-    return content_of(verb_of(type(merged)), merged)
 
 
 def status_content(standing: Standing) -> ReportContent:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.reports.content.check import most_expensive_sections
+from allworlds.reports.content.check import most_expensive
 from allworlds.reports.content.scope import finished, gate_facts, maps_in_words
 from allworlds.reports.parts import (
     Cell,
@@ -71,7 +71,7 @@ def _counted(census: Census) -> Headline | None:
 def worst_content(report: WorstReport) -> ReportContent:
     """The worst and the best cost of each size.
 
-    On a page also cost against bound, and the walk that attains each row's worst cost.
+    On a page also the most expensive of the walks that attain them.
     """
     header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
     table: list[list[Cell]] = []
@@ -84,14 +84,13 @@ def worst_content(report: WorstReport) -> ReportContent:
         rows.append([*numbers, code_of(map_, start), place, ",".join(map(str, row.choices))])
     kinds = dict.fromkeys(header[:-1], int) | {"code": str, "place": int, "choices": str}
     shown = Table(header, table, "Worst and best cost of each size", keys=2)
-    costs = [(row.edges, row.vertices, row.worst, row.bound) for row in report.rows]
     return ReportContent(
         "allworlds worst",
         report.explorer,
         report,
         _worst(report),
         [Section("seen", "What was searched", [shown, FactList(_facts(report))])],
-        more=lambda: most_expensive_sections(costs, report.walks()),
+        more=lambda: most_expensive(report.walks()),
         rows=lambda: CsvRows(kinds, rows),
     )
 

@@ -11,7 +11,6 @@ from allworlds.reports.drawing.aligned_maps import drawn_beside
 from allworlds.reports.drawing.layout import layout
 from allworlds.reports.markup import record, tag
 from allworlds.reports.parts import (
-    Bars,
     Block,
     DataRecord,
     FactList,
@@ -24,7 +23,6 @@ from allworlds.reports.parts import (
     Table,
     View,
 )
-from allworlds.reports.plain_text import bar_lines
 from allworlds.reports.web.frame import figure, viewer
 from allworlds.words import number
 
@@ -132,8 +130,6 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
             yield tag("div", *drawn, class_="pictures")
         case ShownWalk():
             yield from _walk(block, name)
-        case Bars():
-            yield _lines("\n".join(bar_lines(block, 80)), f"{name}-bars")
         case Quote():
             yield from [tag("h3", block.title.capitalize())] if block.title else []
             yield _lines(block.text, f"{name}-{block.name}")

@@ -274,7 +274,7 @@ class RupChecker:
 def lrat_of_drat(
     variables: int, clauses: Sequence[Clause], proof: Iterable[str]
 ) -> list[tuple[int, Clause, list[int]]]:
-    """The checked proof as LRAT steps ``(number, clause, hints)``, without what is not needed.
+    """The checked proof as LRAT steps ``(number, clause, hints)``.
 
     Args:
         variables: the largest variable.
@@ -300,24 +300,7 @@ def lrat_of_drat(
             raise ProofRefused(f"line {i} of the DRAT proof: {error}") from None
     if checker.empty is None:
         raise ProofRefused("the DRAT proof ends without the empty clause")
-    return _needed(len(clauses), checker.lemmas, checker.empty)
-
-
-def _needed(
-    given: int, lemmas: dict[int, tuple[Clause, list[int]]], empty: int
-) -> list[tuple[int, Clause, list[int]]]:
-    """The lemmas that the empty clause depends on, numbered without gaps."""
-    needed = {empty}
-    for number in sorted(lemmas, reverse=True):
-        if number in needed:
-            needed.update(lemmas[number][1])
-    names = {number: number for number in range(1, given + 1)}
-    steps: list[tuple[int, Clause, list[int]]] = []
-    for number in sorted(needed & lemmas.keys()):
-        names[number] = given + len(steps) + 1
-        clause, hints = lemmas[number]
-        steps.append((names[number], clause, [names[hint] for hint in hints]))
-    return steps
+    return [(number, *lemma) for number, lemma in checker.lemmas.items()]
 
 
 def write_lrat(steps: Iterable[tuple[int, Clause, list[int]]], path: Path) -> None:

@@ -9,7 +9,7 @@ from typing import Annotated, NamedTuple
 
 from msgspec import Struct
 
-from allworlds.engines.effort import AskedListener
+from allworlds.engines.effort import AskedListener, AskedTime
 from allworlds.inputs.checks import (
     LARGEST_SIZE,
     InputError,
@@ -17,7 +17,6 @@ from allworlds.inputs.checks import (
     an_integer,
     at_most,
     integer_of,
-    seconds_of,
     show,
 )
 from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Option
@@ -37,7 +36,7 @@ def motion_list(text: str) -> tuple[int, ...]:
     return tuple(int(part) for part in text.split(","))
 
 
-class SearchRequest(AskedListener, ClassOptions):
+class SearchRequest(AskedListener, AskedTime, ClassOptions):
     """Request of ``ambiguity search``: the properties of the twins, and the solver."""
 
     lighthouse: Annotated[
@@ -74,16 +73,6 @@ class SearchRequest(AskedListener, ClassOptions):
             EFFORT,
             "PATH",
             "The program CaDiCaL, version 2 or later, in place of z3; it also writes the proofs.",
-            apart=True,
-        ),
-    ] = None
-    time_limit: Annotated[
-        float | None,
-        Option(
-            EFFORT,
-            "S",
-            "The time limit in seconds for the whole search.",
-            parse=seconds_of,
             apart=True,
         ),
     ] = None

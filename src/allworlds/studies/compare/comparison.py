@@ -108,17 +108,6 @@ class Comparison(ContestReport):
     def agrees(self) -> bool:
         return self.all_counted
 
-    @property
-    def worlds_kept(self) -> tuple[InWorld, ...]:
-        """The runs in each world.
-
-        Raises:
-            InputError: if they were not kept.
-        """
-        if self.rows and not self.in_worlds:
-            raise InputError(f"by {self.by}: these rows are kept if compare has this option")
-        return self.in_worlds
-
     def walks(self) -> Iterator[SingleRun]:
         """A run of each explorer in the world that differs most, at the first place."""
         if self.differ_most is None:

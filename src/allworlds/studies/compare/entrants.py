@@ -39,7 +39,6 @@ from allworlds.engines.swept_report import (
     By,
     SweptReport,
     TriedPlaces,
-    by_named,
     told_scope,
     tried_places,
 )
@@ -216,7 +215,6 @@ class InWorld(NamedTuple):
         places: the number of all places.
         bound: on the traversals of a run, the same in each place; None without one.
         drawn_from: the number of different worlds of this size that seeds draw, where it is known.
-        finished: all worlds of this size were run.
     """
 
     map: CombinatorialMap
@@ -226,7 +224,6 @@ class InWorld(NamedTuple):
     places: int
     bound: int | None
     drawn_from: int | None = None
-    finished: bool = True
 
     @property
     def mean(self) -> float:
@@ -356,7 +353,7 @@ class ContestScope(Document):
 class ContestReport(SweptReport, kw_only=True):
     """The report of explorers that were run in the same worlds.
 
-    ``entrants`` were run; rows for programs are wanted ``by`` world or run.
+    ``entrants`` were run; ``by`` says for what there are rows for programs.
     """
 
     findings: Annotated[
@@ -368,7 +365,7 @@ class ContestReport(SweptReport, kw_only=True):
     @computed
     def verdict(self) -> Verdict:
         """Whether a run of any explorer broke a law."""
-        return self.judged
+        return self.facts.verdict if self.request.to is None else self.facts.sample_verdict
 
     @computed
     def explorers(self) -> Some[Compared]:
@@ -389,11 +386,6 @@ class ContestReport(SweptReport, kw_only=True):
         return told_scope(ContestScope, self.request, shard=str(self.portion))
 
     @property
-    def judged(self) -> Verdict:
-        """The verdict of these facts."""
-        return self.facts.verdict
-
-    @property
     @override
     def refuted(self) -> bool:
         return bool(self.findings)
@@ -402,19 +394,6 @@ class ContestReport(SweptReport, kw_only=True):
     def names(self) -> list[str]:
         """The names of the explorers."""
         return [one.name for one in self.entrants]
-
-    @override
-    def records(self, by: str | None = None) -> list[dict[str, Any]]:
-        """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``.
-
-        Args:
-            by: ``size``, ``world`` or ``run``, as in the request; by default as was asked for.
-
-        Raises:
-            InputError: for another word, or for rows that were not kept.
-        """
-        found = self if by is None else replace(self, by=by_named(by))
-        return super(ContestReport, found).records()
 
 
 class Contest(Sweep[CostsOfAll, Answer]):

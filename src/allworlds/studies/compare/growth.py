@@ -32,7 +32,7 @@ from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import edges_of, rootings
-from allworlds.outcome import Ending, Verdict
+from allworlds.outcome import Ending
 from allworlds.studies.compare.entrants import (
     CompareRequest,
     Contest,
@@ -115,11 +115,6 @@ class Member(Struct, frozen=True):
         """Words that name the world: ``torus:6x6 --seed 1``."""
         holes = f" --holes {self.holes}" if self.holes else ""
         return f"{self.text}{holes} --seed {self.seed}"
-
-    @property
-    def described(self) -> str:
-        """Words for a reader: ``torus:6x6, seed 1``."""
-        return f"{self.text}{f' with holes {self.holes}' if self.holes else ''}, seed {self.seed}"
 
     def map(self) -> CombinatorialMap:
         """The map; a robot starts at dart 0."""
@@ -246,7 +241,7 @@ class GrowRow(Document):
     @computed
     def mean(self) -> Figure:
         """Traversals: over the worlds, in each over the places of its runs."""
-        return round(_mean(self), 6)
+        return round(fsum(self.means) / len(self.members), 6)
 
     @computed
     def interval(self) -> Range:
@@ -290,33 +285,24 @@ class Growth(ContestReport, kw_only=True):
     """Report of 'compare --to'.
 
     Explorers in worlds that grow.
-
-    ``begun`` holds the worlds that were finished of a size that was not, for rows for programs.
     """
 
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
     left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
     families: Aside[tuple[str, ...]]
-    begun: Aside[tuple[GrowRow, ...]] = ()
 
     @computed
     def ratios(self) -> tuple[CostRatio, ...]:
         """One for each family, size and explorer but the first."""
         return tuple(_ratios(self))
 
-    @property
-    @override
-    def judged(self) -> Verdict:
-        return self.facts.sample_verdict
-
     def in_worlds(self) -> Iterator[InWorld]:
-        """The runs in each world, row by row; those of a size that was not finished come last.
+        """The runs in each world, row by row.
 
         Cost: each world is built once again.
         """
-        every = *self.rows, *self.begun
         built = cache(lambda name: member_named(name).map())
-        for number, row in enumerate(every):
+        for row in self.rows:
             for one in row.members:
                 yield InWorld(
                     built(one.name),
@@ -326,7 +312,6 @@ class Growth(ContestReport, kw_only=True):
                     one.places,
                     one.bound,
                     row.drawn_from,
-                    finished=number < len(self.rows),
                 )
 
 
@@ -349,10 +334,6 @@ def _ratios(report: Growth) -> Iterator[CostRatio]:
                 exact=exact,
                 interval=None if exact else _rounded(mean[1]),
             )
-
-
-def _mean(row: GrowRow) -> float:
-    return fsum(row.means) / len(row.members)
 
 
 def _rounded(interval: Interval | None) -> Interval | None:
@@ -418,7 +399,6 @@ class GrowingWorlds(Contest[Growth]):
         if isinstance(self.portion, Shard):
             self._mine = set(dealt([m * m for m in edges], self.portion))
         self._rows: list[GrowRow] = []
-        self._begun: list[GrowRow] = []
         self._left_out = 0
 
     @override
@@ -463,12 +443,7 @@ class GrowingWorlds(Contest[Growth]):
         for one in self.entrants:
             chosen = (self._chosen(one, *member) for member in level.of.maps.items())
             self._left_out += sum(not ran for _, ran in chosen)
-        super().leave(level, total)
-
-    @override
-    def leave(self, level: SweptLevel, total: CostsOfAll) -> None:
-        self._begun += self._rows_of(level.of, total)
-        super().leave(level, total)
+        self.leave(level, total)
 
     @override
     def report(self, ending: Ending) -> Growth:
@@ -476,7 +451,6 @@ class GrowingWorlds(Contest[Growth]):
             **self.contest(ending),
             families=self._families,
             rows=tuple(sorted(self._rows, key=lambda row: self._families.index(row.family))),
-            begun=tuple(self._begun),
             left_out=self._left_out,
         )
 

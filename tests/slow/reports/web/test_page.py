@@ -40,7 +40,7 @@ from allworlds.reports.formats import file_of
 from html_tree import read
 wrong = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")
 report = check(wrong.explorer(), edges=3)
-sys.stdout.buffer.write(file_of("check", "html", report).encode())
+sys.stdout.buffer.write(file_of("html", report).encode())
 """
 
 
