@@ -23,10 +23,10 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import ENGINES, WALKED_FROM, Job
 from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel.gluing import by_vertices_and_faces
+from allworlds.engines.limits import Limits
 from allworlds.engines.progress import Silent
 from allworlds.engines.scope import Scope
 from allworlds.engines.sweep import gather

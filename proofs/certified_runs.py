@@ -10,9 +10,9 @@ from collections.abc import Iterable, Iterator
 from contextlib import closing
 from itertools import islice
 
-from allworlds.engines.effort import Limits
 from allworlds.engines.judge import Due, PythonJudge
 from allworlds.engines.lane import answered, started
+from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, Setup
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter

@@ -46,7 +46,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.engines.effort import Limits
+from allworlds.engines.limits import Limits
 from allworlds.engines.players import Unsettled
 from allworlds.engines.single import subject_of
 from allworlds.explorers.loading import Subject, built_in, in_process_subject

@@ -110,7 +110,7 @@ class Enough(Exception):
     """The exception that ends a job as soon as it gives its notice."""
 
 
-class Once(Silent):
+class NoticeOnce(Silent):
     def notice(self, text):
         raise Enough
 
@@ -120,7 +120,7 @@ def test_every_verb_of_levels_tells_it_before_it_begins():
 
     for verb in (allworlds.check, allworlds.ambiguity.census, count):
         with pytest.raises(Enough):
-            verb(edges=92, listener=Once())
+            verb(edges=92, listener=NoticeOnce())
 
 
 @pytest.mark.parametrize("edges", [100_001, 10**13, 10**4000, 10**5000], ids=show)

@@ -5,9 +5,9 @@ import pytest
 
 from allworlds import check, count, worst
 from allworlds.engines.compiled_engine import AGREED
-from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import ENGINES, Job, engine_for, why_not_compiled
 from allworlds.engines.kernel.capabilities import COMPILING
+from allworlds.engines.limits import Limits
 from allworlds.engines.progress import Silent
 from allworlds.engines.scope import Scope
 from allworlds.engines.single import subject_of

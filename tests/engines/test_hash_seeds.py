@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.engines.effort import Limits
+from allworlds.engines.limits import Limits
 from allworlds.engines.single import played_again, subject_of
 from allworlds.studies.check.exhaustive import check
 

@@ -12,9 +12,9 @@ import pytest
 
 from allworlds import log as entries
 from allworlds.engines import linux, player, players
-from allworlds.engines.effort import Limits
 from allworlds.engines.judge import Due, PythonJudge
 from allworlds.engines.lane import answered, lost_log
+from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup
 from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter

@@ -73,7 +73,7 @@ def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
     assert before < units_in(tmp_path / "run")
 
 
-class Once(Silent):
+class NoticeOnce(Silent):
     """Does something when the first worlds are done, and hears notices."""
 
     def __init__(self, something):
@@ -99,7 +99,7 @@ def test_a_lock_that_is_removed_by_hand_harms_nobody(name, tmp_path):
         # Now another command takes the directory for its own, and keeps the same units.
         assert job(run=run).to_json() == whole
 
-    listener = Once(remove)
+    listener = NoticeOnce(remove)
     assert job(run=run, listener=listener).to_json() == whole
     assert listener.notices == []
     assert job(run=run).to_json() == whole
@@ -119,7 +119,7 @@ def test_a_command_says_that_its_directory_was_removed(what, tmp_path):
         if what == "another in its place":
             assert job(run=run).to_json() == whole
 
-    listener = Once(remove)
+    listener = NoticeOnce(remove)
     assert job(run=run, listener=listener).to_json() == whole
     (notice,) = listener.notices
     assert "was removed; the job goes on without it, and keeps nothing" in notice

@@ -10,7 +10,7 @@ import pytest
 import allworlds
 from allworlds import ambiguity, check, compare, count, fuzz, worst
 from allworlds.engines import sweep
-from allworlds.engines.effort import TimeIsUp
+from allworlds.engines.limits import TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import Silent
 from allworlds.verbs import VERBS

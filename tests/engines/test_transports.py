@@ -9,8 +9,8 @@ from inspect import getsource
 import pytest
 
 from allworlds.engines import dask, engine_table, here
-from allworlds.engines.effort import DaskCluster, TimeIsUp
 from allworlds.engines.here import ThisThread, Threads
+from allworlds.engines.limits import DaskCluster, TimeIsUp
 from allworlds.engines.progress import Silent
 from allworlds.engines.sweep import gather
 from clusters import cluster_here

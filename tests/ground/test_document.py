@@ -7,12 +7,12 @@ from typing import Annotated, Literal
 import pytest
 from msgspec import UNSET, UnsetType
 
-from allworlds.document.reading import taken
+from allworlds.document.reading import parse
 from allworlds.document.struct import (
-    Aside,
     Document,
     IfAny,
     Natural,
+    NotInDocument,
     Positive,
     Some,
     WrittenByFields,
@@ -42,7 +42,7 @@ class Whole(Document, kw_only=True):
     note: IfAny[str] = ""
     step: IfAny[Natural | None] = None
     seldom: int | UnsetType = UNSET
-    counted: Aside[object] = None
+    counted: NotInDocument[object] = None
 
     @computed
     def total(self) -> int:
@@ -130,7 +130,7 @@ class Read(Document):
 
 def test_what_is_written_is_read():
     read = Read(name="a", rows=WHOLE.parts, count=7)
-    assert taken(read.to_json(), Read, "reading") == read
+    assert parse(read.to_json(), Read, "reading") == read
 
 
 @pytest.mark.parametrize(
@@ -151,6 +151,6 @@ def test_what_is_written_is_read():
 )
 def test_what_is_none_is_refused_by_its_place_and_value(document, said):
     with pytest.raises(InputError) as refusal:
-        taken(document, Read, "reading")
+        parse(document, Read, "reading")
     assert said in str(refusal.value)
     assert "\n" not in str(refusal.value)

@@ -14,7 +14,7 @@ import pytest
 import allworlds
 from allworlds import reports, strategies
 from allworlds.cli.app import command_line
-from allworlds.document.reading import taken
+from allworlds.document.reading import parse
 from allworlds.document.report import Report
 from allworlds.document.struct import replace
 from allworlds.engines.engine_table import ENGINES, engine_for
@@ -206,7 +206,7 @@ def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
     for key, value in others.items():
         judged = replace(finding, under=Rules(**{key: value}))
         assert f"--{key.replace('_', '-')} " in judged.reproduce
-        recorded = taken(judged.rules.recorded.to_json(), RecordedRules, "options")
+        recorded = parse(judged.rules.recorded.to_json(), RecordedRules, "options")
         assert getattr(recorded.rules(finding.world), key) == value
 
 

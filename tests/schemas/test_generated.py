@@ -7,7 +7,16 @@ from typing import Annotated
 import pytest
 from msgspec import UNSET, UnsetType
 
-from allworlds.document.struct import Aside, Document, IfAny, Natural, Some, about, computed, key
+from allworlds.document.struct import (
+    Document,
+    IfAny,
+    Natural,
+    NotInDocument,
+    Some,
+    about,
+    computed,
+    key,
+)
 from allworlds.maps import MapClass
 from allworlds.outcome import Verdict
 from allworlds.reports.schemas import main, schema_of, schemas
@@ -117,7 +126,7 @@ class Outer(Document, kw_only=True):
     sometimes: Annotated[int | UnsetType, about("if at all")] = UNSET
     detail: Annotated[IfAny[str], about("if there is any")] = ""
     world: Annotated[World | None, about("a value that writes itself")] = None
-    secret: Aside[object] = None
+    secret: NotInDocument[object] = None
 
     @computed
     def verdict(self) -> Verdict:

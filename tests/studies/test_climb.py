@@ -11,7 +11,7 @@ import pytest
 
 from allworlds import compare, run
 from allworlds.document.struct import replace
-from allworlds.engines.effort import TimeIsUp
+from allworlds.engines.limits import TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import Silent
 from allworlds.explorers.builtin.algorithm1 import algorithm1

@@ -12,7 +12,7 @@ import pytest
 
 from allworlds import check, compare, run
 from allworlds.document.struct import replace
-from allworlds.engines.effort import TimeIsUp
+from allworlds.engines.limits import TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps

@@ -102,7 +102,7 @@ def clock(monkeypatch, tmp_path):
     clock = Clock(hung)
     for module in (
         "engines.players",
-        "engines.effort",
+        "engines.limits",
         "studies.check.tally_sweep",
     ):
         monkeypatch.setattr(f"allworlds.{module}.time", clock)

@@ -33,7 +33,15 @@ from allworlds.cli.output import (
 )
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.exit_code import keep_exit_code
-from allworlds.inputs.requests import AS_IN_PYTHON, PANELS, Argument, Named, Option, Rare, fields_of
+from allworlds.inputs.requests import (
+    AS_IN_PYTHON,
+    PANELS,
+    Argument,
+    Option,
+    OptionGroup,
+    Rare,
+    fields_of,
+)
 from allworlds.outcome import Exit, NoResult
 from allworlds.verbs import GROUPS, VERBS, Verb
 
@@ -137,7 +145,7 @@ def _shown(name: str, hint: Any, default: Any) -> Iterator[Parameter]:
             yield from _shown(field.name, Annotated[field.type, field.asked], defaults[field.name])
         return
     kind, asked = get_args(hint)
-    if isinstance(asked, Named):
+    if isinstance(asked, OptionGroup):
         yield from _shown(name, asked.words, default)
     elif isinstance(asked, Option):
         yield _parameter(name, kind, asked, default)
@@ -146,10 +154,10 @@ def _shown(name: str, hint: Any, default: Any) -> Iterator[Parameter]:
 def _value(name: str, hint: Any, words: Words) -> Any:
     """The value of the field that these options give."""
     if is_dataclass(hint):
-        told = [field for field in fields_of(hint) if isinstance(field.asked, Option | Named)]  # type: ignore[arg-type]
+        told = [field for field in fields_of(hint) if isinstance(field.asked, Option | OptionGroup)]  # type: ignore[arg-type]
         return hint(**{f.name: _value(f.name, Annotated[f.type, f.asked], words) for f in told})  # type: ignore[operator]
     _, asked = get_args(hint)
-    if isinstance(asked, Named):
+    if isinstance(asked, OptionGroup):
         return _value(name, asked.words, words).value()
     return words[name]
 

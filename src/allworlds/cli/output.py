@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeVar
 
 from allworlds.cli.made_by import defaults_used, made_by, words_of_command
 from allworlds.document.struct import replace
-from allworlds.engines.effort import AskedListener
+from allworlds.engines.limits import ListenerOptions
 from allworlds.engines.prints import patient_stderr
 from allworlds.engines.progress import Listener
 from allworlds.inputs.checks import InputError, a_path, show
@@ -262,7 +262,7 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
     by = getattr(request, "by", None)
     if by is not None and not {"csv", "parquet"} & {form for form, _ in output.named}:
         raise InputError(f"by {by} has no effect without -o FILE.csv")
-    if not isinstance(request, AskedListener):
+    if not isinstance(request, ListenerOptions):
         return answer(function, request)
     with Progress(quiet=output.quiet) as listener:
         return answer(function, replace(request, listener=listener))

@@ -15,6 +15,6 @@ Three things are said beside a type:
     may be missing in the object;
 ``key: IfAny[T]``
     is missing while it is None or empty;
-``name: Aside[T]``
+``name: NotInDocument[T]``
     belongs to the result in Python, and is no key.
 """

@@ -13,7 +13,7 @@ from allworlds.inputs.checks import InputError, show
 T = TypeVar("T")
 
 
-def taken(document: object, kind: type[T], what: str) -> T:
+def parse(document: object, kind: type[T], what: str) -> T:
     """The value of that type that a JSON value stands for.
 
     Args:

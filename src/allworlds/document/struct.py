@@ -31,8 +31,8 @@ from allworlds.outcome import Exit
 
 T = TypeVar("T")
 
-ASIDE = Meta(extra={"aside": True})
-Aside: TypeAlias = Annotated[T, ASIDE]
+NOT_IN_DOCUMENT = Meta(extra={"aside": True})
+NotInDocument: TypeAlias = Annotated[T, NOT_IN_DOCUMENT]
 """A field that is no key of the document."""
 
 IF_ANY = Meta(extra={"if any": True})
@@ -163,8 +163,8 @@ def _default_of_key(one: Field) -> Any:
 def _type_of_key(one: Field) -> Any:
     """The type and the meaning of the key for an option, in a document."""
     assert isinstance(one.asked, Option)
-    if one.asked.told is not None:
-        return one.asked.told
+    if one.asked.document_type is not None:
+        return one.asked.document_type
     parts = get_args(one.held) if get_origin(one.held) in (Union, UnionType) else (one.held,)
     if all(part in _AS_IT_IS or get_origin(part) is Literal for part in parts):
         kind = one.held
@@ -259,7 +259,7 @@ def keys_of(kind: type[Document]) -> tuple[Key, ...]:
     found = [
         Key(name, names[name], hint, IF_ANY in notes[name])
         for name, hint in hints.items()
-        if name in names and ASIDE not in notes[name]
+        if name in names and NOT_IN_DOCUMENT not in notes[name]
     ]
     known = {name: each for part in reversed(kind.__mro__) for name, each in vars(part).items()}
     for name, each in known.items():

@@ -16,7 +16,7 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
 
 ``units``
     the units of a level, and the shards to which they fall;
-``effort``
+``limits``
     the limits of a job: workers, time-outs, time, a cluster;
 ``lanes``, ``here``, ``dask``
     the places of work, transports: lanes here or forked; this thread, threads; a Dask cluster;

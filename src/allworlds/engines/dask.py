@@ -23,8 +23,8 @@ from time import monotonic, perf_counter
 from typing import Any, NoReturn, Self
 from uuid import uuid4
 
-from allworlds.engines.effort import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
 from allworlds.engines.here import ThisThread
+from allworlds.engines.limits import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
 from allworlds.engines.units import PartialResult, Sum, Transport
 from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.version import __version__

@@ -13,7 +13,6 @@ from typing import Annotated, Any, TypeAlias
 from msgspec import Struct
 
 from allworlds.document.struct import one_of, replace
-from allworlds.engines.effort import DaskCluster, Limits
 from allworlds.engines.here import Threads
 from allworlds.engines.kernel.capabilities import (
     CHECKED,
@@ -23,6 +22,7 @@ from allworlds.engines.kernel.capabilities import (
     MOST_EDGES,
 )
 from allworlds.engines.lanes import in_any_order, workers_for
+from allworlds.engines.limits import DaskCluster, Limits
 from allworlds.engines.scope import Given, Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Transport

@@ -9,7 +9,7 @@ from itertools import islice, takewhile
 from threading import Event
 from typing import Any, Self
 
-from allworlds.engines.effort import POLL, DaskCluster, TimeIsUp, check_deadline
+from allworlds.engines.limits import POLL, DaskCluster, TimeIsUp, check_deadline
 from allworlds.engines.units import PartialResult, Transport, U, UnitEngine
 
 
@@ -43,7 +43,7 @@ class ThisThread:
                 check_deadline(self._deadline)
 
 
-def here_or(cluster: DaskCluster | None, deadline: float | None) -> Transport[Any]:
+def local_or_dask(cluster: DaskCluster | None, deadline: float | None) -> Transport[Any]:
     """The transport in this thread, or to the cluster; a local one has a process a core."""
     if cluster is None:
         return ThisThread(deadline)

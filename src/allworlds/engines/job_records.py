@@ -17,7 +17,7 @@ from typing import Annotated, Any, NamedTuple, Self, TypeVar, get_args, get_orig
 
 from msgspec import Struct
 
-from allworlds.document.reading import taken
+from allworlds.document.reading import parse
 from allworlds.document.struct import (
     Document,
     Positive,
@@ -63,7 +63,7 @@ class Identity(Document):
     @classmethod
     def of_text(cls, text: str) -> Self:
         """The identity of :attr:`text`."""
-        return taken({"format": 1} | json.loads(text), cls, "identity")
+        return parse({"format": 1} | json.loads(text), cls, "identity")
 
     @property
     def portion(self) -> Portion:
@@ -180,7 +180,7 @@ def from_kept(kept: object, kind: type[T]) -> T:
 
 @cache
 def _form(kind: Any) -> Form:
-    return _own_form(kind) or Form(plain_at_once, lambda kept: taken(kept, kind, WHAT))
+    return _own_form(kind) or Form(plain_at_once, lambda kept: parse(kept, kind, WHAT))
 
 
 def _own_form(kind: Any) -> Form | None:
@@ -197,7 +197,7 @@ def _own_form(kind: Any) -> Form | None:
     if origin is list and (one := _own_form(parts[0])):
         return Form(
             lambda values: [one.write(value) for value in values],
-            lambda kept: [one.read(value) for value in taken(kept, list[Any], WHAT)],
+            lambda kept: [one.read(value) for value in parse(kept, list[Any], WHAT)],
         )
     if origin is tuple and any(map(_own_form, parts)):
         return _tuple(tuple(map(_form, parts)))
@@ -210,7 +210,7 @@ def _own_form(kind: Any) -> Form | None:
 
 def _tuple(forms: tuple[Form, ...]) -> Form:
     def read(kept: object) -> tuple[Any, ...]:
-        values = taken(kept, list[Any], WHAT)
+        values = parse(kept, list[Any], WHAT)
         if len(values) != len(forms):
             raise InputError(f"{WHAT}: {show(kept)} does not have {len(forms)} entries")
         return tuple(form.read(value) for form, value in zip(forms, values, strict=True))
@@ -227,7 +227,7 @@ def _by_fields(kind: Any) -> Form | None:
     forms = {name: _form(hints[name]) for name in names_of(kind)}
 
     def read(kept: object) -> Any:
-        values = taken(kept, dict[str, Any], WHAT)
+        values = parse(kept, dict[str, Any], WHAT)
         if values.keys() != forms.keys():
             raise InputError(f"{WHAT}: the keys are {', '.join(forms)}, not {show([*values])}")
         return kind(**{name: form.read(values[name]) for name, form in forms.items()})

@@ -29,7 +29,6 @@ from allworlds.engines.comparison import (
     nondeterministic,
     overruled,
 )
-from allworlds.engines.effort import POLL, Limits
 from allworlds.engines.examiner import Outcome
 from allworlds.engines.judge import (
     Due,
@@ -38,6 +37,7 @@ from allworlds.engines.judge import (
     RunBatch,
     Work,
 )
+from allworlds.engines.limits import POLL, Limits
 from allworlds.engines.players import (
     Logs,
     Lost,

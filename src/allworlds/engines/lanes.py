@@ -24,8 +24,8 @@ from typing import TYPE_CHECKING, Any, NoReturn, Self
 
 from msgspec import Struct, field
 
-from allworlds.engines.effort import POLL, Limits, check_deadline
 from allworlds.engines.lane import Lane
+from allworlds.engines.limits import POLL, Limits, check_deadline
 from allworlds.engines.linux import descendants, end_with_parent, limit_memory
 from allworlds.engines.players import HarnessError, Unsettled, child_path
 from allworlds.engines.scope import UnitOfRuns

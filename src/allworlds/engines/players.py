@@ -29,7 +29,7 @@ from msgspec import Struct
 from typing_extensions import override
 
 from allworlds.engines import linux
-from allworlds.engines.effort import Limits
+from allworlds.engines.limits import Limits
 from allworlds.engines.player import (
     FAILURE,
     LOGS,

@@ -28,7 +28,7 @@ NOBODY = Silent()
 is."""
 
 
-class Once(Silent):
+class NoticeOnce(Silent):
     """A listener that hands on notices alone, and each of them once."""
 
     def __init__(self, listener: Listener) -> None:

@@ -11,8 +11,8 @@ from typing_extensions import override
 from allworlds import log as entries
 from allworlds.document.report import Report
 from allworlds.document.struct import (
-    Aside,
     Natural,
+    NotInDocument,
     Text,
     about,
     computed,
@@ -20,10 +20,10 @@ from allworlds.document.struct import (
     replace,
 )
 from allworlds.engines.comparison import difference_of, in_words, nondeterministic, side_by_side
-from allworlds.engines.effort import Limits
 from allworlds.engines.examiner import LOST, Examiner, Outcome, Referee, name_run
 from allworlds.engines.judge import Due, PythonJudge, Recorded
 from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
+from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, PlayerProcess, Setup, keep
 from allworlds.engines.scope import GivenWorlds, Scope
 from allworlds.engines.tally import RunCounter, Tally
@@ -62,9 +62,9 @@ class SingleRun(Report):
     explorer: Annotated[Text, about("its name")]
     world: Annotated[World, about("as it was given")]
     finding: Annotated[Finding | None, about("null: no law is broken")]
-    rules: Aside[Rules]
-    outcome: Aside[Outcome]
-    shows_walk: Aside[bool] = True
+    rules: NotInDocument[Rules]
+    outcome: NotInDocument[Outcome]
+    shows_walk: NotInDocument[bool] = True
 
     @computed
     def verdict(

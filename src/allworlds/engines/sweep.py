@@ -13,19 +13,19 @@ from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
 from allworlds.document.struct import replace
-from allworlds.engines.effort import ClusterLost, TimeIsUp, deadline_after
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.here import ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
+from allworlds.engines.limits import ClusterLost, TimeIsUp, deadline_after
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import NOBODY, Listener
 from allworlds.engines.swept_report import By
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import (
     WHOLE,
-    AskedShard,
     Portion,
     Shard,
+    ShardOptions,
     Sum,
     SweptLevel,
     Transport,
@@ -107,7 +107,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     @classmethod
     def asked_then(cls, identity: Identity, portion: Portion, listener: Listener) -> Any:
         """Return the request of that identity, for a portion."""
-        shard = {"shard": portion} if issubclass(cls.asked, AskedShard) else {}
+        shard = {"shard": portion} if issubclass(cls.asked, ShardOptions) else {}
         options = remembered(cls.asked, identity.parameters)
         return cls.asked(**options, **shard, listener=listener)
 

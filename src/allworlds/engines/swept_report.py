@@ -9,9 +9,9 @@ from typing_extensions import override
 from allworlds.document.report import Report
 from allworlds.document.struct import (
     AllRows,
-    Aside,
     Document,
     IfAny,
+    NotInDocument,
     Text,
     Why,
     about,
@@ -19,7 +19,7 @@ from allworlds.document.struct import (
 )
 from allworlds.engines.units import WHOLE, Portion
 from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import OUTPUT, Option, Request, Taken, as_json, in_scope
+from allworlds.inputs.requests import OUTPUT, Converted, Option, Request, as_json, in_scope
 from allworlds.maps.classes import Extent
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Disagreed, Ending, Facts, Interrupted, Stopped
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 class EndedReport(Report):
     """A report of what was finished when a job came to its ``ending``."""
 
-    ending: Aside[Ending]
+    ending: NotInDocument[Ending]
 
     @property
     def portion(self) -> Portion:
@@ -115,11 +115,11 @@ def by_named(given: str | None) -> By | None:
     raise InputError(f"by {show(given)} is not one of size, world, run")
 
 
-class AskedRows(Request):
+class RowOptions(Request):
     """The part of a request that says for what there are rows."""
 
     by: Annotated[
-        Taken[str | None, By | None],
+        Converted[str | None, By | None],
         Option(
             OUTPUT,
             "size|world|run",
@@ -127,7 +127,7 @@ class AskedRows(Request):
             "of worlds that grow: run].",
             apart=True,
         ),
-    ] = Taken(by_named, None)
+    ] = Converted(by_named, None)
 
 
 TriedPlaces = Annotated[
@@ -183,8 +183,8 @@ GATE: Any = computed(lambda report: report.compared)
 class SweptReport(RowsReport):
     """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
 
-    request: Aside[Any]
-    extent: Aside[Extent]
+    request: NotInDocument[Any]
+    extent: NotInDocument[Extent]
 
     @computed
     def stopped(self) -> Why:

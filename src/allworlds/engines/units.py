@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from allworlds.engines.progress import Listener
 from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.inputs.requests import RARE_SCOPE, Option, Request, Taken
+from allworlds.inputs.requests import RARE_SCOPE, Converted, Option, Request
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.count_source import completions, source_of
@@ -140,11 +140,11 @@ def a_shard(pair: object) -> Portion:
     return Whole() if shard.count == 1 else shard
 
 
-class AskedShard(Request):
+class ShardOptions(Request):
     """The part of a request that names the shard."""
 
     shard: Annotated[
-        Taken[tuple[int, int] | Portion | None, Portion],
+        Converted[tuple[int, int] | Portion | None, Portion],
         Option(
             RARE_SCOPE,
             "K/N",
@@ -153,7 +153,7 @@ class AskedShard(Request):
             default="0/1",
             apart=True,
         ),
-    ] = Taken(a_shard, None)
+    ] = Converted(a_shard, None)
 
 
 def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from allworlds.explorers.loading import EXEC, NATIVE
 from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Named, Option, Request
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Option, OptionGroup, Request
 
 DEFAULT_EXPLORER = "algorithm1"
 
@@ -111,12 +111,12 @@ class ExplorersWords(Request):
         )
 
 
-class AskedExplorer(Request, kw_only=False):
+class ExplorerOptions(Request, kw_only=False):
     """The part of a request that names the explorer."""
 
     explore: Annotated[
         str | Callable[..., Any],
-        Named(
+        OptionGroup(
             ExplorerWords,
             "a name, as on the command line, or a generator function (see "
             ":func:`allworlds.explorers.loading.load`)",

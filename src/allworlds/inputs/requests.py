@@ -73,8 +73,8 @@ class Option:
         apart: it says where, how long or for whom a job is done; what is found does not depend
             on it.
         repeated: it may be given several times; the field gets a list.
-        told: the type and the meaning of its key in documents; by default its own type, and the
-            help.
+        document_type: the type and the meaning of its key in documents; by default its own type,
+            and the help.
     """
 
     panel: str
@@ -86,7 +86,7 @@ class Option:
     default: Any = AS_IN_PYTHON
     apart: bool = False
     repeated: bool = False
-    told: Any = None
+    document_type: Any = None
 
 
 class Argument(Option):
@@ -96,7 +96,7 @@ class Argument(Option):
 
 
 @dataclass(frozen=True, slots=True)
-class Named:
+class OptionGroup:
     """A field that the command line expresses by several options.
 
     Attributes:
@@ -108,10 +108,10 @@ class Named:
     help: str
 
 
-class Taken(Generic[Given, Value]):
+class Converted(Generic[Given, Value]):
     """A field that takes what users may give, and holds the value that is meant by it.
 
-    ``field: Taken[str, Color] = Taken(color_named, "red")``
+    ``field: Converted[str, Color] = Converted(color_named, "red")``
     """
 
     def __init__(self, take: Callable[[Given], Value], default: Given) -> None:
@@ -130,8 +130,8 @@ class Taken(Generic[Given, Value]):
         vars(request)[self._name] = self._take(given)
 
 
-# Type checkers are not told that it is frozen: mypy would take each Taken field that is inherited
-# for what is given.
+# Type checkers are not told that it is frozen: mypy would take each Converted field that is
+# inherited for what is given.
 @dataclass_transform(kw_only_default=True, field_specifiers=(field,))
 class Request:
     """A request, or a part that verbs share: a frozen dataclass whose fields are keywords.
@@ -166,7 +166,7 @@ class Field(NamedTuple):
     name: str
     type: Any
     held: Any
-    asked: Option | Named | str | None
+    asked: Option | OptionGroup | str | None
     default: Any
 
     @property
@@ -182,7 +182,7 @@ def fields_of(request: type[Any]) -> Iterator[Field]:
         kind, asked = hints[told.name], None
         if get_origin(kind) is Annotated:
             kind, asked = get_args(kind)
-        given, held = get_args(kind) if get_origin(kind) is Taken else (kind, kind)
+        given, held = get_args(kind) if get_origin(kind) is Converted else (kind, kind)
         yield Field(told.name, given, held, asked, told.default)
 
 

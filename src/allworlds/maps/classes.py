@@ -25,7 +25,7 @@ from allworlds.inputs.checks import (
     one_of,
     show,
 )
-from allworlds.inputs.requests import SCOPE, Option, Request, Taken
+from allworlds.inputs.requests import SCOPE, Converted, Option, Request
 from allworlds.maps.combinatorial import CombinatorialMap, cycles
 
 if TYPE_CHECKING:
@@ -406,22 +406,22 @@ class ClassOptions(Request):
     """The part of a request that names a class of maps."""
 
     map_class: Annotated[
-        Taken[str, MapClass],
+        Converted[str, MapClass],
         Option(
             SCOPE,
             "CLASS",
             f"{one_of(MapClass)}.",
             "class",
-            told=Annotated[MapClass, about("the class of maps")],
+            document_type=Annotated[MapClass, about("the class of maps")],
         ),
-    ] = Taken(MapClass.named, MapClass.MAPS.value)
+    ] = Converted(MapClass.named, MapClass.MAPS.value)
 
 
 class SizeOptions(Request):
     """The part of a request that bounds the size of maps."""
 
     edges: Annotated[
-        int | None, Option(SCOPE, "M", "At most M edges.", parse=integer_of, told=Bounded)
+        int | None, Option(SCOPE, "M", "At most M edges.", parse=integer_of, document_type=Bounded)
     ] = None
     vertices: Annotated[
         int | None,
@@ -430,7 +430,7 @@ class SizeOptions(Request):
             "N",
             "At most N vertices (alone: simple classes only; default: any).",
             parse=integer_of,
-            told=Bounded,
+            document_type=Bounded,
         ),
     ] = None
 

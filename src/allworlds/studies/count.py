@@ -11,21 +11,26 @@ from msgspec import UNSET, Struct, UnsetType, field
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    Aside,
     Document,
     Edges,
     Natural,
+    NotInDocument,
     WhichShard,
     about,
     computed,
     with_options,
 )
-from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
 from allworlds.engines.engine_table import COMPILER, ReadyEngine
-from allworlds.engines.here import here_or
+from allworlds.engines.here import local_or_dask
+from allworlds.engines.limits import (
+    ClusterOptions,
+    ListenerOptions,
+    RunDirectoryOptions,
+    TimeLimitOptions,
+)
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import SweptReport, ToldGate, told_scope
-from allworlds.engines.units import WHOLE, AskedShard, LevelUnit, SweptLevel
+from allworlds.engines.units import WHOLE, LevelUnit, ShardOptions, SweptLevel
 from allworlds.inputs.checks import lack_of
 from allworlds.inputs.requests import answers
 from allworlds.maps.canonical import automorphisms
@@ -42,7 +47,13 @@ UNROOTED_LIMIT = 6
 
 
 class CountRequest(
-    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, WhereOptions, ExtentOptions
+    ListenerOptions,
+    ClusterOptions,
+    RunDirectoryOptions,
+    TimeLimitOptions,
+    ShardOptions,
+    WhereOptions,
+    ExtentOptions,
 ):
     """Request of ``count``: a class, its bounds and the effort."""
 
@@ -66,9 +77,9 @@ class CountRow(Document, kw_only=True):
         dict[int, Natural] | UnsetType,
         about("in simple classes: rotation systems on labelled vertices, by vertices"),
     ] = UNSET
-    counted: Aside[dict[int, int] | None]
-    cells: Aside[tuple[tuple[int, int, int, int | None], ...]]
-    whole: Aside[bool] = True
+    counted: NotInDocument[dict[int, int] | None]
+    cells: NotInDocument[tuple[tuple[int, int, int, int | None], ...]]
+    whole: NotInDocument[bool] = True
 
     @property
     def agrees(self) -> bool:
@@ -144,7 +155,9 @@ class CountSweep(Sweep["Counted", Census]):
 
     @override
     def ready(self) -> ReadyEngine:
-        return ReadyEngine(here_or(self.request.cluster, self.deadline), Enumerate(self.extent))
+        return ReadyEngine(
+            local_or_dask(self.request.cluster, self.deadline), Enumerate(self.extent)
+        )
 
     @override
     def finish(self, level: SweptLevel, total: Counted) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.document.report import Report
-from allworlds.document.struct import Aside, Natural, Positive, Some, Text, about, computed
+from allworlds.document.struct import Natural, NotInDocument, Positive, Some, Text, about, computed
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import Request, answers
 from allworlds.judging.explanations.by_law import teller_of
@@ -46,7 +46,7 @@ class Explanation(Report):
     ]
     number: Annotated[Positive, about("the number of the finding in its report; 1: the first")]
     findings: Annotated[Positive, about("how many findings the report holds")]
-    finding: Aside[Finding]
+    finding: NotInDocument[Finding]
 
     @computed
     def explorer(self) -> str:

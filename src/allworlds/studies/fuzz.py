@@ -11,24 +11,25 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.engines.effort import AskedCluster, AskedDirectory, TimeIsUp
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
 from allworlds.engines.lanes import workers_for
+from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions, TimeIsUp
 from allworlds.engines.progress import Listener, Silent
 from allworlds.engines.scope import GivenWorlds, Sample, Scope
 from allworlds.engines.single import played_again, subject_of
 from allworlds.engines.sweep import gather
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
-    AskedShard,
     Placed,
     Portion,
     Shard,
+    ShardOptions,
     SweptLevel,
     Transport,
     shards_of,
 )
+from allworlds.explorers.asked import ExplorerOptions
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
@@ -43,7 +44,7 @@ from allworlds.maps.families import random_map
 from allworlds.maps.surgery import contracted, deleted, moved
 from allworlds.outcome import Completed, Ending
 from allworlds.studies.check.report import CheckReport
-from allworlds.studies.check.requests import ManyRuns
+from allworlds.studies.check.requests import ManyWorlds
 from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.selection import WhereOptions
@@ -67,11 +68,11 @@ class SampleOptions(Request):
     seed: Annotated[int, Option(SCOPE, "S", "Which sample.", parse=integer_of)] = 0
 
 
-class MapsRequest(ManyRuns, WhereOptions):
+class MapsRequest(ManyWorlds, ExplorerOptions, WhereOptions):
     """Request for runs in given maps: an explorer, the class and a condition, rules and effort."""
 
 
-class FuzzRequest(AskedDirectory, AskedCluster, AskedShard, MapsRequest, SampleOptions):
+class FuzzRequest(RunDirectoryOptions, ClusterOptions, ShardOptions, MapsRequest, SampleOptions):
     """Request of ``fuzz``: an explorer, the sample, rules and effort."""
 
 

@@ -19,23 +19,23 @@ from typing import Annotated, Any, Literal, TypeAlias, cast, get_args
 from msgspec import Meta, Struct, field
 from typing_extensions import override
 
-from allworlds.document.reading import taken
+from allworlds.document.reading import parse
 from allworlds.document.struct import (
-    Aside,
     Document,
     Natural,
+    NotInDocument,
     Positive,
     Text,
     about,
     computed,
     key,
 )
-from allworlds.engines.effort import AskedListener, AskedWorkers
+from allworlds.engines.limits import ListenerOptions, WorkerOptions
 from allworlds.engines.progress import Listener
 from allworlds.engines.swept_report import RowsReport
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.inputs.checks import InputError, a_path, read_text, show
-from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Option, Taken, answers
+from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Converted, Option, answers
 from allworlds.outcome import Disagreement, Verdict, until_interrupted
 from allworlds.protocol.importing import attribute_of, module_of_text, text_of
 from allworlds.studies.check.report import CheckReport
@@ -202,7 +202,7 @@ def _claim(file: Path, name: str, table: Any) -> Claim:
     if not isinstance(table, dict):
         raise InputError(f"{said}: {show(table)} is no table")
     try:
-        claim = taken({"id": name, **table}, Claim, "it")
+        claim = parse({"id": name, **table}, Claim, "it")
     except InputError as error:
         raise InputError(f"{said}: {error}") from None
     for budget, scope in claim.scopes.items():
@@ -252,11 +252,11 @@ class CheckedClaim(Sentence):
         str, about("the refutation, an explanation, why it was not checked, or a traceback")
     ]
     worlds: Annotated[tuple[World, ...], about("worlds that show it")]
-    captions: Aside[tuple[str, ...]]
-    truth: Aside[Truth | None]
-    disagreement: Aside[str]
-    error: Aside[str]
-    seconds: Aside[float]
+    captions: NotInDocument[tuple[str, ...]]
+    truth: NotInDocument[Truth | None]
+    disagreement: NotInDocument[str]
+    error: NotInDocument[str]
+    seconds: NotInDocument[float]
 
     @computed
     def verdict(self) -> Seen:
@@ -361,7 +361,7 @@ def _names(given: Iterable[str]) -> tuple[str, ...]:
     return (given,) if isinstance(given, str) else tuple(given)
 
 
-class LedgerRequest(AskedListener, AskedWorkers, kw_only=False):
+class LedgerRequest(ListenerOptions, WorkerOptions, kw_only=False):
     """Request of ``ledger``: of which paper, which of its claims, and how much of each."""
 
     directory: Annotated[
@@ -370,26 +370,26 @@ class LedgerRequest(AskedListener, AskedWorkers, kw_only=False):
     ]
     _: KW_ONLY
     only: Annotated[
-        Taken[Iterable[str], tuple[str, ...]],
+        Converted[Iterable[str], tuple[str, ...]],
         Option(SCOPE, "ID", "Only this claim; may be repeated.", repeated=True),
-    ] = Taken(_names, ())
+    ] = Converted(_names, ())
     require: Annotated[
-        Taken[Iterable[str], tuple[str, ...]],
+        Converted[Iterable[str], tuple[str, ...]],
         Option(
             SCOPE,
             "ID",
             "A claim that must be checked, else the exit code is 3; may be repeated.",
             repeated=True,
         ),
-    ] = Taken(_names, ())
+    ] = Converted(_names, ())
     budget: Annotated[
-        Taken[str, Budget],
+        Converted[str, Budget],
         Option(
             EFFORT,
             "quick|full",
             "How much is checked: the bounds of ledger.toml for quick, or for full.",
         ),
-    ] = Taken(_budget, "quick")
+    ] = Converted(_budget, "quick")
 
 
 @answers(LedgerRequest)

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-from allworlds.engines.effort import AskedListener
+from allworlds.engines.limits import ListenerOptions
 from allworlds.engines.progress import Listener
 from allworlds.engines.run_directory import merged
 from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import AskedRows
+from allworlds.engines.swept_report import RowOptions
 from allworlds.engines.units import WHOLE
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import Argument, takes_fields
@@ -18,7 +18,7 @@ from allworlds.protocol.user_code import as_recorded
 from allworlds.version import __version__
 
 
-class MergeRequest(AskedRows, AskedListener):
+class MergeRequest(RowOptions, ListenerOptions):
     """Request of ``merge``: the run directories, and the rows that are wanted."""
 
     runs: Annotated[

@@ -9,7 +9,7 @@ from typing import Annotated, TypeAlias
 
 from allworlds.document.report import Report
 from allworlds.document.struct import Document, Natural, about, computed
-from allworlds.engines.effort import Limits
+from allworlds.engines.limits import Limits
 from allworlds.engines.single import single_run, subject_of
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import integer_of

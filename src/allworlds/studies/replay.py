@@ -7,19 +7,19 @@ from typing import Annotated, Any, Literal
 
 from allworlds.document.report import Report
 from allworlds.document.struct import (
-    Aside,
+    NotInDocument,
     Text,
     about,
     computed,
     key,
     replace,
 )
-from allworlds.engines.effort import AskedPatience
+from allworlds.engines.limits import TimeoutOptions
 from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
 from allworlds.explorers.asked import ProgramWords
 from allworlds.explorers.loading import own_bound
 from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import SCOPE, Named, Option, answers
+from allworlds.inputs.requests import SCOPE, Option, OptionGroup, answers
 from allworlds.judging.findings.finding import Finding, FindingOptions
 from allworlds.judging.findings.walks import recorded_trail
 from allworlds.judging.laws.law_table import LawName
@@ -38,12 +38,12 @@ class AnotherExplorer(ProgramWords):
         return self.named(self.explorer)
 
 
-class ReplayRequest(AskedPatience, FindingOptions, kw_only=False):
+class ReplayRequest(TimeoutOptions, FindingOptions, kw_only=False):
     """Request of ``replay``: a finding, and another explorer if wanted."""
 
     explore: Annotated[
         str | Callable[..., Any] | None,
-        Named(AnotherExplorer, "an explorer in place of the recorded one"),
+        OptionGroup(AnotherExplorer, "an explorer in place of the recorded one"),
     ] = None
 
 
@@ -62,9 +62,9 @@ class Replay(Report):
     """
 
     again: Annotated[SingleRun, about("the run of today")] = key(name="run")
-    recorded: Aside[Finding]
-    notice: Aside[str] = ""
-    users: Aside[bool] = False
+    recorded: NotInDocument[Finding]
+    notice: NotInDocument[str] = ""
+    users: NotInDocument[bool] = False
 
     @computed
     def explorer(self) -> Text:

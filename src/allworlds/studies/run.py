@@ -9,11 +9,11 @@ from typing import Annotated, Any
 
 from allworlds.document.report import Report
 from allworlds.document.struct import Text, about
-from allworlds.engines.effort import AskedPatience
+from allworlds.engines.limits import TimeoutOptions
 from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
 from allworlds.explorers.loading import HASH_SEED
 from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.inputs.requests import RULES, Option, Taken, answers
+from allworlds.inputs.requests import RULES, Converted, Option, answers
 from allworlds.judging.findings.rules import RuleOptions
 from allworlds.world.lighthouses.kinds import kind_of
 from allworlds.world.named import WorldOptions
@@ -33,18 +33,18 @@ def _indices(choices: object) -> tuple[int, ...]:
     return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
 
 
-class RunOptions(AskedPatience, RuleOptions, WorldOptions):
+class RunOptions(TimeoutOptions, RuleOptions, WorldOptions):
     """Options for one run: the world, how it is played and judged."""
 
     choices: Annotated[
-        Taken[Sequence[int], tuple[int, ...]],
+        Converted[Sequence[int], tuple[int, ...]],
         Option(
             RULES,
             "I,I,...",
             "Answers to the first choices, by index; then the policy goes on.",
             parse=index_list,
         ),
-    ] = Taken(_indices, ())
+    ] = Converted(_indices, ())
 
 
 class RunRequest(RunOptions, kw_only=False):

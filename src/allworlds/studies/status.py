@@ -8,11 +8,11 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.document.report import Report
 from allworlds.document.struct import (
-    Aside,
     Document,
     Edges,
     Figure,
     Natural,
+    NotInDocument,
     Seconds,
     Text,
     Vertices,
@@ -82,8 +82,8 @@ class Standing(Report):
     ]
     worst: Annotated[LargestCost | None, about("the largest cost so far; null: there is none")]
     findings: Annotated[Natural, about("in the finished units")]
-    counted: Aside[bool] = True
-    options: Aside[tuple[str, ...]] = ()
+    counted: NotInDocument[bool] = True
+    options: NotInDocument[tuple[str, ...]] = ()
 
 
 class StatusRequest(Request, kw_only=False):

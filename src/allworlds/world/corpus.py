@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from msgspec import Meta, Struct
 
-from allworlds.document.reading import taken
+from allworlds.document.reading import parse
 from allworlds.document.struct import Document, Text, about
 from allworlds.inputs.checks import parse_json
 
@@ -66,4 +66,4 @@ def own_corpus() -> Corpus:
     installed = package / "corpus"
     directory = installed if installed.is_dir() else package.parents[1] / "corpus"
     document = parse_json((directory / MANIFEST).read_text(encoding="utf-8"))
-    return Corpus(directory, taken(document, Manifest, MANIFEST).entries)
+    return Corpus(directory, parse(document, Manifest, MANIFEST).entries)

@@ -18,7 +18,7 @@ from allworlds.inputs.checks import (
     read_text,
     show,
 )
-from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Option, Request, Taken
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Converted, Option, Request
 from allworlds.maps.build import NoSuchMap, named_map, named_maps
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
@@ -51,7 +51,7 @@ HOLES = Option(
     RARE_SCOPE,
     "P%",
     "Share of a family's edges to remove [default: none].",
-    told=Annotated[Text | None, about("the share of a family's edges that was removed")],
+    document_type=Annotated[Text | None, about("the share of a family's edges that was removed")],
 )
 """An option of every verb that takes a family."""
 
@@ -191,13 +191,13 @@ class WorldOptions(Request):
         ),
     ] = None
     lighthouse: Annotated[
-        Taken[GivenLighthouse | None, LighthouseKind | None],
+        Converted[GivenLighthouse | None, LighthouseKind | None],
         Option(
             SCOPE,
             "KIND",
             "The lighthouse, if the world names none [default: the explorer's own].",
         ),
-    ] = Taken(_lighthouse, None)
+    ] = Converted(_lighthouse, None)
     place: Annotated[
         int | None,
         Option(

@@ -15,7 +15,7 @@ from msgspec import Struct
 
 from allworlds.document.struct import IfAny, Text, about
 from allworlds.inputs.checks import InputError, a_text, one_of, show
-from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Option, Request, Taken
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
 from allworlds.maps.classes import (
     AND,
     DEFAULT_EDGES,
@@ -282,7 +282,7 @@ class WhereOptions(Request):
     """The part of a request that adds a condition on the maps."""
 
     where: Annotated[
-        Taken[
+        Converted[
             str | Predicate | Condition | Sequence[str | Predicate | Condition] | None,
             Condition | None,
         ],
@@ -292,9 +292,9 @@ class WhereOptions(Request):
             f"Only maps of which that is true: {LEGAL}, or path/to/file.py:predicate, a function "
             "of a map. Of several, each is true: repeat the option.",
             repeated=True,
-            told=Annotated[IfAny[Text | None], about("what besides is true of the maps")],
+            document_type=Annotated[IfAny[Text | None], about("what besides is true of the maps")],
         ),
-    ] = Taken(a_condition, None)
+    ] = Converted(a_condition, None)
 
     @property
     def condition(self) -> Condition | None:
@@ -310,12 +310,12 @@ class LighthouseOptions(Request):
     """The part of a request that names the kind of lighthouse."""
 
     lighthouse: Annotated[
-        Taken[GivenLighthouse | None, LighthouseKind | None],
+        Converted[GivenLighthouse | None, LighthouseKind | None],
         Option(
             SCOPE,
             "KIND",
             f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, {OWN}, or several with + between them "
             "[default: directional, or the one that a built-in explorer is written for].",
-            told=Annotated[Text, about("`KIND[:key=value,...]`")],
+            document_type=Annotated[Text, about("`KIND[:key=value,...]`")],
         ),
-    ] = Taken(_lighthouse, None)
+    ] = Converted(_lighthouse, None)

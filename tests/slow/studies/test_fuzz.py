@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds.engines.effort import TimeIsUp
+from allworlds.engines.limits import TimeIsUp
 from allworlds.studies.fuzz import fuzz, shrink
 
 

@@ -9,21 +9,21 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
 from typing import Annotated, Any, Final, Literal, NamedTuple
 
-from allworlds.document.reading import taken
+from allworlds.document.reading import parse
 from allworlds.document.report import SCHEMA, Paged
 from allworlds.document.struct import (
-    Aside,
     Document,
     FromJson,
     IfAny,
     Natural,
+    NotInDocument,
     about,
     computed,
     read_by,
 )
 from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
-from allworlds.inputs.requests import SCOPE, Argument, Named, Option, Request
+from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.finished_run import Value
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName
@@ -118,9 +118,9 @@ class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
             "the first and the last half, with control characters escaped"
         ),
     ] = ""
-    at: Aside[int | None] = None
-    under: Aside[Rules | None] = None
-    machine: Aside[bool] = False
+    at: NotInDocument[int | None] = None
+    under: NotInDocument[Rules | None] = None
+    machine: NotInDocument[bool] = False
 
     @computed
     def reproduce(self) -> str:
@@ -204,7 +204,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
             raise InputError(f"a finding names its explorer, not {show(explorer)}")
         if law not in PRECEDENCE:
             raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
-        found = taken(document, cls, "finding")
+        found = parse(document, cls, "finding")
         found.rules  # noqa: B018  # wrong options are refused here, and not where they are used
         return found
 
@@ -298,4 +298,4 @@ class FindingWords(Request):
 class FindingOptions(Request, kw_only=False):
     """The part of a request that names a finding."""
 
-    finding: Annotated[Finding, Named(FindingWords, "the finding")]
+    finding: Annotated[Finding, OptionGroup(FindingWords, "the finding")]

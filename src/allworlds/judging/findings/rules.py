@@ -22,9 +22,9 @@ from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, 
 from allworlds.inputs.requests import (
     RARE_RULES,
     RULES,
+    Converted,
     Option,
     Request,
-    Taken,
     as_json,
     fields_of,
     given_again,
@@ -108,30 +108,30 @@ class RuleOptions(Request):
     """
 
     task: Annotated[
-        Taken[str | Judge | Task, Task],
+        Converted[str | Judge | Task, Task],
         Option(
             RULES,
             "TASK",
             f"What counts as done: {one_of(TASKS)}, or path/to/file.py:judge, a function of "
             "(world, transcript, answer): it returns None if all is right, else the fault in "
             "words.",
-            told=Annotated[
+            document_type=Annotated[
                 IfAny[Text | None],
                 about("what counted as done; where it is left out, the map"),
             ],
         ),
-    ] = Taken(task_named, MAP)
+    ] = Converted(task_named, MAP)
     policy: Annotated[
-        Taken[str, str],
+        Converted[str, str],
         Option(
             RARE_RULES,
             "POLICY",
             f"How choices are made where the explorer is free: {one_of([*POLICIES, SEEDED])}.",
-            told=Annotated[Text, about("who answered the explorer's choices")],
+            document_type=Annotated[Text, about("who answered the explorer's choices")],
         ),
-    ] = Taken(_policy, DEFAULT_POLICY)
+    ] = Converted(_policy, DEFAULT_POLICY)
     bound: Annotated[
-        Taken[str | int | Bound | None, Bound | None],
+        Converted[str | int | Bound | None, Bound | None],
         Option(
             RULES,
             "BOUND",
@@ -139,39 +139,39 @@ class RuleOptions(Request):
             "and (2)), or an expression with + - * // **, min and max over paper, n "
             "vertices, m edges, d0 degree of the start, D largest degree, d diameter, g genus "
             "[default: the explorer's own, else the lighthouse's].",
-            told=Annotated[
+            document_type=Annotated[
                 Text,
                 about("the bound on the traversals; `none` where the law was not checked"),
             ],
         ),
-    ] = Taken(_bound, None)
+    ] = Converted(_bound, None)
     laws: Annotated[
-        Taken[Iterable[str] | None, tuple[str, ...] | None],
+        Converted[Iterable[str] | None, tuple[str, ...] | None],
         Option(
             RARE_RULES,
             "LAWS",
             f"Check these alone, with commas: {', '.join(LAWS)} [default: all that apply].",
             parse=law_names,
-            told=Annotated[
+            document_type=Annotated[
                 Different[JudgedLaw],
                 about("the laws that were checked; `task` where the task is none of them"),
             ],
         ),
-    ] = Taken(_laws, None)
+    ] = Converted(_laws, None)
     step_budget: Annotated[
-        Taken[int | None, int | None],
+        Converted[int | None, int | None],
         Option(
             RARE_RULES,
             "B",
             "The most traversals of a run: more break the law 'budget' [default: 8 "
             "times the bound 'paper', plus 100].",
             parse=integer_of,
-            told=Annotated[
+            document_type=Annotated[
                 Positive | None,
                 about("the largest legal number of traversals; null: default"),
             ],
         ),
-    ] = Taken(_step_budget, None)
+    ] = Converted(_step_budget, None)
 
     def rules_of(
         self,
@@ -236,10 +236,12 @@ class Rules(RuleOptions, kw_only=False):
             reports.
     """
 
-    lighthouse: Taken[GivenLighthouse, LighthouseKind] = Taken(lighthouse_kind, Directional.kind)
+    lighthouse: Converted[GivenLighthouse, LighthouseKind] = Converted(
+        lighthouse_kind, Directional.kind
+    )
     _: KW_ONLY
     promised: bool = False
-    own_bound: Taken[str | Bound | None, Bound | None] = Taken(_bound, None)
+    own_bound: Converted[str | Bound | None, Bound | None] = Converted(_bound, None)
     among: Among | None = None
     shared_file: str = ""
 

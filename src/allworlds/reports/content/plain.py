@@ -25,7 +25,7 @@ from allworlds.studies.init import Header, LedgerSkeleton, Skeleton
 from allworlds.studies.status import Standing
 from allworlds.words import duration, number, plural, size
 
-ASIDE = ("schema", "made_by", "verdict", "exit_code")
+NOT_IN_DOCUMENT = ("schema", "made_by", "verdict", "exit_code")
 """Keys that stand in the headline, or are of no use to people."""
 
 
@@ -35,7 +35,7 @@ def plain_content(report: Report) -> ReportContent:
     tables: list[Block] = []
     rows = CsvRows({}, [])
     for key, value in report.to_json().items():
-        if key in ASIDE or value is None:
+        if key in NOT_IN_DOCUMENT or value is None:
             continue
         if isinstance(value, list) and value and all(isinstance(row, dict) for row in value):
             header = [*value[0]]

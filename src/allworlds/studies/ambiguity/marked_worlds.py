@@ -12,11 +12,11 @@ from msgspec.structs import asdict
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    Aside,
     Document,
     Edges,
     IfAny,
     Natural,
+    NotInDocument,
     Text,
     Vertices,
     WhichShard,
@@ -24,9 +24,14 @@ from allworlds.document.struct import (
     computed,
     with_options,
 )
-from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, AskedTime
 from allworlds.engines.engine_table import ReadyEngine
-from allworlds.engines.here import here_or
+from allworlds.engines.here import local_or_dask
+from allworlds.engines.limits import (
+    ClusterOptions,
+    ListenerOptions,
+    RunDirectoryOptions,
+    TimeLimitOptions,
+)
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import (
     SweptReport,
@@ -35,9 +40,9 @@ from allworlds.engines.swept_report import (
     told_scope,
     tried_places,
 )
-from allworlds.engines.units import WHOLE, AskedShard, LevelUnit, SweptLevel
+from allworlds.engines.units import WHOLE, LevelUnit, ShardOptions, SweptLevel
 from allworlds.inputs.checks import InputError, one_of
-from allworlds.inputs.requests import SCOPE, Option, Taken, answers
+from allworlds.inputs.requests import SCOPE, Converted, Option, answers
 from allworlds.maps.canonical import numbering, rooted_code
 from allworlds.maps.classes import Extent, ExtentOptions, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -56,19 +61,25 @@ BATCH = 200
 
 
 class CensusRequest(
-    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, WhereOptions, ExtentOptions
+    ListenerOptions,
+    ClusterOptions,
+    RunDirectoryOptions,
+    TimeLimitOptions,
+    ShardOptions,
+    WhereOptions,
+    ExtentOptions,
 ):
     """Request of ``ambiguity census``: a class, its bounds and the effort."""
 
     lighthouse: Annotated[
-        Taken[GivenLighthouse, LighthouseKind],
+        Converted[GivenLighthouse, LighthouseKind],
         Option(
             SCOPE,
             "KIND",
             f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}.",
-            told=Annotated[Text, about("`KIND[:key=value,...]`")],
+            document_type=Annotated[Text, about("`KIND[:key=value,...]`")],
         ),
-    ] = Taken(tried_kind, Position.kind)
+    ] = Converted(tried_kind, Position.kind)
 
 
 Size: TypeAlias = tuple[int, int]
@@ -274,8 +285,8 @@ class CensusRow(Document, kw_only=True):
     ambiguous_worlds: AmbiguousWorlds = None
     classes: Classes = None
     largest_class: LargestClass = None
-    rooted: Aside[int]
-    counted: Aside[int]
+    rooted: NotInDocument[int]
+    counted: NotInDocument[int]
 
     def agrees(self, *, whole: bool) -> bool:
         """Whether as many rooted maps were met as the source counts; of a shard at most so many."""
@@ -377,7 +388,7 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
     @override
     def ready(self) -> ReadyEngine:
         engine = PartBySensing(self.extent, self.kind)
-        return ReadyEngine(here_or(self.request.cluster, self.deadline), engine)
+        return ReadyEngine(local_or_dask(self.request.cluster, self.deadline), engine)
 
     @override
     def finish(self, level: SweptLevel, total: SensedParts) -> None:

@@ -9,7 +9,7 @@ from typing import Annotated, NamedTuple, Self, TypeAlias
 
 from allworlds.document.report import Report
 from allworlds.document.struct import Document, Natural, Positive, Some, Text, about, computed, key
-from allworlds.engines.effort import AskedListener
+from allworlds.engines.limits import ListenerOptions
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import EFFORT, Option, answers
 from allworlds.maps.canonical import Code, rooted_code
@@ -34,7 +34,7 @@ DEFAULT_LIMIT = 1000
 """The largest class whose members are all made, unless another limit is named."""
 
 
-class ClassRequest(AskedListener, ClassOptions, kw_only=False):
+class ClassRequest(ListenerOptions, ClassOptions, kw_only=False):
     """Request of ``ambiguity class``: a world, and how many members are listed."""
 
     world: Annotated[World | str, WORLD]

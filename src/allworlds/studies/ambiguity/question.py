@@ -9,7 +9,7 @@ from typing import Annotated, NamedTuple
 
 from msgspec import Struct
 
-from allworlds.engines.effort import AskedListener, AskedTime
+from allworlds.engines.limits import ListenerOptions, TimeLimitOptions
 from allworlds.inputs.checks import (
     LARGEST_SIZE,
     InputError,
@@ -36,7 +36,7 @@ def motion_list(text: str) -> tuple[int, ...]:
     return tuple(int(part) for part in text.split(","))
 
 
-class SearchRequest(AskedListener, AskedTime, ClassOptions):
+class SearchRequest(ListenerOptions, TimeLimitOptions, ClassOptions):
     """Request of ``ambiguity search``: the properties of the twins, and the solver."""
 
     lighthouse: Annotated[

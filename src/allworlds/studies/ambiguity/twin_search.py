@@ -13,9 +13,9 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    Aside,
     Document,
     Natural,
+    NotInDocument,
     Pair as Two,
     Positive,
     Text,
@@ -25,7 +25,7 @@ from allworlds.document.struct import (
     one_of,
     replace,
 )
-from allworlds.engines.effort import deadline_after
+from allworlds.engines.limits import deadline_after
 from allworlds.engines.progress import Listener
 from allworlds.engines.swept_report import EndedReport
 from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
@@ -87,10 +87,10 @@ class Searched(Document):
     status: Annotated[Status, about("the solver's answer to this formula")]
     formula: Annotated[Path, about("the path of the DIMACS file")]
     proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")]
-    sizes: Aside[Sizes]
-    seconds: Aside[float]
-    same_map: Aside[tuple[Twins, ...]] = ()
-    twins: Aside[Twins | None] = None
+    sizes: NotInDocument[Sizes]
+    seconds: NotInDocument[float]
+    same_map: NotInDocument[tuple[Twins, ...]] = ()
+    twins: NotInDocument[Twins | None] = None
 
     @computed
     def edges(self) -> Two[Positive]:
@@ -123,7 +123,7 @@ class SearchResult(EndedReport, kw_only=True):
     directory: Annotated[Path, about("the directory of the formulas")]
     levels: Annotated[tuple[Searched, ...], about("in the order of the search")]
     notices: Annotated[tuple[Text, ...], about("sentences for the reader")]
-    question: Aside[Question]
+    question: NotInDocument[Question]
 
     @computed
     def lighthouse(self) -> Annotated[str, one_of(*SEARCHED)]:

@@ -13,10 +13,10 @@ from typing_extensions import override
 
 from allworlds.document.report import Report
 from allworlds.document.struct import (
-    Aside,
     Document,
     Figure,
     Natural,
+    NotInDocument,
     Positive,
     Seconds,
     Text,
@@ -24,7 +24,6 @@ from allworlds.document.struct import (
     computed,
     replace,
 )
-from allworlds.engines.effort import ClusterLost, TimeIsUp
 from allworlds.engines.engine_table import (
     ENGINES,
     EngineKind,
@@ -35,8 +34,9 @@ from allworlds.engines.engine_table import (
     why_not_compiled,
 )
 from allworlds.engines.job_records import Identity
+from allworlds.engines.limits import ClusterLost, TimeIsUp
 from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import Listener, Once, Silent
+from allworlds.engines.progress import Listener, NoticeOnce, Silent
 from allworlds.engines.scope import Given, Scope
 from allworlds.engines.single import subject_of
 from allworlds.engines.tally import EnginesDisagree, Tally
@@ -57,7 +57,7 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, Verdict
 from allworlds.studies.check.report import CheckReport, GateCell, count_gate, missing_witnesses
-from allworlds.studies.check.requests import CheckRequest, EstimateRequest
+from allworlds.studies.check.requests import CheckRequest
 from allworlds.studies.check.tally_sweep import (
     UNREPEATED,
     TallySweep,
@@ -137,8 +137,8 @@ def check(request: CheckRequest) -> CheckReport:
     return sweep.answer(run)
 
 
-@answers(EstimateRequest)
-def estimate(request: EstimateRequest) -> TimeEstimate:
+@answers(CheckRequest)
+def estimate(request: CheckRequest) -> TimeEstimate:
     """Estimate the duration of :func:`check` with these options, from a sample of some seconds.
 
     And with one edge more, by the engine that would do it.
@@ -146,7 +146,7 @@ def estimate(request: EstimateRequest) -> TimeEstimate:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    heard = replace(request, listener=Once(request.listener))
+    heard = replace(request, listener=NoticeOnce(request.listener))
     job, chosen = _job(heard)
     guess, larger = estimated(job, chosen), tuple[Guess, ...]()
     if guess.rate and (extent := one_larger(job)):
@@ -158,7 +158,7 @@ def estimate(request: EstimateRequest) -> TimeEstimate:
     return TimeEstimate(explorer=job.subject.name, larger=larger, counted=counted, **first)
 
 
-def _job(request: EstimateRequest, keep: int = 1) -> tuple[Job, EngineKind]:
+def _job(request: CheckRequest, keep: int = 1) -> tuple[Job, EngineKind]:
     """The job of a request, and the engine for it."""
     limits, notice = request.limits, request.listener.notice
     subject = subject_of(request.explore, limits)
@@ -171,7 +171,7 @@ def _job(request: EstimateRequest, keep: int = 1) -> tuple[Job, EngineKind]:
     return job, engine_for(request.engine, scope, subject, limits.memory)
 
 
-def _scope(request: EstimateRequest, subject: Subject) -> Scope:
+def _scope(request: CheckRequest, subject: Subject) -> Scope:
     """The scope of a request: every world of an extent, or the given ones."""
     if not isinstance(request, CheckRequest) or request.worlds is None:
         return Scope(request.extent, request.rules(subject), request.schedules, request.shard)
@@ -376,7 +376,7 @@ class TimeEstimate(Report, _Lasting):
     sampled: Sampled
     rate: Rate
     larger: Annotated[tuple[Guess, ...], about("the same check with more edges")]
-    counted: Aside[bool] = True
+    counted: NotInDocument[bool] = True
 
 
 def _plays(job: Job, engine: EngineKind) -> str:

@@ -8,12 +8,12 @@ from typing import Annotated, Any, Literal, TypeAlias
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    Aside,
     Different,
     Document,
     Edges,
     IfAny,
     Natural,
+    NotInDocument,
     Positive,
     Text,
     Vertices,
@@ -22,9 +22,9 @@ from allworlds.document.struct import (
     computed,
     with_options,
 )
-from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import EngineName
 from allworlds.engines.lane import GOES_BY_HASHES
+from allworlds.engines.limits import Limits
 from allworlds.engines.scope import Given, Sample, Scope
 from allworlds.engines.single import SingleRun, single_run, subject_of
 from allworlds.engines.swept_report import (
@@ -176,14 +176,14 @@ class CheckReport(EndedReport):
 
     explorer: Annotated[Text, about("its name")]
     engine: Annotated[EngineName, about("the engine that ran")]
-    asked: Aside[Scope]
-    request: Aside[Any]
-    extent: Aside[Extent]
-    tally: Aside[Tally]
-    levels: Aside[tuple[int, ...]]
-    cells: Aside[tuple[GateCell, ...]] = ()
-    past: Aside[UserCorpus | None] = None
-    symmetry: Aside[str] = ""
+    asked: NotInDocument[Scope]
+    request: NotInDocument[Any]
+    extent: NotInDocument[Extent]
+    tally: NotInDocument[Tally]
+    levels: NotInDocument[tuple[int, ...]]
+    cells: NotInDocument[tuple[GateCell, ...]] = ()
+    past: NotInDocument[UserCorpus | None] = None
+    symmetry: NotInDocument[str] = ""
 
     @computed
     def verdict(self) -> Verdict:

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Annotated, TypeAlias
 
 from allworlds.document.struct import Bounded, IfAny, about, replace
-from allworlds.engines.effort import AskedCluster, AskedDirectory, AskedListener, Limits
-from allworlds.engines.units import AskedShard
-from allworlds.explorers.asked import AskedExplorer
+from allworlds.engines.limits import ClusterOptions, Limits, ListenerOptions, RunDirectoryOptions
+from allworlds.engines.units import ShardOptions
+from allworlds.explorers.asked import ExplorerOptions
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import files_of_explorer
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
-from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Option, Taken
+from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Converted, Option
 from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
 from allworlds.protocol.choices import Schedule, a_schedule
@@ -38,7 +38,7 @@ def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
     return next((file.name for file in files if file in theirs), "")
 
 
-class ManyWorlds(AskedListener, Limits, RuleOptions, LighthouseOptions, ClassOptions):
+class ManyWorlds(ListenerOptions, Limits, RuleOptions, LighthouseOptions, ClassOptions):
     """Many worlds of a class, under rules, with an effort."""
 
     def rules(self, subject: Subject) -> Rules:
@@ -55,10 +55,6 @@ class ManyWorlds(AskedListener, Limits, RuleOptions, LighthouseOptions, ClassOpt
         return replace(rules, shared_file=shared_file(subject.name, rules, where))
 
 
-class ManyRuns(ManyWorlds, AskedExplorer):
-    """Options for an explorer that is run in many worlds."""
-
-
 def _max_findings(given: object) -> int:
     number = an_integer("max-findings", given)
     if number < 1:
@@ -66,8 +62,16 @@ def _max_findings(given: object) -> int:
     return number
 
 
-class EstimateRequest(AskedCluster, ManyRuns, AskedShard, WhereOptions, ExtentOptions):
-    """Which check is meant, and with what effort: that is done, or its time guessed."""
+class CheckRequest(
+    RunDirectoryOptions,
+    ClusterOptions,
+    ManyWorlds,
+    ExplorerOptions,
+    ShardOptions,
+    WhereOptions,
+    ExtentOptions,
+):
+    """Request of ``check``: an explorer, worlds, rules and limits."""
 
     edges: Annotated[
         int | None,
@@ -76,18 +80,18 @@ class EstimateRequest(AskedCluster, ManyRuns, AskedShard, WhereOptions, ExtentOp
             "M",
             f"At most M edges (default, unless --vertices is given: {DEFAULT_EDGES}).",
             parse=integer_of,
-            told=Bounded,
+            document_type=Bounded,
         ),
     ] = None
     schedules: Annotated[
-        Taken[str, Schedule],
+        Converted[str, Schedule],
         Option(
             RARE_RULES,
             "one|all",
             "all: every sequence of choices, for an explorer that takes choices.",
-            told=Annotated[Schedule, about("the policy's, or every sequence of choices")],
+            document_type=Annotated[Schedule, about("the policy's, or every sequence of choices")],
         ),
-    ] = Taken(a_schedule, "one")
+    ] = Converted(a_schedule, "one")
     engine: Annotated[
         str,
         Option(
@@ -96,6 +100,31 @@ class EstimateRequest(AskedCluster, ManyRuns, AskedShard, WhereOptions, ExtentOp
             "python judges in Python, kernel in compiled code; auto takes the faster one that can.",
         ),
     ] = "auto"
+
+    worlds: Annotated[
+        Iterable[World] | None,
+        "Worlds to be tried, each once with its own lighthouse, in place of every world of the "
+        "class; they are counted by no source.",
+    ] = None
+
+    max_findings: Annotated[
+        Converted[int, int],
+        Option(
+            RARE_EFFORT,
+            "K",
+            "Stop after the level with the K-th finding (the smallest of each law and map counts).",
+            parse=integer_of,
+        ),
+    ] = Converted(_max_findings, 1)
+    corpus: Annotated[
+        str | Path | None,
+        Option(
+            RARE_EFFORT,
+            "DIR",
+            "A directory of findings, which are tried first; new ones are added to it.",
+            apart=True,
+        ),
+    ] = None
 
     @property
     def extent(self) -> Extent:
@@ -107,32 +136,3 @@ class EstimateRequest(AskedCluster, ManyRuns, AskedShard, WhereOptions, ExtentOp
         unbounded = self.edges is None and self.vertices is None
         edges = DEFAULT_EDGES if unbounded else self.edges
         return Extent(self.map_class, edges, self.vertices, self.where)
-
-
-class CheckRequest(AskedDirectory, EstimateRequest):
-    """Request of ``check``: an explorer, worlds, rules and effort."""
-
-    worlds: Annotated[
-        Iterable[World] | None,
-        "Worlds to be tried, each once with its own lighthouse, in place of every world of the "
-        "class; they are counted by no source.",
-    ] = None
-
-    max_findings: Annotated[
-        Taken[int, int],
-        Option(
-            RARE_EFFORT,
-            "K",
-            "Stop after the level with the K-th finding (the smallest of each law and map counts).",
-            parse=integer_of,
-        ),
-    ] = Taken(_max_findings, 1)
-    corpus: Annotated[
-        str | Path | None,
-        Option(
-            RARE_EFFORT,
-            "DIR",
-            "A directory of findings, which are tried first; new ones are added to it.",
-            apart=True,
-        ),
-    ] = None

@@ -19,11 +19,11 @@ from typing_extensions import override
 
 from allworlds.document.struct import Document, IfAny, Text, about, replace
 from allworlds.engines.comparison import nondeterministic
-from allworlds.engines.effort import Limits
 from allworlds.engines.engine_table import Job
 from allworlds.engines.examiner import LOST
 from allworlds.engines.job_records import Records, canonical, from_kept
 from allworlds.engines.lanes import workers_for
+from allworlds.engines.limits import Limits
 from allworlds.engines.scope import GivenWorlds, Scope
 from allworlds.engines.single import played_again
 from allworlds.engines.sweep import Sweep

@@ -12,11 +12,11 @@ from typing import Annotated, Any
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    Aside,
     Document,
     Edges,
     Figure,
     Natural,
+    NotInDocument,
     Positive,
     Vertices,
     about,
@@ -99,9 +99,9 @@ class Comparison(ContestReport):
     differ_most: Annotated[
         DifferMost | None, about("null: nothing was compared, or nothing differs")
     ]
-    member: Aside[Member | None]
-    all_counted: Aside[bool]
-    in_worlds: Aside[tuple[InWorld, ...]] = ()
+    member: NotInDocument[Member | None]
+    all_counted: NotInDocument[bool]
+    in_worlds: NotInDocument[tuple[InWorld, ...]] = ()
 
     @property
     @override

@@ -15,9 +15,9 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    Aside,
     Document,
     Natural,
+    NotInDocument,
     Positive,
     Some,
     Text,
@@ -27,27 +27,34 @@ from allworlds.document.struct import (
     replace,
     with_options,
 )
-from allworlds.engines.effort import AskedCluster, AskedDirectory
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
 from allworlds.engines.examiner import Outcome
 from allworlds.engines.job_records import from_kept
+from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions
 from allworlds.engines.scope import Scope, UnitOfRuns
 from allworlds.engines.single import subject_of
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import (
-    AskedRows,
     By,
+    RowOptions,
     SweptReport,
     TriedPlaces,
     told_scope,
     tried_places,
 )
 from allworlds.engines.tally import RunCounter, Tally
-from allworlds.engines.units import WHOLE, AskedShard, PartialResult, Portion, SweptLevel, Transport
+from allworlds.engines.units import (
+    WHOLE,
+    PartialResult,
+    Portion,
+    ShardOptions,
+    SweptLevel,
+    Transport,
+)
 from allworlds.explorers.asked import ExplorersWords
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
-from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Named, Option, Taken
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps.classes import Extent, ExtentOptions
@@ -78,7 +85,7 @@ class ContestWorldsOptions(WhereOptions, ExtentOptions):
     """
 
     family: Annotated[
-        Taken[str | Sequence[str] | None, tuple[str, ...] | None],
+        Converted[str | Sequence[str] | None, tuple[str, ...] | None],
         Option(
             SCOPE,
             "F[,F...]",
@@ -86,12 +93,12 @@ class ContestWorldsOptions(WhereOptions, ExtentOptions):
             "lattice, torus, strip, dense (without 10% of its edges), cubic, regular:D, random "
             "(twice as many edges as vertices), bouquet, lollipop:D, prism, thick:D, cover, "
             "corridor.",
-            told=Annotated[
+            document_type=Annotated[
                 Some[Text] | None,
                 about("the families; with `to` null one, of which one world; null: a class"),
             ],
         ),
-    ] = Taken(_families, None)
+    ] = Converted(_families, None)
     holes: Annotated[str | None, HOLES] = None
     seed: Annotated[
         int | None,
@@ -101,7 +108,7 @@ class ContestWorldsOptions(WhereOptions, ExtentOptions):
             "The seed for worlds drawn from a family; with --to of the first world of a size, the "
             "others have the next ones [default: 0; with --to 1].",
             parse=integer_of,
-            told=Annotated[
+            document_type=Annotated[
                 Natural | None,
                 about("of the world of a family, or of the first of each size; null: a class"),
             ],
@@ -114,7 +121,7 @@ class ContestWorldsOptions(WhereOptions, ExtentOptions):
             "M",
             "Worlds of the families up to M edges.",
             parse=integer_of,
-            told=Annotated[
+            document_type=Annotated[
                 Positive | None, about("the most edges of worlds that grow; null: they do not")
             ],
         ),
@@ -126,7 +133,7 @@ class ContestWorldsOptions(WhereOptions, ExtentOptions):
             "K",
             "With --to: seeds of each size; isomorphic worlds count once [default: 10].",
             parse=integer_of,
-            told=Annotated[
+            document_type=Annotated[
                 Positive | None, about("seeds of each size; null: worlds that do not grow")
             ],
         ),
@@ -139,7 +146,7 @@ class ContestWorldsOptions(WhereOptions, ExtentOptions):
             "With --to: places of the lighthouse in each world; of more, such as the directions "
             "of a marker, P are drawn by the seed [default: 8].",
             parse=integer_of,
-            told=Annotated[
+            document_type=Annotated[
                 Positive | None,
                 about("at most so many places in a world; null: worlds that do not grow"),
             ],
@@ -148,13 +155,13 @@ class ContestWorldsOptions(WhereOptions, ExtentOptions):
 
 
 class CompareRequest(
-    AskedRows, AskedDirectory, AskedCluster, ManyWorlds, AskedShard, ContestWorldsOptions
+    RowOptions, RunDirectoryOptions, ClusterOptions, ManyWorlds, ShardOptions, ContestWorldsOptions
 ):
     """Explorers, and the worlds in which they are compared."""
 
     explorers: Annotated[
         Sequence[str | Callable[..., Any]],
-        Named(
+        OptionGroup(
             ExplorersWords,
             "names, as on the command line, or generator functions; two or more, with ``to`` one "
             "or more.",
@@ -359,8 +366,8 @@ class ContestReport(SweptReport, kw_only=True):
     findings: Annotated[
         tuple[Finding, ...], about("the smallest of each explorer that broke a law")
     ] = ()
-    entrants: Aside[tuple[Entrant, ...]]
-    by: Aside[By | None] = None
+    entrants: NotInDocument[tuple[Entrant, ...]]
+    by: NotInDocument[By | None] = None
 
     @computed
     def verdict(self) -> Verdict:

@@ -13,10 +13,10 @@ from msgspec import Struct
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    Aside,
     Document,
     Figure,
     Natural,
+    NotInDocument,
     Pair,
     Positive,
     Some,
@@ -289,7 +289,7 @@ class Growth(ContestReport, kw_only=True):
 
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
     left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
-    families: Aside[tuple[str, ...]]
+    families: NotInDocument[tuple[str, ...]]
 
     @computed
     def ratios(self) -> tuple[CostRatio, ...]:

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, cast, get_args
 from typing_extensions import override
 
 from allworlds.document.struct import (
-    Aside,
     Document,
     Edges,
     Natural,
+    NotInDocument,
     Positive,
     Text,
     Vertices,
@@ -21,25 +21,25 @@ from allworlds.document.struct import (
     with_options,
 )
 from allworlds.engines.dask import Dask
-from allworlds.engines.effort import (
-    AskedCluster,
-    AskedDirectory,
-    AskedListener,
-    AskedTime,
-    AskedWorkers,
-    Limits,
-)
 from allworlds.engines.engine_table import COMPILER, ReadyEngine
 from allworlds.engines.here import Threads
+from allworlds.engines.limits import (
+    ClusterOptions,
+    Limits,
+    ListenerOptions,
+    RunDirectoryOptions,
+    TimeLimitOptions,
+    WorkerOptions,
+)
 from allworlds.engines.single import SingleRun, single_run
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import SweptReport, ToldGate, told_scope
-from allworlds.engines.units import WHOLE, AskedShard, SweptLevel, cells_of_level
+from allworlds.engines.units import WHOLE, ShardOptions, SweptLevel, cells_of_level
 from allworlds.explorers.asked import DEFAULT_EXPLORER
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import Subject, load
 from allworlds.inputs.checks import InputError, an_integer, ensure_installed, integer_of, show
-from allworlds.inputs.requests import RULES, SCOPE, Argument, Option, Request, Taken, answers
+from allworlds.inputs.requests import RULES, SCOPE, Argument, Converted, Option, Request, answers
 from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
@@ -86,47 +86,49 @@ class Algorithm1Option(Request, kw_only=False):
     """The part of a request of ``worst`` that may be given by its place."""
 
     explore: Annotated[
-        Taken[str | Callable[..., Any], str],
+        Converted[str | Callable[..., Any], str],
         Argument(
             "",
             "[EXPLORER]",
             "algorithm1; the costs of any other explorer are in the rows of check EXPLORER "
             "--schedules all.",
         ),
-    ] = Taken(_algorithm1, DEFAULT_EXPLORER)
+    ] = Converted(_algorithm1, DEFAULT_EXPLORER)
 
 
 class WorstRequest(
-    AskedListener,
-    AskedCluster,
-    AskedDirectory,
-    AskedTime,
-    AskedWorkers,
-    AskedShard,
+    ListenerOptions,
+    ClusterOptions,
+    RunDirectoryOptions,
+    TimeLimitOptions,
+    WorkerOptions,
+    ShardOptions,
     ClassOptions,
     Algorithm1Option,
 ):
     """Request of ``worst``: the worlds and the effort."""
 
     edges: Annotated[
-        Taken[int, int],
+        Converted[int, int],
         Option(
             SCOPE,
             "M",
             "At most M edges.",
             parse=integer_of,
-            told=Annotated[Positive, about("at most so many")],
+            document_type=Annotated[Positive, about("at most so many")],
         ),
-    ] = Taken(_edges, DEFAULT_EDGES)
+    ] = Converted(_edges, DEFAULT_EDGES)
     transit: Annotated[
-        Taken[str, Transit],
+        Converted[str, Transit],
         Option(
             RULES,
             "|".join(get_args(Transit)),
             "How Algorithm 1 goes to the next edge: on a shortest or on any simple path.",
-            told=Annotated[Transit, about("the paths by which Algorithm 1 goes to the next edge")],
+            document_type=Annotated[
+                Transit, about("the paths by which Algorithm 1 goes to the next edge")
+            ],
         ),
-    ] = Taken(_transit, "simple")
+    ] = Converted(_transit, "simple")
 
 
 class WorstRow(Document):
@@ -150,7 +152,7 @@ class WorstRow(Document):
     replayed: Annotated[
         Natural | None, about("their cost in the Python engine; null: a law was broken")
     ]
-    counted: Aside[int | None]
+    counted: NotInDocument[int | None]
 
     @property
     def agrees(self) -> bool:
@@ -184,9 +186,9 @@ class WorstReport(SweptReport, kw_only=True):
 
     rows: Annotated[tuple[WorstRow, ...], about("one for each (edges, vertices), ascending")]
     findings: Annotated[tuple[Finding, ...], about("always empty: `wrong_tests` counts")] = ()
-    subject: Aside[Subject]
-    rules: Aside[Rules]
-    disagreement: Aside[str] = ""
+    subject: NotInDocument[Subject]
+    rules: NotInDocument[Rules]
+    disagreement: NotInDocument[str] = ""
 
     @computed
     def explorer(self) -> Text:

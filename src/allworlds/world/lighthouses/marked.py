@@ -10,7 +10,7 @@ from typing import Annotated, Any, ClassVar, Self
 
 from typing_extensions import override
 
-from allworlds.document.struct import Aside, IfAny, Some, about
+from allworlds.document.struct import IfAny, NotInDocument, Some, about
 from allworlds.inputs.checks import are_plain, show
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
@@ -316,7 +316,7 @@ class Labels(AtEveryVertex):
     darts: Annotated[
         Some[Dart], about("the reference dart of each vertex, in the order of their numbers")
     ]
-    numbers: Aside[tuple[int, ...]] = ()
+    numbers: NotInDocument[tuple[int, ...]] = ()
 
     kind: ClassVar[str] = "labels"
     sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE_NUMBERED, bearing=True)

@@ -10,7 +10,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias, get_args, get_origin, ge
 
 from msgspec import Meta
 
-from allworlds.document.struct import ASIDE, IF_ANY
+from allworlds.document.struct import IF_ANY, NOT_IN_DOCUMENT
 from allworlds.inputs.checks import InputError, integer, show
 from allworlds.protocol.importing import pairs_in
 
@@ -115,7 +115,7 @@ def options_of(kind: Any) -> dict[str, FieldOption]:
 
 def _option(field: Any, hint: Any) -> FieldOption | None:
     notes = getattr(hint, "__metadata__", ())
-    of_place = field.name in PLACE or ASIDE in notes
+    of_place = field.name in PLACE or NOT_IN_DOCUMENT in notes
     if of_place or not field.init or type(field.default) not in (int, str, bool, tuple):
         return None
     limits = (note for note in notes if isinstance(note, Meta) and note.ge is not None)
@@ -229,4 +229,4 @@ def place_keys(kind: Any) -> tuple[str, ...]:
         return tuple(each.name for each in fields(kind) if each.name not in options_of(kind))
     hints = get_type_hints(kind, include_extras=True)
     notes = {key: getattr(hint, "__metadata__", ()) for key, hint in hints.items()}
-    return tuple(each.name for each in fields(kind) if ASIDE not in notes[each.name])
+    return tuple(each.name for each in fields(kind) if NOT_IN_DOCUMENT not in notes[each.name])

@@ -14,7 +14,7 @@ from msgspec import Struct
 
 from allworlds.engines.progress import NOBODY, Listener
 from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
-from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Option, Request, Taken, values_of
+from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request, values_of
 from allworlds.outcome import NoResult
 from allworlds.protocol.faults import ANSWER_TIMEOUT
 
@@ -78,31 +78,31 @@ def _seconds(about: str, panel: str = RARE_EFFORT) -> Option:
     return Option(panel, "S", about, parse=seconds_of, apart=True)
 
 
-class AskedPatience(Request):
+class TimeoutOptions(Request):
     """The part of a request that says how long explorers are waited for."""
 
     answer_timeout: Annotated[
-        Taken[float, float],
+        Converted[float, float],
         Option(
             RARE_EFFORT, "S", "Seconds of silence that break the law 'timeout'.", parse=seconds_of
         ),
-    ] = Taken(_positive("answer-timeout"), ANSWER_TIMEOUT)
+    ] = Converted(_positive("answer-timeout"), ANSWER_TIMEOUT)
     start_timeout: Annotated[
-        Taken[float, float],
+        Converted[float, float],
         _seconds("Seconds in which an explorer must be imported, or a library loaded."),
-    ] = Taken(_positive("start-timeout"), START_TIMEOUT)
+    ] = Converted(_positive("start-timeout"), START_TIMEOUT)
 
     @property
     def patience(self) -> Limits:
         """The time-outs of this request, as limits."""
-        return Limits(**values_of(AskedPatience, self))
+        return Limits(**values_of(TimeoutOptions, self))
 
 
-class AskedWorkers(Request):
+class WorkerOptions(Request):
     """The part of a request that names the number of workers."""
 
     workers: Annotated[
-        Taken[int, int],
+        Converted[int, int],
         Option(
             RARE_EFFORT,
             "N|auto",
@@ -111,19 +111,19 @@ class AskedWorkers(Request):
             default="auto",
             apart=True,
         ),
-    ] = Taken(_positive("workers"), 1)
+    ] = Converted(_positive("workers"), 1)
 
 
-class AskedTime(Request):
+class TimeLimitOptions(Request):
     """The part of a request that names the time limit."""
 
     time_limit: Annotated[
-        Taken[float | None, float | None],
+        Converted[float | None, float | None],
         _seconds("Stop after S seconds, and report what is finished.", EFFORT),
-    ] = Taken(_positive("time-limit"), None)
+    ] = Converted(_positive("time-limit"), None)
 
 
-class Limits(AskedTime, AskedWorkers, AskedPatience):
+class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
     """The limits of the effort of many runs.
 
     Raises:
@@ -131,14 +131,14 @@ class Limits(AskedTime, AskedWorkers, AskedPatience):
     """
 
     memory: Annotated[
-        Taken[int | None, int | None],
+        Converted[int | None, int | None],
         Option(
             RARE_EFFORT,
             "MB",
             "Address space of each worker process; the kernel engine has none.",
             parse=integer_of,
         ),
-    ] = Taken(_positive("memory"), None)
+    ] = Converted(_positive("memory"), None)
 
     @property
     def limits(self) -> Limits:
@@ -150,16 +150,16 @@ class Limits(AskedTime, AskedWorkers, AskedPatience):
         return deadline_after(self.time_limit)
 
 
-class AskedListener(Request):
+class ListenerOptions(Request):
     """The part of a request that names the listener."""
 
     listener: Annotated[
-        Taken[Listener | None, Listener],
+        Converted[Listener | None, Listener],
         "is told of the progress; by default nobody",
-    ] = Taken(lambda listener: listener or NOBODY, None)
+    ] = Converted(lambda listener: listener or NOBODY, None)
 
 
-class AskedDirectory(Request):
+class RunDirectoryOptions(Request):
     """The part of a request that names the run directory."""
 
     run: Annotated[
@@ -200,22 +200,22 @@ class DaskCluster(Struct, frozen=True):
         return f"the Dask scheduler {self.address}"
 
 
-class AskedCluster(Request):
+class ClusterOptions(Request):
     """The part of a request that names the cluster."""
 
     dask: Annotated[
-        Taken[str | None, str | None],
+        Converted[str | None, str | None],
         Option(
             RARE_EFFORT,
             "ADDRESS|local",
             "Do the work on the workers of this Dask scheduler (extra: distributed).",
             apart=True,
         ),
-    ] = Taken(_scheduler, None)
+    ] = Converted(_scheduler, None)
     dask_timeout: Annotated[
-        Taken[float, float],
+        Converted[float, float],
         _seconds("Give up a Dask worker or scheduler that is silent for S seconds."),
-    ] = Taken(_positive("dask-timeout"), DASK_TIMEOUT)
+    ] = Converted(_positive("dask-timeout"), DASK_TIMEOUT)
 
     @property
     def cluster(self) -> DaskCluster | None:
