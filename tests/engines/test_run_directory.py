@@ -12,7 +12,6 @@ from allworlds import check
 from allworlds.document.struct import replace
 from allworlds.engines import run_directory
 from allworlds.engines.job_records import Identity
-from allworlds.engines.progress import Silent
 from allworlds.engines.run_directory import FILE, SCHEMA, checksum, reading, records_in
 from allworlds.inputs.checks import InputError
 
@@ -223,32 +222,6 @@ def test_a_flipped_byte_is_detected_or_harms_nothing(tmp_path):
             assert again == whole
             assert place not in inside
     assert len(inside) <= refused < len(inside) + len(anywhere)
-
-
-@pytest.mark.usefixtures("compiled")
-def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
-    said = []
-    whole = check(edges=4, engine="kernel").to_json()
-    real = run_directory._write_ahead
-
-    def small(connection):
-        real(connection)
-        connection.execute("PRAGMA max_page_count = 7")
-
-    class Hears(Silent):
-        notice = staticmethod(said.append)
-
-    monkeypatch.setattr(run_directory, "_write_ahead", small)
-    assert check(edges=4, engine="kernel", run=tmp_path, listener=Hears()).to_json() == whole
-    (line,) = [text for text in said if "run directory" in text]
-    assert "takes no more: database or disk is full; what it holds is kept" in line
-    with reading(tmp_path) as read:
-        kept = read.keys()
-    assert 0 < len(kept) < 20
-    monkeypatch.setattr(run_directory, "_write_ahead", real)
-    assert check(edges=4, engine="kernel", run=tmp_path).to_json() == whole
-    with reading(tmp_path) as read:
-        assert set(kept) < set(read.keys())
 
 
 def test_a_file_that_cannot_be_read_is_left_closed(finished, monkeypatch):

@@ -40,24 +40,6 @@ def test_each_source_counts_what_is_enumerated(name, map_class):
             assert source.cells(edges) == cells
 
 
-@pytest.mark.no_cover
-@pytest.mark.parametrize(
-    ("name", "map_class", "edges"),
-    [
-        *(("cubic", map_class, 9) for map_class in MapClass),
-        *(("triangulation", map_class, 9) for map_class in MapClass),
-        *(("regular:4", map_class, 8) for map_class in MapClass),
-        *(("quadrangulation", map_class, 8) for map_class in MapClass),
-        *(("trees", map_class, 8) for map_class in MapClass),
-    ],
-)
-def test_narrow_classes_are_counted_far_beyond_the_others(name, map_class, edges):
-    met = sum(1 for _ in rooted_maps(edges, map_class, where=condition_named(name)))
-    if source := source_under(map_class, name):
-        assert sum(source.cells(edges).values()) == met
-    assert (met > 0) == ((name, "simple" in map_class) != ("regular:4", True))
-
-
 @pytest.mark.parametrize(("name", "legal"), [("cubic", {3}), ("eulerian", {*range(2, 99, 2)})])
 def test_maps_of_these_degrees_are_as_many_by_contraction(name, legal):
     for m in range(1, 7):

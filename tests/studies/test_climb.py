@@ -45,21 +45,6 @@ def report():
     return compare("algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, worlds=2)
 
 
-@pytest.mark.no_cover
-def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
-    for row in report.rows:
-        for one in row.members:
-            map_ = one.map()
-            assert (map_.edge_count, map_.vertex_count) == (row.edges, row.vertices)
-            text, seed = one.name.split(" --seed ")
-            assert map_of_family(text, None, int(seed)) == map_
-            places = [*Directional.places(map_, 0)]
-            assert len(places) == one.places
-            for place, cost in zip(one.ran, one.costs, strict=True):
-                world = World(map_, places[place])
-                assert run(row.explorer, world).outcome.cost == cost
-
-
 def hesitates(first):
     """Algorithm 1, but first there and back as often as the bearing says."""
     for _ in range(2 * first.bearing):

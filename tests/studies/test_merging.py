@@ -1,14 +1,12 @@
 """Shards of a job, merged, are equal to the whole job."""
 
-import json
-
 import pytest
 
 import allworlds
 from allworlds.engines.progress import Silent
 from allworlds.engines.run_directory import Gap
 from allworlds.inputs.checks import InputError
-from kept_jobs import EXPLORERS, JOBS
+from kept_jobs import EXPLORERS
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -21,38 +19,6 @@ def sharded(report, command, directory, shards):
     return runs, {
         report(command, "--shard", f"{k}/{shards}", "--run", run)[0] for k, run in enumerate(runs)
     }
-
-
-@pytest.mark.no_cover
-@pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize(("name", "shards"), [*((name, 3) for name in JOBS), ("check", 1)])
-def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path):
-    code, whole, _ = report(JOBS[name])
-    runs, codes = sharded(report, JOBS[name], tmp_path, shards)
-    assert codes <= {0, code}
-    merged, said, _ = report("merge", *reversed(runs))
-    # Byte for byte, and so in the same order.
-    assert (merged, json.dumps(said)) == (code, json.dumps(whole))
-
-
-@pytest.mark.no_cover
-@pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize(
-    ("worlds", "by"),
-    [
-        ({"edges": 3}, "size"),
-        ({"edges": 2}, "world"),
-        ({"family": "strip", "to": 30, "worlds": 3}, "size"),
-        ({"family": "strip", "to": 20, "worlds": 2}, "run"),
-    ],
-)
-def test_a_merge_has_the_rows_that_the_whole_has(worlds, by, tmp_path):
-    runs = [tmp_path / str(k) for k in range(2)]
-    for k, run in enumerate(runs):
-        allworlds.compare("folding-oldest", "algorithm1", **worlds, shard=(k, 2), run=run)
-    whole = allworlds.compare("folding-oldest", "algorithm1", **worlds, by=by).records()
-    assert allworlds.merge(*runs, by=by).records() == whole
-    assert len(whole) > 2
 
 
 def test_rows_are_chosen_for_jobs_that_have_them(refused, tmp_path):

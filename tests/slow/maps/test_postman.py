@@ -2,9 +2,19 @@
 
 import pytest
 
+from allworlds.maps import covering_walk, family
 from maps import test_postman as quick
+from maps.test_postman import searched
 
 
 @pytest.mark.parametrize("edges", [4])
 def test_no_walk_along_every_edge_is_shorter_and_one_is_so_long(edges):
     quick.test_no_walk_along_every_edge_is_shorter_and_one_is_so_long(edges)
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("text", ["lattice:3x3", "cubic:6", "thick:4x3", "random:9"])
+def test_it_is_so_in_larger_worlds_whatever_the_start(text):
+    map_ = family(text, seed=2)
+    found = [covering_walk(map_, dart) for dart in map_.darts]
+    assert found == [searched(map_, dart) for dart in map_.darts]
