@@ -116,7 +116,6 @@ def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, 
     assert apart == ([] if kept else ["algorithm1"])
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["right", "planted"])
 def test_both_judges_of_a_users_explorer_count_and_find_the_same(name):
     compiled, general = (
