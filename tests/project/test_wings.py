@@ -490,8 +490,7 @@ def test_a_process_that_only_plays_loads_neither_judges_nor_worlds():
     own = {inner(name) for name in loaded if inner(name)}
     assert not {name for name in own if wing(name) in ("judging", "world", "studies")}
     explorers = {name for name in own if wing(name) == "explorers"}
-    others = {name for name in explorers if not within(name, ["explorers.builtin"])}
-    assert others == {"explorers", "explorers.loading"}
+    assert explorers == {"explorers", "explorers.loading"}
 
 
 def test_a_command_that_lets_others_judge_loads_no_compiled_code():

@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any, overload
 from msgspec import Struct
 from msgspec.structs import replace
 
-from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
 from allworlds.inputs.checks import InputError, show
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.choices import Choices
@@ -36,6 +35,7 @@ from allworlds.protocol.player import Player, Told
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
+    from allworlds.explorers.builtin.explorer_table import BuiltIn, Size
     from allworlds.explorers.builtin.shield import Shield
     from allworlds.explorers.program import Program
     from allworlds.explorers.shared_library import NativeExplorer
@@ -59,6 +59,15 @@ LIGHTHOUSE = "directional"
 
 
 # ---------------------------------------------------------------- names
+
+
+def entry_of(name: str) -> BuiltIn | None:
+    """The entry of a built-in explorer; None for any other, which need not load theirs."""
+    if ":" in name:
+        return None
+    from allworlds.explorers.builtin.explorer_table import BUILT_IN
+
+    return BUILT_IN.get(name)
 
 
 def is_program(name: str) -> bool:
@@ -113,7 +122,7 @@ def own_bound(name: str, lighthouse: str) -> str | None:
     Raises:
         InputError: if it has a shield, which helps under the directional lighthouse alone.
     """
-    own = BUILT_IN.get(name)
+    own = entry_of(name)
     written_for = own.lighthouse if own else LIGHTHOUSE
     fits = str(lighthouse).partition(":")[0] == written_for.partition(":")[0]
     if has_shield(name):
@@ -154,7 +163,7 @@ class Subject(Struct, frozen=True, weakref=True):
     @property
     def own(self) -> BuiltIn | None:
         """Its entry among the built-in explorers; None for a user's explorer, or with a shield."""
-        return BUILT_IN.get(self.name)
+        return entry_of(self.name)
 
     @property
     def from_user(self) -> bool:
@@ -210,6 +219,8 @@ class Subject(Struct, frozen=True, weakref=True):
 
 def built_in(name: str) -> Subject:
     """The subject of the built-in explorer of that name."""
+    from allworlds.explorers.builtin.explorer_table import BUILT_IN
+
     explore = BUILT_IN[name].explore
     return Subject(name, frozenset(inspect.signature(explore).parameters) - {"first"}, explore)
 
@@ -236,6 +247,7 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
     Raises:
         InputError: if it is no generator function.
     """
+    from allworlds.explorers.builtin.explorer_table import BUILT_IN
     from allworlds.explorers.builtin.shield import Shield
 
     if isinstance(explore, Shield):
@@ -303,12 +315,13 @@ def source_of(name: str) -> SourceText | None:
         library_path(command_or_path(name))
         return None
     plain, arguments = arguments_of(name)
-    if plain in BUILT_IN and arguments:
+    if entry_of(plain) and arguments:
         raise InputError(f"the built-in explorer {plain} takes no arguments, not {show(name)}")
-    if plain in BUILT_IN or entry_point(plain):
+    if entry_of(plain) or entry_point(plain):
         return None
     place, colon, attribute = plain.rpartition(":")
     if not colon:
+        from allworlds.explorers.builtin.explorer_table import BUILT_IN
         from allworlds.explorers.sources import no_explorer
 
         raise InputError(no_explorer(name, plain, sorted({*BUILT_IN, *points_of(ENTRY_POINTS)})))
@@ -335,7 +348,7 @@ def load(
     """
     if has_shield(name):
         return with_shield(load(name.removeprefix(SHIELD), answer_timeout, source))
-    if name in BUILT_IN:
+    if entry_of(name):
         return built_in(name)
     if is_program(name):
         from allworlds.explorers.program import Program
