@@ -46,10 +46,8 @@ def kept(notebook: Any) -> Any:
 
 
 def _small(output: Any) -> Any:
-    """An output without its page; None for a bar."""
+    """An output without its page."""
     data = output.get("data", {})
-    if "<progress" in data.get(HTML, ""):
-        return None
     if "srcdoc=" in data.get(HTML, ""):
         del data[HTML]
     if SVG in data:

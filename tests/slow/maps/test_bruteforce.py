@@ -1,7 +1,7 @@
 import pytest
+from test_bruteforce import walked
 
 from bruteforce import rooted_maps_by_permutations as rooted_maps, unrooted_maps
-from maps.test_bruteforce import walked
 
 
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])

@@ -1,9 +1,9 @@
 """Conditions that narrow a class of maps, compared with all permutations."""
 
 import pytest
+import test_conditions as quick
+from test_conditions import NAMES, TOGETHER
 
-from maps import test_conditions as quick
-from maps.test_conditions import NAMES, TOGETHER
 from small import long
 
 

@@ -1,4 +1,5 @@
 import pytest
+from test_counting import CLASSES, SECOND, labelled
 
 from allworlds.maps.counting import (
     SOURCES,
@@ -6,7 +7,6 @@ from allworlds.maps.counting import (
     rooted_simple_by_degrees,
 )
 from graph_atlas import rooted_planar_simple, rooted_simple
-from maps.test_counting import CLASSES, SECOND, labelled
 
 # Tutte, A census of planar triangulations (1962): 2 (4n+1)! / ((n+1)! (3n+2)!), n = 0, 1, ...
 # rooted simple triangulations with n + 3 vertices.

@@ -1,12 +1,12 @@
 from collections import Counter
 
 import pytest
+from test_criterion import marked_maps, quotient_of
 
 from allworlds.maps import CombinatorialMap, class_size, is_ambiguous
 from allworlds.studies.ambiguity import projection_of
 from allworlds.studies.ambiguity.members import lifts
 from allworlds.world import Position, World
-from maps.test_criterion import marked_maps, quotient_of
 from small import long
 
 

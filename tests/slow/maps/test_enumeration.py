@@ -3,12 +3,12 @@ from itertools import chain
 from math import factorial
 
 import pytest
+from test_enumeration import LEVELS, codes
 
 from allworlds.maps import CombinatorialMap, MapClass, automorphisms, rooted_maps, unrooted_code
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import prefixes
-from maps.test_enumeration import LEVELS, codes
 
 GATED = [(c, m) for c in MapClass for m in range(1, 7 if c.simple else 6)]
 

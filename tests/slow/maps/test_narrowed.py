@@ -1,10 +1,10 @@
 """Sources of the numbers of maps under a condition, compared with enumeration and literature."""
 
 import pytest
+from test_narrowed import source_under
 
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.classes import condition_named
-from maps.test_narrowed import source_under
 
 
 @pytest.mark.no_cover

@@ -1,10 +1,10 @@
 """The shortest walk along every edge, against a search through all walks."""
 
 import pytest
+import test_postman as quick
+from test_postman import searched
 
 from allworlds.maps import covering_walk, family
-from maps import test_postman as quick
-from maps.test_postman import searched
 
 
 @pytest.mark.parametrize("edges", [4])

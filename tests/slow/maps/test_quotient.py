@@ -2,11 +2,11 @@ from math import log2
 from random import Random
 
 import pytest
+from test_quotient import labelled_maps, looked_at
 
 from allworlds.document.struct import replace
 from allworlds.maps import named_map, project, random_map
 from allworlds.maps.quotient import classes_of_union
-from maps.test_quotient import labelled_maps, looked_at
 
 
 @pytest.mark.no_cover

@@ -114,10 +114,7 @@ def test_two_encoders_that_share_no_code_write_the_same_formulas(
         mine = world.Asked(
             *(lighthouse, map_class),
             **degrees,
-            walk=tuple(
-                (motion, *percept)
-                for motion, percept in zip(asked.walk.motions, asked.walk.percepts, strict=True)
-            ),
+            walk=tuple(map(tuple, asked.walk)),
         )
         for level in asked.sizes():
             sizes = tuple(world.size_of(mine, s.edges, asked.vertices) for s in level)
