@@ -105,7 +105,7 @@ def test_a_script_that_its_interpreter_cannot_read_is_a_crash_with_its_stderr(cl
     code, out, _ = cli("check", "--edges", 1, "--exec", f"{sys.executable} {script}")
     assert code == 1
     assert "crash" in out
-    assert "SyntaxError: invalid syntax" in out
+    assert "SyntaxError: invalid syntax" in " ".join(out.split())
 
 
 def test_two_explorers_of_one_name_are_told_apart(tmp_path, cli):
