@@ -68,7 +68,7 @@ def growth_of(name, **more):
 
 @pytest.mark.early
 @pytest.mark.no_cover
-@pytest.mark.parametrize("name", [long("python"), "compiled", "worst", "census"])
+@pytest.mark.parametrize("name", [long("python"), long("compiled"), "worst", "census"])
 def test_memory_does_not_grow_with_the_units(name, tmp_path):
     # A census keeps what each of its worlds shows, and so grows with the worlds of its units.
     most = 2 * MOST if name == "census" else MOST
@@ -78,7 +78,7 @@ def test_memory_does_not_grow_with_the_units(name, tmp_path):
 
 @pytest.mark.early
 @pytest.mark.no_cover
-@pytest.mark.parametrize("name", ["python", "compiled"])
+@pytest.mark.parametrize("name", ["python", long("compiled")])
 def test_a_check_that_keeps_every_result_is_found_out(name, monkeypatch):
     kept, add = [], Tally.add
 
