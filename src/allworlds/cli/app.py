@@ -399,8 +399,9 @@ def _invoked(arguments: list[str], defaults: Defaults) -> int:
     no verdict, and keeps interrupts to itself.
     """
     first = next((word for word in arguments if not word.startswith("-")), "")
-    verbs = command_line(first)
-    known = defaults.map_for(verbs, arguments, command_line)
+    # A file's defaults are compared with the options of every verb.
+    verbs = command_line(None if defaults.options else first)
+    known = defaults.map_for(verbs, arguments)
     try:
         with verbs.make_context("allworlds", [*arguments], default_map=known) as context:
             return int(verbs.invoke(context) or 0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -30,13 +30,12 @@ class Defaults:
     options: dict[str, Any] = field(default_factory=dict)
     used: dict[str, Any] = field(default_factory=dict)
 
-    def map_for(self, root: Any, words: list[str], whole: Callable[[], Any]) -> dict[str, Any]:
+    def map_for(self, root: Any, words: list[str]) -> dict[str, Any]:
         """The defaults of the verb that the words name, as click takes them.
 
         Args:
-            root: the command line, on which that verb has its options.
+            root: the command line, on which every verb has its options if there are defaults.
             words: of the command.
-            whole: makes the command line on which every verb has them.
 
         Raises:
             InputError: naming a key that is no option of a verb, or a value that is none.
@@ -44,7 +43,7 @@ class Defaults:
         if not self.options:
             return {}
         with in_file(self.file):
-            every = dict(_commands(whole()))
+            every = dict(_commands(root))
             known = {name for command in every.values() for name in _options(command)}
             for key, value in self.options.items():
                 if isinstance(value, dict):
@@ -54,7 +53,7 @@ class Defaults:
             GIVEN_IN_FILE.set(frozenset(self._keys()))
             plain = [word for word in words if not word.startswith("-")]
             name = next((n for n in (" ".join(plain[:2]), *plain[:1]) if n in every), "")
-            mine = _options(dict(_commands(root))[name]) if name else {}
+            mine = _options(every[name]) if name else {}
             given = {**self.options, **self.options.get(name, {})}
             if any(word.startswith(("--exec", "--native")) for word in words):
                 given.pop("explorer", None)  # another one is named
@@ -156,14 +155,14 @@ def _value(key: str, value: object, param: Any) -> Any:
         if isinstance(value, bool):
             return value
         raise InputError(f"{key} = {show(value)} is not true or false")
-    if param.multiple and isinstance(value, list):
-        return [_value(f"{key}[{i}]", each, _Single) for i, each in enumerate(value)]
+    if not param.multiple:
+        return _text(key, value)
+    if isinstance(value, list):
+        return [_text(f"{key}[{i}]", each) for i, each in enumerate(value)]
+    return [_text(key, value)]
+
+
+def _text(key: str, value: object) -> str:
     if isinstance(value, str | int | float) and not isinstance(value, bool):
-        return [str(value)] if param.multiple else str(value)
+        return str(value)
     raise InputError(f"{key} = {show(value)} is neither a text nor a number")
-
-
-class _Single:
-    """A parameter that takes one value."""
-
-    is_flag = multiple = False

@@ -176,8 +176,6 @@ ToldGate: TypeAlias = Annotated[
         "null: there is no source, or no row"
     ),
 ]
-GATE: Any = computed(lambda report: report.compared)
-"""The key of a report that holds its count gate."""
 
 
 class SweptReport(RowsReport):

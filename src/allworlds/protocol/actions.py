@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, TypeAlias, assert_never
+from typing import Annotated, TypeAlias
 
 from allworlds.document.struct import Natural, Positive, WrittenByFields, about
 
@@ -87,21 +87,6 @@ DROP, PICK, WRITE = -1, -2, -3
 """The numbers of actions that are no motions; ``Write(k)`` has the number ``WRITE - k``."""
 
 _MOVES = tuple(Move(k) for k in range(64))
-
-
-def number_of(action: Action) -> int:
-    """``k`` of a motion modulo the degree, which is not negative; else a negative one."""
-    match action:
-        case Move(k):
-            return k
-        case Drop():
-            return DROP
-        case Pick():
-            return PICK
-        case Write(k):
-            return WRITE - k
-        case _:
-            assert_never(action)
 
 
 def action_numbered(number: int) -> Action:
