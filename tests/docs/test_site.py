@@ -1,16 +1,9 @@
 """The parts of the site of the documents; ``nox -s docs`` and CI build the site itself."""
 
 import re
-import subprocess
-import sys
-import tomllib
-from contextlib import suppress
-from importlib.metadata import PackageNotFoundError, distribution, packages_distributions
 from pathlib import Path
 
 import pytest
-from packaging.requirements import Requirement
-from packaging.utils import canonicalize_name
 
 import allworlds
 from allworlds import strategies, testing
@@ -18,7 +11,6 @@ from allworlds.verbs import VERBS
 from docsite_modules import load
 
 ROOT = Path(__file__).parents[2]
-PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 NAV = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:\n")[2]
 
 
@@ -90,56 +82,6 @@ def test_words_are_counted_without_bars_and_without_parts_that_a_program_writes(
     assert "docs/trust.md" in names
 
 
-LOADING = """
-import importlib, pkgutil, sys
-
-
-class Refusal:
-    def find_spec(self, name, path=None, target=None):
-        if name.partition(".")[0] in {refused!r}:
-            raise ModuleNotFoundError(f"not in the extra docs: {{name}}")
-
-
-sys.meta_path.insert(0, Refusal())
-import allworlds
-for module in pkgutil.iter_modules(allworlds.__path__, "allworlds."):
-    if not module.name.endswith("__main__"):
-        door = importlib.import_module(module.name)
-        print(*(getattr(door, name) for name in getattr(door, "__all__", ())))
-"""
-
-
-def distributions(lines, extras=(), found=None):
-    """The names of all distributions that these requirements lead to."""
-    found = {"allworlds"} if found is None else found
-    for requirement in map(Requirement, lines):
-        name, marker = canonicalize_name(requirement.name), requirement.marker
-        if marker and not any(marker.evaluate({"extra": extra}) for extra in ("", *extras)):
-            continue
-        if name == "allworlds":
-            for extra in requirement.extras:
-                distributions(PROJECT["optional-dependencies"][extra], found=found)
-        elif name not in found:
-            found.add(name)
-            with suppress(PackageNotFoundError):  # as mkdocs, where the extra is not installed
-                distributions(distribution(name).requires or (), requirement.extras, found)
-    return found
-
-
-def test_the_extra_of_the_site_has_all_that_the_names_it_shows_are_loaded_with():
-    needed = [*PROJECT["dependencies"], *PROJECT["optional-dependencies"]["docs"]]
-    found = distributions(needed)
-    refused = {
-        module
-        for module, names in packages_distributions().items()
-        if not found & {canonicalize_name(name) for name in names}
-    }
-    code = LOADING.format(refused=refused)
-    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert run.returncode == 0, run.stderr
-    assert "pytest" in refused
-
-
 mkdocs = pytest.importorskip("mkdocs", reason="the extra docs is not installed")
 
 
@@ -200,15 +142,3 @@ def test_a_link_out_of_the_folder_leads_to_a_page_of_the_site_or_is_a_name():
     assert rewritten(figure, "repository/papers/minimal_information/README.md") == figure
     assert rewritten("[x](../nowhere.md)", "trust.md") == "[x](../nowhere.md)"
     assert rewritten("[x](https://a.example)", "trust.md") == "[x](https://a.example)"
-
-
-@pytest.mark.no_cover
-def test_every_name_of_the_reference_is_found_by_reading():
-    griffe = pytest.importorskip("griffe", reason="the extra docs is not installed")
-    package = griffe.load("allworlds", search_paths=[str(ROOT / "src")])
-    text = "".join(load("generated").pages().values())
-    named = re.findall(r"^::: allworlds\.(.+)$", text, re.MULTILINE)
-    assert len(named) > len(allworlds.__all__)
-    for name in named:
-        found = package[name]
-        assert found.final_target if found.is_alias else found

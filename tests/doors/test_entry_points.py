@@ -1,6 +1,5 @@
 """A distribution that offers an explorer, a lighthouse, a task and a predicate as entry points."""
 
-import json
 import os
 import subprocess
 import sys
@@ -80,25 +79,6 @@ def installed(tmp_path):
         return done.returncode, done.stdout, done.stderr
 
     return allworlds
-
-
-CHECK = [
-    *("check", "my-explorer", "--lighthouse", "my-parity:modulus=3"),
-    *("--where", "my-small?degree=3", "--edges", 2, "--json"),
-]
-
-
-def test_what_a_distribution_offers_is_used_by_its_name(installed):
-    code, out, err = installed(*CHECK, "--task", "my-word?word=here", "--workers", 1)
-    assert code == 0, err
-    report = json.loads(out)
-    assert report["scope"]["where"] == "my-small?degree=3"
-    assert report["scope"]["lighthouse"] == "my-parity?modulus=3"
-    assert report["scope"]["task"] == "my-word?word=here"
-    assert "shared_file" not in report["scope"]
-    code, out, _ = installed(*CHECK, "--task", "my-word?word=there", "--workers", 1)
-    (finding,) = json.loads(out)["findings"]
-    assert (code, finding["law"], finding["seen"]) == (1, "task", "here is said")
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,6 @@ import tomllib
 from importlib.metadata import metadata, requires
 from pathlib import Path
 
-import pytest
-
 import allworlds
 from package_contents import NEEDED, flaws
 
@@ -52,18 +50,6 @@ def run_without_heavy_ones(tmp_path, *arguments):
         text=True,
         check=False,
     )
-
-
-@pytest.mark.parametrize("workers", ["1"])
-def test_an_explorer_of_ones_own_is_checked_without_numba_and_z3_in_every_process(
-    workers, tmp_path
-):
-    done = run_without_heavy_ones(
-        tmp_path, "check", "mine.py", "--edges", "3", "--workers", workers, "-o", "page.html"
-    )
-    assert done.returncode == 0, done.stderr
-    assert "HOLDS      86 worlds" in done.stdout
-    assert "was imported" not in done.stderr
 
 
 def test_where_they_cannot_be_imported_the_verbs_that_need_them_say_so(tmp_path):

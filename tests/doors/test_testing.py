@@ -41,13 +41,6 @@ def cached(tmp_path, monkeypatch):
     return tmp_path / "past"
 
 
-@pytest.mark.no_cover
-def test_a_right_explorer_passes_and_the_report_says_how_much_was_tried():
-    report = assert_explores(RIGHT, edges=3, corpus=None)
-    assert (report.worlds, report.runs) == (86, 309)
-    assert assert_explores("algorithm1", corpus=None).scope.edges == 4
-
-
 def test_a_wrong_one_fails_with_the_smallest_finding_and_its_picture():
     with pytest.raises(AssertionError) as failed:
         assert_explores(wrong(), edges=4, corpus=None)
@@ -191,16 +184,6 @@ def cubic_alone(tmp_path, monkeypatch):
     )
     monkeypatch.chdir(tmp_path)
     return "cubic.py:explore"
-
-
-def test_under_a_condition_no_part_of_the_kit_leaves_it(cubic_alone):
-    assert_conforms(cubic_alone, edges=3, drawn=3, where="cubic")
-    with pytest.raises(AssertionError, match="known-hard-maps"):
-        assert_conforms(cubic_alone, edges=3, drawn=3)
-    *_, last = conformance(cubic_alone, edges=3, drawn=3, where="eulerian")
-    assert str(last) == "drawn-maps"
-    with pytest.raises(AssertionError, match="crash"):
-        last()
 
 
 def test_given_worlds_are_tried_in_place_of_all(cubic_alone):

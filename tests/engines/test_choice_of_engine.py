@@ -4,9 +4,7 @@ from functools import partial
 import pytest
 
 from allworlds import check, count, worst
-from allworlds.engines.compiled_engine import AGREED
 from allworlds.engines.engine_table import ENGINES, Job, engine_for, why_not_compiled
-from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.engines.limits import Limits
 from allworlds.engines.progress import Silent
 from allworlds.engines.scope import Scope
@@ -102,18 +100,6 @@ def test_what_plays_slowly_is_worth_a_guess_whoever_judges(subject, worth):
     job = Job(scope_to(6), subject, Limits(), 1, None, str)
     assert is_worth_a_guess(job, ENGINES["kernel"]) == worth
     assert is_worth_a_guess(job, ENGINES["python"])
-
-
-@pytest.mark.parametrize("kept", [False, True])
-def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, kept):
-    monkeypatch.setattr("allworlds.engines.compiled_engine.is_compiled", lambda _: kept)
-    apart = []
-    monkeypatch.setattr("allworlds.engines.kernel.engine.compile_apart", apart.append)
-    listener = Stopper()
-    AGREED.clear()
-    assert check(edges=5, vertices=2, listener=listener).engine == "kernel"
-    assert listener.notices == ([] if kept else [COMPILING])
-    assert apart == ([] if kept else ["algorithm1"])
 
 
 @pytest.mark.parametrize("name", ["right", "planted"])

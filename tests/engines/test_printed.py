@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from allworlds import Estimate, Finding, check, run
+from allworlds import Estimate, check, run
 from allworlds.engines.prints import KEPT, Prints
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.reports.content.single_run import printed
@@ -71,17 +71,6 @@ def test_on_the_command_line_lines_have_a_prefix_and_stdout_is_clean_for_json(na
 
 def test_a_run_that_prints_nothing_has_no_such_key():
     assert "output" not in run("algorithm1", "theta").to_json()
-
-
-def test_a_finding_holds_what_was_printed_in_its_run_alone(named, cli):
-    (finding,) = check(named("wrong"), edges=3).findings
-    degree = finding.transcript.first.degree
-    assert finding.output == f"begins with {degree}\nends\n"
-    assert finding.to_json()["output"] == finding.output
-    assert Finding.from_json(finding.to_json()).output == finding.output
-    _, out, err = cli("check", named("wrong"), "--edges", 3, "-v")
-    assert out.count("begins with") == 1
-    assert "begins with" not in err
 
 
 def test_of_much_the_beginning_and_the_end_are_kept(named):

@@ -7,7 +7,6 @@ import json
 
 import pytest
 
-import allworlds
 from allworlds import ambiguity, check, compare, count, fuzz, worst
 from allworlds.engines import sweep
 from allworlds.engines.limits import TimeIsUp
@@ -105,25 +104,6 @@ def test_every_verb_with_a_sweep_is_tried():
     assert {verb.name for verb in VERBS if verb.swept} <= words
 
 
-@pytest.mark.no_cover
-@pytest.mark.parametrize("name", KINDS)
-def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_path):
-    job, whole = SWEEPS[name], undisturbed(name)
-    for parts in (1, 2, 3):
-        cut = job(run=tmp_path, listener=Interrupts(parts))
-        if cut.exit_code != 130:  # it has fewer units
-            break
-        assert_finished_rows(text(cut), whole)
-        assert allworlds.status(tmp_path).state == "unfinished"
-    assert text(job(run=tmp_path)) == whole
-    assert text(job(run=tmp_path)) == whole
-    standing = allworlds.status(tmp_path)
-    assert (standing.state, standing.left_s) == ("finished", 0)
-    if "refuted" not in name:  # a finding ends it before the last level
-        assert standing.worlds.done == standing.worlds.all
-        assert standing.units.done == standing.units.all
-
-
 class Counts(Silent):
     """Counts how many worlds were announced for each level, and how many were done."""
 
@@ -145,18 +125,6 @@ def test_as_many_worlds_are_done_in_each_level_as_were_announced(name):
     SWEEPS[name](listener=heard)
     assert sum(heard.done)
     assert heard.done == heard.announced
-
-
-@pytest.mark.no_cover
-@pytest.mark.parametrize("name", KINDS)
-def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
-    job = SWEEPS[name]
-    code = json.loads(undisturbed(name)).get("exit_code", 0)
-    runs = [tmp_path / str(k) for k in range(3)]
-    codes = {job(run=run, shard=(k, 3)).exit_code for k, run in enumerate(runs)}
-    assert codes <= {0, code}
-    merged = allworlds.merge(*reversed(runs))
-    assert text(merged) == undisturbed(name)
 
 
 @pytest.fixture(scope="module")
@@ -220,26 +188,3 @@ def test_the_status_of_every_verb_is_told(name, cli, tmp_path):
     assert code == 0
     assert name.split()[0] in out
     assert "finished" in out
-
-
-def test_what_a_shrinker_had_when_the_time_was_up_is_not_the_end(tmp_path, monkeypatch):
-    """A directory keeps no smallest finding that was not sought to the end."""
-
-    def job(**more):
-        return fuzz(f"{WRONG}:everywhere", edges=4, min_edges=3, runs=20, **more)
-
-    with monkeypatch.context() as patch:
-        late = []
-
-        def shrunk(finding, *_):
-            late.append(finding)
-            return finding
-
-        patch.setattr("allworlds.studies.fuzz.smallest_from", shrunk)
-        patch.setattr(
-            "allworlds.studies.check.tally_sweep.Confirmation.is_late",
-            property(lambda _: bool(late)),
-        )
-        assert job(run=tmp_path, time_limit=1000).findings
-    assert late
-    assert text(job(run=tmp_path)) == text(job())

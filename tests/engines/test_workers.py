@@ -84,24 +84,6 @@ def test_a_timeout_that_could_not_be_kept_is_refused(wrong, timeout):
         run(wrong("right"), EDGE, answer_timeout=timeout)
 
 
-def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong):
-    # In three runs both plays may agree by chance; in the 300 of three edges they do not.
-    report = check(wrong("by_answer"), edges=3, laws=["map"])
-    assert report.exit_code == 1
-    (finding,) = report.findings
-    assert finding.law == "nondeterministic"
-    assert "answer differs" in finding.seen or "in some plays only" in finding.seen
-
-
-def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
-    finding = only_finding(wrong("crashes_the_second_time"))
-    assert finding.law == "nondeterministic"
-    # Which of the plays crashes depends on the order; it may be one in a fresh process.
-    assert "crash" in finding.seen
-    assert "ZeroDivisionError" in finding.seen
-    assert "Traceback" in finding.detail
-
-
 @pytest.mark.early
 def test_a_program_that_is_silent(program):
     # It never says anything, so whatever it is given is too little on every machine.

@@ -30,12 +30,10 @@ from allworlds.protocol.faults import ExplorerFault
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
-from allworlds.world import Directional, Position, World
-from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, example, quotient
-from processes import PATIENCE, SOON
+from allworlds.world import Position, World
+from native_libraries import EXAMPLES, attack, example, quotient
 from schedules import schedules
 
-EDGE = World(small.EDGE, Directional(0))
 FIRST, BEHIND = Percept(1, 1, 0), Percept(1, 0, None)
 
 
@@ -129,19 +127,6 @@ def test_where_several_numbers_are_told_it_is_refused(refused):
 
 
 @pytest.mark.processes
-def test_it_may_say_that_several_worlds_look_alike():
-    position, ours = Position(0), native(quotient())
-    for map_ in (small.PLANE, small.TORUS):
-        assert run(ours, World(map_, position)).verdict.value == "holds"
-    report = check(ours, edges=2, lighthouse="position", engine="python")
-    twin = f"{FOR_TESTS / 'quotients.py'}:two_loops"
-    theirs = check(twin, edges=2, lighthouse="position", workers=1)
-    (finding,), (other,) = report.findings, theirs.findings
-    assert (finding.law, finding.world) == (other.law, other.world)
-    assert (finding.expected, finding.seen) == (other.expected, other.seen)
-
-
-@pytest.mark.processes
 def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
     for size in (0, 1 << 20):
         found = run(native(quotient(SIZE=size)), World(small.PLANE, Position(0)))
@@ -149,33 +134,6 @@ def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
 
 
 # ---------------------------------------------------------------- what it may do to its process
-
-
-QUICK = (
-    "raise(SIGSEGV)",
-    "count = 3",
-    "in_another_thread(wait_for_ever, 0)",
-    "kind = 77",
-    "if (fork() == 0) for (;;) pause()",
-)
-"""One of each kind: a signal, an answer, a thread, an action, and a process."""
-
-
-@pytest.mark.processes
-@pytest.mark.early
-@pytest.mark.no_cover
-@pytest.mark.parametrize("code", [*QUICK])
-def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
-    law, seen = ATTACKS[code]
-    limit = SOON if law == "timeout" else PATIENCE
-    report = check(native(attack(code)), edges=1, answer_timeout=limit)
-    assert report.runs == 3
-    if not law:
-        assert report.exit_code == 0
-        return
-    (finding,) = report.findings
-    assert (finding.law, finding.world, finding.minimal) == (law, EDGE, True)
-    assert seen in finding.seen
 
 
 # ---------------------------------------------------------------- what is refused

@@ -1,7 +1,5 @@
 """The shield: it makes right whatever is inside, at a constant times the cost of the better."""
 
-import sys
-
 import pytest
 
 import allworlds
@@ -216,26 +214,12 @@ def spinning(first):
 shielded = allworlds.shield(spinning)
 """
 
-PROGRAM = """
-import json, sys, time
-for line in sys.stdin:
-    if {silent}:
-        time.sleep(60)
-    print(json.dumps({{"move": 1}}), flush=True)
-"""
-
 
 @pytest.fixture
 def mine(tmp_path):
     file = tmp_path / "mine.py"
     file.write_text(SILENT)
     return file
-
-
-def program(tmp_path, silent):
-    file = tmp_path / "program.py"
-    file.write_text(PROGRAM.format(silent=silent))
-    return f"exec:{sys.executable} -I {file}"
 
 
 def test_the_machine_is_not_taken_for_the_explorer():
@@ -260,13 +244,6 @@ def test_the_machine_is_not_taken_for_the_explorer():
 def test_it_is_asked_for_by_name(name, mine):
     report = allworlds.check(f"shield:{name.format(mine=mine)}", edges=3, workers=2)
     assert (report.verdict.value, report.runs, report.scope.bound) == ("holds", 309, "9*paper")
-
-
-@pytest.mark.processes
-def test_a_program_can_have_one(tmp_path):
-    name = program(tmp_path, silent=False)
-    assert allworlds.shield(name) == f"shield:{name}"
-    assert allworlds.check(allworlds.shield(name), edges=2).verdict.value == "holds"
 
 
 def test_an_explorer_that_has_one_brings_its_bound(mine):

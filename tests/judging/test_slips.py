@@ -286,13 +286,6 @@ def test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings):
             assert slip is None or slip.name != "bearings anticlockwise", finding
 
 
-def test_the_slip_stands_in_the_explanation():
-    (finding,) = check(spoiling(mirrored), edges=4, laws=("map",)).findings
-    told = explain(finding)
-    assert told.slip == told.to_json()["slip"] == "mirror image"
-    assert "mirror image" in told.sentences[0]
-
-
 @pytest.mark.no_cover
 def test_a_pose_that_is_off_by_a_turn_is_told_so():
     findings = check(

@@ -120,16 +120,6 @@ def test_of_many_places_a_sample_is_drawn_and_said():
     assert again.rows == told.rows
 
 
-def test_rows_stand_by_family_size_and_explorer_whoever_was_faster(report):
-    names = [(row.family, row.edges, row.explorer) for row in report.rows]
-    order = {"lattice": 0, "cubic": 1, "algorithm1": 0, "folding-oldest": 1}
-    assert names == sorted(names, key=lambda key: (order[key[0]], key[1], order[key[2]]))
-    again = compare(
-        "algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, worlds=2, workers=2
-    )
-    assert again.rows == report.rows
-
-
 @pytest.mark.parametrize("name", GROWING)
 def test_the_sizes_of_a_family_ascend_to_the_largest_that_was_asked_for(name):
     ladder = members_of(name, 100, 2, 5)

@@ -13,7 +13,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.maps import named_map
 from allworlds.reports.formats import text
 from allworlds.reports.web.play import LEAST, NAMES, game
-from allworlds.studies.play import LARGEST, Walker, play
+from allworlds.studies.play import Walker, play
 from allworlds.world import LIGHTHOUSES, Directional, World
 from allworlds.world.selection import worlds
 from small import LOLLIPOP, PATH
@@ -43,14 +43,6 @@ def test_under_each_lighthouse_it_is_said_who_is_not_compared(kind):
     assert ("algorithm1" in found) == (kind in variants)
     assert found["every-edge"] == 2
     assert ("Algorithm 1" in made.not_compared) == (kind not in variants)
-
-
-def test_in_large_worlds_it_is_said_who_is_not_compared():
-    made = play(f"cycle:{LARGEST}")
-    assert costs(made.world)["algorithm1"] > costs(made.world)["every-edge"] == LARGEST
-    assert made.not_compared == ""
-    assert costs(play("cycle:201").world) == {"every-edge": 201}
-    assert f"more than {LARGEST} edges" in play("cycle:201").not_compared
 
 
 def test_a_world_of_a_size_is_drawn_by_its_seed():

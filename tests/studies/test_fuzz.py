@@ -93,12 +93,6 @@ def test_whoever_listens_is_told_of_every_world():
     assert sum(told[1:]) == 150
 
 
-def test_a_time_limit_leaves_an_unfinished_sample_inconclusive():
-    report = fuzz("algorithm1", edges=60, runs=100_000, time_limit=0.5)
-    assert (report.verdict, report.exit_code) == ("inconclusive", 3)
-    assert "time limit of 0.5 s" in report.ending.reason
-
-
 @pytest.mark.parametrize(
     ("options", "message"),
     [

@@ -14,7 +14,6 @@ from allworlds.studies.ledger import (
     Found,
     LedgerReport,
     NotChecked,
-    Unfinished,
     claims_in,
     entry_with,
     of_check,
@@ -243,11 +242,6 @@ def test_the_files_must_be_there_and_import(paper):
         allworlds.ledger(paper / "elsewhere")
 
 
-def test_a_check_without_a_verdict_decides_no_claim():
-    with pytest.raises(Unfinished, match="inconclusive"):
-        of_check(allworlds.check("algorithm1", edges=5, time_limit=1e-9))
-
-
 def test_a_refuted_check_names_its_smallest_world():
     found = of_check(allworlds.check("algorithm1", edges=3, bound="1"))
     assert found.verdict == "refuted"
@@ -298,17 +292,6 @@ def test_the_page_has_every_claim_and_draws_its_worlds(paper):
 
 
 # ---------------------------------------------------------------- the first ledger
-
-
-@pytest.mark.parametrize("budget", ["quick", "full"])
-def test_the_ledger_that_init_writes_runs(tmp_path, budget):
-    made = allworlds.init(tmp_path / "mine", ledger=True)
-    assert made.files == ("claims.py", "ledger.toml")
-    report = allworlds.ledger(tmp_path / "mine", budget=budget)
-    assert [one.standing for one in report.claims] == ["as-expected", "as-expected"]
-    assert report.exit_code == Exit.HOLDS
-    with pytest.raises(InputError, match="nothing is overwritten"):
-        allworlds.init(tmp_path / "mine", ledger=True)
 
 
 @pytest.mark.parametrize(

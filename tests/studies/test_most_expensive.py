@@ -39,20 +39,6 @@ def test_it_is_the_least_of_all_that_cost_most():
     }
 
 
-@pytest.mark.no_cover
-@pytest.mark.usefixtures("compiled")
-@pytest.mark.parametrize(
-    ("explorer", "map_class", "edges"),
-    [("algorithm1", "maps", 4), ("algorithm1", "planar", 4)],
-)
-def test_both_engines_find_the_same(explorer, map_class, edges):
-    by_python, by_kernel = (
-        check(explorer, map_class=map_class, edges=edges, engine=engine)
-        for engine in ("python", "kernel")
-    )
-    assert most_expensive(by_python) == most_expensive(by_kernel)
-
-
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
 def test_where_worlds_are_walked_once_it_is_the_same_as_where_every_run_is_judged(policy):

@@ -1,7 +1,5 @@
 """A lighthouse, a task and a class of the user's own at once, in every way to run a check."""
 
-import json
-
 import pytest
 
 import allworlds
@@ -44,24 +42,6 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "mine.py").write_text(EXPLORER)
     monkeypatch.chdir(tmp_path)
     return tmp_path
-
-
-def counts(report):
-    """All of a report but what the machine has to do with."""
-    told = report.to_json()
-    return json.dumps({k: told[k] for k in ("verdict", "scope", "rows", "witnesses", "findings")})
-
-
-@pytest.mark.parametrize("asked", [ASKED, WRONG], ids=["holds", "refuted"])
-def test_workers_and_run_directories_change_nothing(folder, asked):
-    one = allworlds.check("mine.py:walks", workers=1, **asked)
-    assert one.verdict.value == ("holds" if asked is ASKED else "refuted")
-    assert counts(allworlds.check("mine.py:walks", workers=2, **asked)) == counts(one)
-    assert counts(allworlds.check("mine.py:walks", run="rd", **asked)) == counts(one)
-    assert counts(allworlds.merge("rd")) == counts(one)
-    for shard in (0, 1):
-        allworlds.check("mine.py:walks", shard=(shard, 2), run=f"{shard}", **asked)
-    assert allworlds.merge("0", "1").to_json()["rows"] == one.to_json()["rows"]
 
 
 def test_one_run_with_its_page_and_a_pytest_take_them(folder):

@@ -1,17 +1,13 @@
 """A file with the explorer and with code that judges it: what is lost, and the scope says so."""
 
 import json
-import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
 import allworlds
 from allworlds.reports.formats import text
-
-ATTACK = Path(__file__).parents[1] / "attacks" / "reaching" / "shares_its_file.py"
 
 HONEST = """
 from allworlds import Estimate, Lighthouse, Percept
@@ -41,14 +37,6 @@ def explore(first):
 """
 
 
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    shutil.copy(ATTACK, tmp_path / "attack.py")
-    (tmp_path / "models.py").write_text(HONEST)
-    (tmp_path / "explorers.py").write_text(HONEST)
-    monkeypatch.chdir(tmp_path)
-
-
 def checked(explorer, option, model):
     """The verdict, the scope's file, and the text of a check in a process of its own.
 
@@ -62,18 +50,6 @@ def checked(explorer, option, model):
     )
     report = json.loads(document)
     return report["verdict"], report["scope"].get("shared_file", ""), " ".join(shown.split())
-
-
-@pytest.mark.parametrize(
-    ("option", "name"),
-    [("task", "judge")],
-)
-def test_an_explorer_in_the_file_of_its_model_can_make_the_verdict_and_the_scope_says_so(
-    folder, option, name
-):
-    verdict, shared, shown = checked("attack", option, f"attack.py:{name}")
-    assert (verdict, shared) == ("holds", "attack.py")
-    assert "attack.py holds the explorer, and code that judges it" in shown
 
 
 @pytest.fixture

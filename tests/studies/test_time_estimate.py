@@ -41,52 +41,6 @@ def measured(*rates):
     return estimated
 
 
-WORLDS = {3: 86, 4: 792, 5: 8_954, 6: 119_364}
-"""Rooted maps with at most so many edges: the sums of OEIS A053979's rows."""
-
-
-@pytest.mark.parametrize(
-    ("asked", "rates", "expected"),
-    [
-        (
-            {"edges": 3, "engine": "python"},
-            (100.0, 50.0),
-            [(3, "python", 9, 100.0), (4, "python", 9, 50.0)],
-        ),
-        (
-            {"edges": 4},
-            (100.0, 10_000.0),
-            [(4, "python", 9, 100.0), (5, "kernel", 9, 10_000.0)],
-        ),
-        (
-            {"edges": 4, "engine": "kernel"},
-            (100.0, 300.0),
-            [(4, "kernel", 9, 100.0), (5, "kernel", 9, 300.0)],
-        ),
-        (
-            {"edges": 3, "engine": "python"},
-            (100.0, None),
-            [(3, "python", 9, 100.0), (4, "python", 9, None)],
-        ),
-        ({"edges": 3, "engine": "python"}, (None,), [(3, "python", 9, None)]),
-    ],
-    ids=["slower", "another engine", "faster", "one alone", "none"],
-)
-def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch):
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.estimated", measured(*rates))
-    said = estimate(**asked)
-    guesses = (said, *said.larger)
-    told = [(guess.edges, guess.engine, guess.sampled, guess.rate) for guess in guesses]
-    assert told == expected
-    assert [guess.worlds for guess in guesses] == [WORLDS[guess.edges] for guess in guesses]
-    _, _, rows = text_of(said, 100).partition("\nedges ")
-    table = rows.splitlines()
-    known = [guess for guess in guesses if guess.rate]
-    assert len(table) == (1 + len(known) if said.larger else 0)
-    for line, guess in zip(table[1:], known, strict=bool(said.larger)):
-        assert line.split()[:2] == [str(guess.edges), f"{guess.worlds:,}"]
-
-
 def test_nothing_larger_is_told_where_there_is_nothing_or_too_much(monkeypatch):
     for asked in (
         {"map_class": "simple", "vertices": 3},

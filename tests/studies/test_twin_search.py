@@ -9,8 +9,6 @@ import allworlds
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap
 from allworlds.studies.ambiguity import solvers, twin_search as searching
-from allworlds.studies.ambiguity.formulas import read_dimacs
-from allworlds.studies.ambiguity.proofs import check_lrat
 from allworlds.studies.ambiguity.twin_search import bisimulation
 from allworlds.world import Directional, Position, World
 from allworlds.world.bisimulation import flaw
@@ -37,27 +35,6 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
     assert (result.status, result.exit_code) == ("sat", 0)
     assert sizes(result) == [found, found]
     assert [found.status for found in result.levels].count("unsat") >= edges - 1
-
-
-@pytest.mark.no_cover
-@needs_python_sat
-@pytest.mark.parametrize(
-    ("lighthouse", "map_class", "edges"),
-    [("position", "maps", 1), ("position", "simple", 4), ("directional", "maps", 3)],
-)
-def test_where_there_is_no_pair_every_level_has_a_checked_proof(
-    tmp_path, lighthouse, map_class, edges
-):
-    bounds = {"vertices": 9, "edges": edges, "map_class": map_class}
-    result = allworlds.search(lighthouse=lighthouse, out=tmp_path, **bounds)
-    assert (result.status, result.exit_code, result.certificate) == ("unsat", 0, tmp_path)
-    assert [found.sizes.two.edges for found in result.levels] == list(range(1, edges + 1))
-    for found in result.levels:
-        # With a reader of its own: the producer's is the one that made the proof.
-        lines = [line.split() for line in found.formula.read_text().splitlines()]
-        clauses = [tuple(map(int, line[:-1])) for line in lines if line[0] not in {"c", "p"}]
-        check_lrat(clauses, found.proof.read_text().splitlines())
-        assert read_dimacs(found.formula)[1] == clauses
 
 
 def test_sizes_without_any_world_are_left_out():

@@ -128,14 +128,6 @@ def test_a_sample_of_larger_worlds_does_not_refute_the_cluster_explorer():
     assert 0 < report.tally.left_out < 60
 
 
-@pytest.mark.no_cover
-def test_a_sample_refutes_the_natural_explorer_and_shrinks_to_the_smallest_world():
-    report = fuzz(NATURAL, edges=8, runs=300, seed=1)
-    assert report.verdict is Verdict.REFUTED
-    map_ = report.findings[0].world.map
-    assert (map_.edge_count, map_.vertex_count) == (3, 2)
-
-
 def foreign(first, *, told):
     """Wrong everywhere, with what it was told in its last breath."""
     raise ValueError(f"told {told} at degree {first.degree}")

@@ -121,16 +121,6 @@ def test_a_wrong_count_under_a_condition_is_an_error(monkeypatch):
     assert allworlds.ambiguity.census(edges=3, where="trees").exit_code == 70
 
 
-@pytest.mark.parametrize("where", ["cubic", "trees", "triangulation", "genus:1", "girth:2"])
-def test_shards_under_a_condition_are_the_whole(where, tmp_path):
-    whole = allworlds.check(edges=4, where=where)
-    for shard in (0, 1, 2):
-        allworlds.check(edges=4, where=where, shard=(shard, 3), run=tmp_path / f"{shard}")
-    merged = allworlds.merge(*(tmp_path / f"{shard}" for shard in (0, 1, 2)))
-    assert merged.to_json()["rows"] == whole.to_json()["rows"]
-    assert merged.to_json()["scope"]["gate"] == whole.to_json()["scope"]["gate"]
-
-
 @pytest.mark.parametrize("where", ["cubic", "alone.py:even", "genus:2"])
 def test_random_worlds_under_a_condition(where, folder):
     options = {"edges": 9, "min_edges": 5, "runs": 20, "where": where}

@@ -5,7 +5,6 @@ import json
 import pytest
 
 from doors import test_entry_points as quick
-from doors.test_entry_points import CHECK
 
 installed = quick.installed
 
@@ -21,3 +20,22 @@ def test_run_directories_and_the_census_take_them(installed):
         *("--edges", 2, "--json"),
     )
     assert (code, json.loads(out)["scope"]["lighthouse"]) == (0, "my-parity")
+
+
+CHECK = [
+    *("check", "my-explorer", "--lighthouse", "my-parity:modulus=3"),
+    *("--where", "my-small?degree=3", "--edges", 2, "--json"),
+]
+
+
+def test_what_a_distribution_offers_is_used_by_its_name(installed):
+    code, out, err = installed(*CHECK, "--task", "my-word?word=here", "--workers", 1)
+    assert code == 0, err
+    report = json.loads(out)
+    assert report["scope"]["where"] == "my-small?degree=3"
+    assert report["scope"]["lighthouse"] == "my-parity?modulus=3"
+    assert report["scope"]["task"] == "my-word?word=here"
+    assert "shared_file" not in report["scope"]
+    code, out, _ = installed(*CHECK, "--task", "my-word?word=there", "--workers", 1)
+    (finding,) = json.loads(out)["findings"]
+    assert (code, finding["law"], finding["seen"]) == (1, "task", "here is said")

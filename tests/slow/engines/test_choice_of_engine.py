@@ -1,6 +1,8 @@
 import pytest
 
 from allworlds import check
+from allworlds.engines.compiled_engine import AGREED
+from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.outcome import Verdict
 from engines import test_choice_of_engine as quick
 from engines.test_choice_of_engine import Stopper
@@ -56,3 +58,15 @@ def test_threads_do_not_change_the_report():
 @pytest.mark.parametrize("name", [*("everywhere", "here_of_another", "raises")])
 def test_both_judges_of_a_users_explorer_count_and_find_the_same(name):
     quick.test_both_judges_of_a_users_explorer_count_and_find_the_same(name)
+
+
+@pytest.mark.parametrize("kept", [False, True])
+def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, kept):
+    monkeypatch.setattr("allworlds.engines.compiled_engine.is_compiled", lambda _: kept)
+    apart = []
+    monkeypatch.setattr("allworlds.engines.kernel.engine.compile_apart", apart.append)
+    listener = Stopper()
+    AGREED.clear()
+    assert check(edges=5, vertices=2, listener=listener).engine == "kernel"
+    assert listener.notices == ([] if kept else [COMPILING])
+    assert apart == ([] if kept else ["algorithm1"])

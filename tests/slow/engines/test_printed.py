@@ -38,3 +38,14 @@ def test_what_a_program_writes_to_stderr_is_kept_too(tmp_path):
     (finding,) = check(f"exec:{sys.executable} {file}", edges=1).findings
     assert finding.law == "no-estimate"
     assert finding.output == 'hears {"episode": \n'
+
+
+def test_a_finding_holds_what_was_printed_in_its_run_alone(named, cli):
+    (finding,) = check(named("wrong"), edges=3).findings
+    degree = finding.transcript.first.degree
+    assert finding.output == f"begins with {degree}\nends\n"
+    assert finding.to_json()["output"] == finding.output
+    assert Finding.from_json(finding.to_json()).output == finding.output
+    _, out, err = cli("check", named("wrong"), "--edges", 3, "-v")
+    assert out.count("begins with") == 1
+    assert "begins with" not in err

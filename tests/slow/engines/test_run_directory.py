@@ -1,11 +1,15 @@
 """A run directory is believed where it is whole, and refused in one line where it is not."""
 
+import random
+import shutil
+
 import pytest
 
 from allworlds import check
 from allworlds.engines import run_directory
 from allworlds.engines.progress import Silent
-from allworlds.engines.run_directory import reading
+from allworlds.engines.run_directory import FILE, reading
+from allworlds.inputs.checks import InputError
 
 
 @pytest.mark.usefixtures("compiled")
@@ -32,3 +36,31 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
     assert check(edges=4, engine="kernel", run=tmp_path).to_json() == whole
     with reading(tmp_path) as read:
         assert set(kept) < set(read.keys())
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+def test_a_flipped_byte_is_detected_or_harms_nothing(tmp_path):
+    job = lambda run: check(edges=3, engine="python", run=run).to_json()  # noqa: E731
+    whole = job(tmp_path / "run")
+    content = (tmp_path / "run" / FILE).read_bytes()
+    results = [i for i in range(len(content)) if content.startswith(b'{"checkpoints"', i)]
+    draw = random.Random(13)
+    inside = [start + draw.randrange(100) for start in results]
+    anywhere = [draw.randrange(len(content)) for _ in range(60)]
+    refused = 0
+    for number, place in enumerate([*inside, *anywhere]):
+        copy = tmp_path / f"copy-{number}"
+        shutil.copytree(tmp_path / "run", copy)
+        flipped = bytearray(content)
+        flipped[place] ^= 1 << draw.randrange(8)
+        (copy / FILE).write_bytes(flipped)
+        try:
+            again = job(copy)
+        except InputError as error:
+            said = str(error)
+            refused += "run directory" in said
+        else:
+            assert again == whole
+            assert place not in inside
+    assert len(inside) <= refused < len(inside) + len(anywhere)

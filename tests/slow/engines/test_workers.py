@@ -151,3 +151,21 @@ def test_one_run_of_an_explorer_that_dies_is_a_crash(wrong, name):
 )
 def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):
     quick.test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen)
+
+
+def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong):
+    # In three runs both plays may agree by chance; in the 300 of three edges they do not.
+    report = check(wrong("by_answer"), edges=3, laws=["map"])
+    assert report.exit_code == 1
+    (finding,) = report.findings
+    assert finding.law == "nondeterministic"
+    assert "answer differs" in finding.seen or "in some plays only" in finding.seen
+
+
+def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
+    finding = only_finding(wrong("crashes_the_second_time"))
+    assert finding.law == "nondeterministic"
+    # Which of the plays crashes depends on the order; it may be one in a fresh process.
+    assert "crash" in finding.seen
+    assert "ZeroDivisionError" in finding.seen
+    assert "Traceback" in finding.detail

@@ -4,6 +4,7 @@ from array import array
 
 import pytest
 
+import small
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass
@@ -11,9 +12,12 @@ from allworlds.maps.classes import Extent
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import most_expensive_runs
 from allworlds.studies.fuzz import fuzz
+from allworlds.studies.run import run
+from allworlds.world import Directional, Position, World
 from explorers import test_native as quick
-from explorers.test_native import QUICK, native
-from native_libraries import ATTACKS, EXAMPLES, attack, built, example
+from explorers.test_native import native
+from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
+from processes import PATIENCE, SOON
 
 
 def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
@@ -81,9 +85,34 @@ def test_algorithm_1_in_another_language_walks_as_ours(source, policy):
     quick.test_algorithm_1_in_another_language_walks_as_ours(source, policy)
 
 
+EDGE = World(small.EDGE, Directional(0))
+
+
+@pytest.mark.processes
+def test_it_may_say_that_several_worlds_look_alike():
+    position, ours = Position(0), native(quotient())
+    for map_ in (small.PLANE, small.TORUS):
+        assert run(ours, World(map_, position)).verdict.value == "holds"
+    report = check(ours, edges=2, lighthouse="position", engine="python")
+    twin = f"{FOR_TESTS / 'quotients.py'}:two_loops"
+    theirs = check(twin, edges=2, lighthouse="position", workers=1)
+    (finding,), (other,) = report.findings, theirs.findings
+    assert (finding.law, finding.world) == (other.law, other.world)
+    assert (finding.expected, finding.seen) == (other.expected, other.seen)
+
+
 @pytest.mark.processes
 @pytest.mark.early
 @pytest.mark.no_cover
-@pytest.mark.parametrize("code", [*((code) for code in ATTACKS if code not in QUICK)])
+@pytest.mark.parametrize("code", ATTACKS)
 def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
-    quick.test_what_it_does_to_its_process_is_a_finding_in_that_world(code)
+    law, seen = ATTACKS[code]
+    limit = SOON if law == "timeout" else PATIENCE
+    report = check(native(attack(code)), edges=1, answer_timeout=limit)
+    assert report.runs == 3
+    if not law:
+        assert report.exit_code == 0
+        return
+    (finding,) = report.findings
+    assert (finding.law, finding.world, finding.minimal) == (law, EDGE, True)
+    assert seen in finding.seen

@@ -1,11 +1,13 @@
 """The shield: it makes right whatever is inside, at a constant times the cost of the better."""
 
+import sys
+
 import pytest
 
 import allworlds
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from explorers import test_shield as quick
-from explorers.test_shield import STRANGERS, program
+from explorers.test_shield import STRANGERS
 from small import long
 
 mine = quick.mine
@@ -43,3 +45,25 @@ def test_whatever_is_inside_the_map_is_right(stranger, edges):
 @pytest.mark.parametrize("name", ["algorithm1", "{mine}:spinning"])
 def test_it_is_asked_for_by_name(name, mine):
     quick.test_it_is_asked_for_by_name(name, mine)
+
+
+PROGRAM = """
+import json, sys, time
+for line in sys.stdin:
+    if {silent}:
+        time.sleep(60)
+    print(json.dumps({{"move": 1}}), flush=True)
+"""
+
+
+def program(tmp_path, silent):
+    file = tmp_path / "program.py"
+    file.write_text(PROGRAM.format(silent=silent))
+    return f"exec:{sys.executable} -I {file}"
+
+
+@pytest.mark.processes
+def test_a_program_can_have_one(tmp_path):
+    name = program(tmp_path, silent=False)
+    assert allworlds.shield(name) == f"shield:{name}"
+    assert allworlds.check(allworlds.shield(name), edges=2).verdict.value == "holds"

@@ -2,7 +2,10 @@
 
 import pytest
 
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.explain import explain
 from judging import test_slips as quick
+from judging.test_slips import mirrored, spoiling
 
 
 @pytest.fixture(scope="module", params=quick.LATER)
@@ -24,3 +27,10 @@ def test_an_answer_is_called_guessed_only_where_its_world_fits_the_whole_log(fin
 
 def test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings):
     quick.test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings)
+
+
+def test_the_slip_stands_in_the_explanation():
+    (finding,) = check(spoiling(mirrored), edges=4, laws=("map",)).findings
+    told = explain(finding)
+    assert told.slip == told.to_json()["slip"] == "mirror image"
+    assert "mirror image" in told.sentences[0]

@@ -124,3 +124,17 @@ def test_the_certified_programs_agree_with_the_python_ones():
     told = subprocess.run(run, capture_output=True, text=True, check=False)
     assert told.returncode == 0, told.stdout
     assert told.stdout.splitlines()[-1] == "AGREE"
+
+
+def test_the_limit_counts_the_time_of_the_processor_and_says_when_it_was_short():
+    limit = str(COQ / "limit")
+    short = subprocess.run(
+        [limit, "1", sys.executable, "-c", "while True: pass"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert short.returncode in (137, 152)
+    assert "limit: out of time after 1 s of CPU" in short.stderr
+    assert subprocess.run([limit, "5", "false"], check=False).returncode == 1
+    assert subprocess.run([limit, "5", "true"], check=False).returncode == 0

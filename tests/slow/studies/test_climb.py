@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds import run
+from allworlds import compare, run
 from allworlds.world import Directional, World
 from allworlds.world.named import map_of_family
 from studies import test_climb as quick
@@ -23,3 +23,13 @@ def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
             for place, cost in zip(one.ran, one.costs, strict=True):
                 world = World(map_, places[place])
                 assert run(row.explorer, world).outcome.cost == cost
+
+
+def test_rows_stand_by_family_size_and_explorer_whoever_was_faster(report):
+    names = [(row.family, row.edges, row.explorer) for row in report.rows]
+    order = {"lattice": 0, "cubic": 1, "algorithm1": 0, "folding-oldest": 1}
+    assert names == sorted(names, key=lambda key: (order[key[0]], key[1], order[key[2]]))
+    again = compare(
+        "algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, worlds=2, workers=2
+    )
+    assert again.rows == report.rows

@@ -48,3 +48,9 @@ def test_what_has_been_reached_when_the_time_is_up_is_reported(planted, monkeypa
     report = fuzz(planted(5, 4), edges=7, runs=40, seed=1)
     assert report.verdict == "refuted"
     assert [found.key for found in report.findings] == [found.key for found in reached]
+
+
+def test_a_time_limit_leaves_an_unfinished_sample_inconclusive():
+    report = fuzz("algorithm1", edges=60, runs=100_000, time_limit=0.5)
+    assert (report.verdict, report.exit_code) == ("inconclusive", 3)
+    assert "time limit of 0.5 s" in report.ending.reason

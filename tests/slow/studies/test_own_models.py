@@ -1,8 +1,12 @@
 """A lighthouse, a task and a class of the user's own at once, in every way to run a check."""
 
+import json
+
+import pytest
+
 import allworlds
 from studies import test_own_models as quick
-from studies.test_own_models import WRONG, counts
+from studies.test_own_models import ASKED, WRONG
 
 folder = quick.folder
 
@@ -10,3 +14,21 @@ folder = quick.folder
 def test_a_cluster_changes_nothing(folder):
     one = allworlds.check("mine.py:walks", workers=1, **WRONG)
     assert counts(allworlds.check("mine.py:walks", dask="local", workers=1, **WRONG)) == counts(one)
+
+
+def counts(report):
+    """All of a report but what the machine has to do with."""
+    told = report.to_json()
+    return json.dumps({k: told[k] for k in ("verdict", "scope", "rows", "witnesses", "findings")})
+
+
+@pytest.mark.parametrize("asked", [ASKED, WRONG], ids=["holds", "refuted"])
+def test_workers_and_run_directories_change_nothing(folder, asked):
+    one = allworlds.check("mine.py:walks", workers=1, **asked)
+    assert one.verdict.value == ("holds" if asked is ASKED else "refuted")
+    assert counts(allworlds.check("mine.py:walks", workers=2, **asked)) == counts(one)
+    assert counts(allworlds.check("mine.py:walks", run="rd", **asked)) == counts(one)
+    assert counts(allworlds.merge("rd")) == counts(one)
+    for shard in (0, 1):
+        allworlds.check("mine.py:walks", shard=(shard, 2), run=f"{shard}", **asked)
+    assert allworlds.merge("0", "1").to_json()["rows"] == one.to_json()["rows"]

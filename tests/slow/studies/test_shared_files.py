@@ -1,11 +1,11 @@
 """A file with the explorer and with code that judges it: what is lost, and the scope says so."""
 
+import shutil
+from pathlib import Path
+
 import pytest
 
-from studies import test_shared_files as quick
-from studies.test_shared_files import checked
-
-folder = quick.folder
+from studies.test_shared_files import HONEST, checked
 
 MODELS = {"where": "everything", "task": "judge", "lighthouse": "Beacon"}
 
@@ -25,13 +25,24 @@ def test_the_attack_is_lost_where_nobody_who_judges_loads_it(folder, option, nam
     assert checked("attack", option, f"models.py:{name}")[:2] == ("refuted", "")
 
 
+ATTACK = Path(__file__).parents[2] / "attacks" / "reaching" / "shares_its_file.py"
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    shutil.copy(ATTACK, tmp_path / "attack.py")
+    (tmp_path / "models.py").write_text(HONEST)
+    (tmp_path / "explorers.py").write_text(HONEST)
+    monkeypatch.chdir(tmp_path)
+
+
 @pytest.mark.parametrize(
     ("option", "name"),
-    [("where", "everything"), ("lighthouse", "Beacon")],
+    [("task", "judge"), ("where", "everything"), ("lighthouse", "Beacon")],
 )
 def test_an_explorer_in_the_file_of_its_model_can_make_the_verdict_and_the_scope_says_so(
     folder, option, name
 ):
-    quick.test_an_explorer_in_the_file_of_its_model_can_make_the_verdict_and_the_scope_says_so(
-        folder, option, name
-    )
+    verdict, shared, shown = checked("attack", option, f"attack.py:{name}")
+    assert (verdict, shared) == ("holds", "attack.py")
+    assert "attack.py holds the explorer, and code that judges it" in shown

@@ -3,6 +3,7 @@
 import pytest
 
 from allworlds.outcome import Verdict
+from allworlds.studies.fuzz import fuzz
 from studies import test_two_vertices as quick
 from studies.test_two_vertices import CLUSTER, LAWS, NATURAL, check
 
@@ -68,3 +69,11 @@ def test_both_engines_do_it_and_say_the_same(explorer):
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
 def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges, all_worlds):
     quick.test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges, all_worlds)
+
+
+@pytest.mark.no_cover
+def test_a_sample_refutes_the_natural_explorer_and_shrinks_to_the_smallest_world():
+    report = fuzz(NATURAL, edges=8, runs=300, seed=1)
+    assert report.verdict is Verdict.REFUTED
+    map_ = report.findings[0].world.map
+    assert (map_.edge_count, map_.vertex_count) == (3, 2)

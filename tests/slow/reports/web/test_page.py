@@ -57,3 +57,16 @@ def test_the_bytes_are_the_same_whatever_the_hash_seed():
     }
     assert len(pages) == 1
     assert b"finding-1-answer" in pages.pop()
+
+
+@pytest.mark.no_cover
+def test_the_page_shows_the_verdict_and_everything_that_check_prints(refuted, root):
+    (verdict,) = root.all(class_="verdict refuted")
+    assert "REFUTED" in verdict.text
+    assert "law map is broken" in verdict.text
+    cells = [[cell.text for cell in row.all("td")] for row in root.one("tbody").all("tr")]
+    assert [row[:3] for row in cells] == [
+        [str(row.edges), str(row.vertices), str(row.worlds)] for row in refuted.rows
+    ]
+    terms = [term.text for term in root.one(class_="scope").all("dt")]
+    assert terms == ["explorer", "scope", "laws", "gate", "witnesses"]

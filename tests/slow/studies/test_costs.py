@@ -1,0 +1,12 @@
+"""Costs beside the player's: those of runs, of the best strategy, and of the shortest walk."""
+
+from allworlds.studies.play import LARGEST, play
+from studies.test_costs import costs
+
+
+def test_in_large_worlds_it_is_said_who_is_not_compared():
+    made = play(f"cycle:{LARGEST}")
+    assert costs(made.world)["algorithm1"] > costs(made.world)["every-edge"] == LARGEST
+    assert made.not_compared == ""
+    assert costs(play("cycle:201").world) == {"every-edge": 201}
+    assert f"more than {LARGEST} edges" in play("cycle:201").not_compared
