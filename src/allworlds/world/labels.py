@@ -18,7 +18,7 @@ class Labels(Struct, frozen=True):
 
     Attributes:
         name: of the world, in its file; empty if it has none.
-        vertices: the name of each vertex, in the order of ``map.vertices``; empty if they have none.
+        vertices: of each vertex the name, in the order of ``map.vertices``; empty if they have none.
         positions: where each vertex is drawn; empty if that is not known.
     """
 
