@@ -18,7 +18,7 @@ class Labels(Struct, frozen=True):
 
     Attributes:
         name: of the world, in its file; empty if it has none.
-        vertices: of each vertex the name, in the order of ``map.vertices``; empty if they have none.
+        vertices: their names, in the order of ``map.vertices``; empty if they have none.
         positions: where each vertex is drawn; empty if that is not known.
     """
 
