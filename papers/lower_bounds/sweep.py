@@ -1,6 +1,6 @@
 """Words that serve many hypotheses at once: an explorer that is right, and gains nothing for sure.
 
-    allworlds compare explorers.py:greedy sweep.py:sweep --family corridor --to 325 --worlds 3
+    allworlds compare explorers.py:greedy sweep.py:sweep --family corridor --to 325 --draws 3
 
 It is ``prudent`` with *sweeps* between the passes, where all settled vertices but v0 have one
 degree.  A sweep walks one word from behind every open dart of S.  *Walkers* plan it: robots that

@@ -256,7 +256,7 @@ def bound_order(_: Means, *, edges: int) -> Found:
 
 def order_reached(means: Means, *, family: str, to: int, growing: float) -> Found:
     """The cost in a family in which n grows like m: between the last two sizes like m^3 or more."""
-    report = compare("algorithm1", family=family, to=to, worlds=2, places=1, workers=means.workers)
+    report = compare("algorithm1", family=family, to=to, draws=2, places=1, workers=means.workers)
     rows = report.uninterrupted().rows
     shares = [row.mean / (row.edges**2 * row.vertices) for row in rows]
     shorter, longer = rows[-2:]

@@ -37,7 +37,7 @@ MADE = {
     "compare --by world": lambda: compared("world"),
     "compare --by run": lambda: compared("run"),
     "compare --to M --by size": lambda: allworlds.compare(
-        "algorithm1", family="bouquet", to=12, worlds=1, by="size"
+        "algorithm1", family="bouquet", to=12, draws=1, by="size"
     ),
     "ambiguity census": lambda: ambiguity.census(edges=1),
     "ambiguity class": lambda: ambiguity.class_of("k4"),

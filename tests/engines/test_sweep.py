@@ -35,7 +35,7 @@ SWEEPS = {
         "algorithm1", "folding", family="lattice:3x3", **more
     ),
     "compare --to": lambda **more: compare(
-        "algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, worlds=2, **more
+        "algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, draws=2, **more
     ),
     "fuzz": lambda **more: fuzz(edges=7, runs=600, **more),
     "fuzz refuted": lambda **more: fuzz(f"{WRONG}:everywhere", edges=4, runs=600, **more),

@@ -106,7 +106,7 @@ COMMANDS = {
     "merge-text": "merge {run}",
     "status": "status {run} --json",
     "status-text": "status {run}-0",
-    "growth": "compare algorithm1 dudek91 --family lattice,dense --to 50 --worlds 2 --json",
+    "growth": "compare algorithm1 dudek91 --family lattice,dense --to 50 --draws 2 --json",
     "replay": "replay finding.json --json",
     "replay-text": "replay finding.json",
     "replay-fixed": "replay finding.json --explorer algorithm1 --json",

@@ -42,7 +42,7 @@ from kept_jobs import EXPLORERS
 
 @pytest.fixture(scope="module")
 def report():
-    return compare("algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, worlds=2)
+    return compare("algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, draws=2)
 
 
 def hesitates(first):
@@ -53,7 +53,7 @@ def hesitates(first):
 
 
 def test_isomorphic_worlds_count_once_and_every_direction_is_run():
-    told = compare("algorithm1", hesitates, family="torus", to=18, worlds=10)
+    told = compare("algorithm1", hesitates, family="torus", to=18, draws=10)
     one, other = told.rows
     assert (one.seeds, one.worlds, one.places, one.runs) == (10, 1, 4, 4)
     assert (one.drawn_from, one.exact, one.interval) == (1, True, None)
@@ -80,7 +80,7 @@ def test_no_two_worlds_of_a_size_are_isomorphic_and_every_seed_is_isomorphic_to_
     ("seeds", "places", "exact"), [(30, 4, True), (3, 4, False), (30, 2, False)]
 )
 def test_a_sample_is_exact_if_it_is_the_whole_family_in_every_place(seeds, places, exact):
-    asked = {"family": "lattice", "to": 12, "worlds": seeds, "places": places}
+    asked = {"family": "lattice", "to": 12, "draws": seeds, "places": places}
     report = compare("algorithm1", "folding-oldest", **asked)
     one, other = report.rows
     # A square of 3 x 3 vertices has 24 darts, and 4 turns carry it to itself.
@@ -93,7 +93,7 @@ def test_a_sample_is_exact_if_it_is_the_whole_family_in_every_place(seeds, place
 
 
 def test_every_start_of_an_exact_sample_has_the_same_chance():
-    (row,) = compare("folding-oldest", family="lattice", to=12, worlds=30, places=4).rows
+    (row,) = compare("folding-oldest", family="lattice", to=12, draws=30, places=4).rows
     map_ = map_of_family("lattice:3x3", None, 1)
     means = []
     for start in map_.darts:
@@ -106,17 +106,17 @@ def test_every_start_of_an_exact_sample_has_the_same_chance():
 
 @pytest.mark.parametrize("family", ["dense", "cubic", "bouquet", "corridor"])
 def test_a_family_of_which_seeds_draw_more_than_the_start_is_never_exact(family):
-    (row, *_) = compare("algorithm1", family=family, to=30, worlds=2).rows
+    (row, *_) = compare("algorithm1", family=family, to=30, draws=2).rows
     assert (row.drawn_from, row.exact) == (None, False)
 
 
 def test_of_many_places_a_sample_is_drawn_and_said():
-    told = compare("algorithm1", family="dense", to=20, worlds=2, places=3)
+    told = compare("algorithm1", family="dense", to=20, draws=2, places=3)
     (row,) = told.rows
     assert (row.runs, row.places) == (6, sum(one.map().degree_at[0] for one in row.members))
     assert all(len(set(one.ran)) == 3 and [*one.ran] == sorted(one.ran) for one in row.members)
     assert f"6 of {row.places}" in text_of(told, 120)
-    again = compare("algorithm1", family="dense", to=20, worlds=2, places=3)
+    again = compare("algorithm1", family="dense", to=20, draws=2, places=3)
     assert again.rows == told.rows
 
 
@@ -153,7 +153,7 @@ def grown(costs, explorers=("who",)):
     ]
     return Growth(
         ending=Completed(),
-        request=CompareRequest(to=40, worlds=5, places=1, seed=1),
+        request=CompareRequest(to=40, draws=5, places=1, seed=1),
         extent=Extent(MapClass.MAPS, 1),
         entrants=tuple(
             Entrant(replace(load("folding-oldest"), name=name), Rules()) for name in explorers
@@ -178,7 +178,7 @@ def stops_at_once(first):
 
 
 def test_a_broken_law_refutes():
-    told = compare(stops_at_once, family=["bouquet"], to=13, worlds=1)
+    told = compare(stops_at_once, family=["bouquet"], to=13, draws=1)
     assert (told.verdict.value, told.exit_code) == ("refuted", 1)
     assert told.findings[0].law == "no-estimate"
     assert "broken a law" in text_of(told, 100)
@@ -186,14 +186,14 @@ def test_a_broken_law_refutes():
 
 
 def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():
-    told = compare("algorithm1-natural", family=["torus"], to=18, worlds=1)
+    told = compare("algorithm1-natural", family=["torus"], to=18, draws=1)
     assert (told.verdict.value, told.exit_code, told.left_out) == ("vacuous", 4, 1)
     assert "1 world without a place" in text_of(told, 100)
 
 
 def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
     walked = GrowingWorlds._units
-    whole = compare("algorithm1", family=["bouquet", "strip"], to=60, worlds=1)
+    whole = compare("algorithm1", family=["bouquet", "strip"], to=60, draws=1)
     for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
 
         def units(growth, size, error=error):
@@ -202,7 +202,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
             yield from walked(growth, size)
 
         monkeypatch.setattr(GrowingWorlds, "_units", units)
-        told = compare("algorithm1", family=["bouquet", "strip"], to=60, worlds=1, time_limit=1000)
+        told = compare("algorithm1", family=["bouquet", "strip"], to=60, draws=1, time_limit=1000)
         assert told.exit_code == code
         # Of each family the smallest size.
         smallest = [min(r.edges for r in whole.rows if r.family == f) for f in whole.families]
@@ -221,7 +221,7 @@ def test_a_law_that_is_broken_in_a_begun_size_refutes():
         def progress(self, worlds):
             raise TimeIsUp
 
-    asked = {"family": "cubic", "to": 30, "worlds": 3, "listener": Ends(), "time_limit": 1000}
+    asked = {"family": "cubic", "to": 30, "draws": 3, "listener": Ends(), "time_limit": 1000}
     told = compare(stops_at_once, **asked)
     assert (told.verdict.value, told.rows) == ("refuted", ())
     assert told.findings[0].law == "no-estimate"
@@ -286,7 +286,7 @@ def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
         ({"family": ["strip"], "edges": 3}, "edges = 3 has no effect"),
         ({"family": ["strip"], "holes": "10%"}, "holes = '10%' has no effect"),
         ({"family": ["strip"], "map_class": "simple"}, "class 'simple' has no effect"),
-        ({"family": ["strip"], "worlds": 0}, "worlds = 0"),
+        ({"family": ["strip"], "draws": 0}, "draws = 0"),
         ({"family": ["strip"], "places": 0}, "places = 0"),
         ({"family": ["strip"], "seed": -1}, "seed = -1"),
         ({"family": ["strip"], "by": "map"}, "by 'map' is not one of size, world, run"),
@@ -305,8 +305,8 @@ def test_a_family_without_a_size_is_refused_with_both_spellings(family):
 
 
 def test_what_grows_is_asked_for_by_to(refused):
-    assert "worlds = 2 is for worlds that grow" in refused(
-        "compare", "folding-oldest", "--worlds", 2
+    assert "draws = 2 is for worlds that grow" in refused(
+        "compare", "folding-oldest", "--draws", 2
     )
 
 
@@ -315,7 +315,7 @@ def test_a_seed_left_out_is_the_first(cli):
     assert cli(*one)[1:2] != cli(*one, "--seed", 1)[1:2]
     at_zero, left_out = (json.loads(cli(*one, *more)[1]) for more in (("--seed", 0), ()))
     assert at_zero["rows"] == left_out["rows"]
-    grown = ("compare", "folding-oldest", "--family", "random", "--to", 20, "--worlds", 1, "--json")
+    grown = ("compare", "folding-oldest", "--family", "random", "--to", 20, "--draws", 1, "--json")
     at_one, left_out = (json.loads(cli(*grown, *more)[1]) for more in (("--seed", 1), ()))
     assert at_one["rows"] == left_out["rows"]
 

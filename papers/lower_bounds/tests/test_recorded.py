@@ -25,7 +25,7 @@ def growth(monkeypatch):
 
 
 def test_the_data_of_large_worlds_are_rows_of_the_program(growth):
-    report = compare("algorithm1", family="torus,dense", to=20, worlds=2, by="world")
+    report = compare("algorithm1", family="torus,dense", to=20, draws=2, by="world")
     made = [*csv.DictReader(io.StringIO(file_of("csv", report)))]
     rows = [*growth.kept(made)]
     assert [*growth.by_family(rows)] == ["torus", "dense"]

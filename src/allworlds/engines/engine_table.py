@@ -23,7 +23,7 @@ from allworlds.engines.kernel.capabilities import (
 )
 from allworlds.engines.lanes import in_any_order, workers_for
 from allworlds.engines.limits import DaskCluster, Limits
-from allworlds.engines.scope import Given, Scope
+from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Transport
 from allworlds.explorers.loading import Subject
@@ -87,7 +87,7 @@ def obstacle(scope: Scope, subject: Subject) -> str:
         return "judges users' explorers on Linux alone"
     if kind_of(rules.kind) not in LIGHTHOUSES:
         return f"does not know the lighthouse {show(str(rules.lighthouse))}"
-    if isinstance(scope.coverage, Given):
+    if extent.given is not None:
         return "tries every map of a class, and no given worlds"
     if extent.where is not None:
         return f"does not know the condition {show(extent.where.name)}"

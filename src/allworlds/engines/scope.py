@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Protocol, TypeAlias
 
 from msgspec import Struct
@@ -10,8 +10,8 @@ from msgspec.structs import force_setattr
 
 from allworlds.engines.units import (
     WHOLE,
+    GivenUnit,
     LevelUnit,
-    Placed,
     Portion,
     Shard,
     SweptLevel,
@@ -23,6 +23,7 @@ from allworlds.inputs.checks import InputError, an_integer, at_most, show
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.notations.given import Placed
 from allworlds.protocol.choices import Schedule
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.world import World
@@ -82,9 +83,6 @@ def numbered_runs(
 
 MOST_RUNS = 10**12
 
-PIECE = 50
-"""The given worlds that one worker does at a time."""
-
 
 class Sample(Struct, frozen=True):
     """A number of random worlds, drawn from a seed, each with a least number of edges.
@@ -112,25 +110,7 @@ class Sample(Struct, frozen=True):
             raise InputError(f"min-edges = {show(self.min_edges)} is not positive")
 
 
-class Given(Struct, frozen=True):
-    """Worlds that the user has chosen, with the numbers of their places; ascending by edges."""
-
-    worlds: tuple[tuple[World, int], ...]
-
-    @property
-    def sizes(self) -> list[int]:
-        """Their numbers of edges, each once, ascending."""
-        return sorted({world.map.edge_count for world, _ in self.worlds})
-
-    def level(self, edges: int) -> SweptLevel:
-        """Those with that many edges."""
-        here = [each for each in self.worlds if each[0].map.edge_count == edges]
-        pieces = (here[i : i + PIECE] for i in range(0, len(here), PIECE))
-        units = [GivenWorlds(tuple(piece), f"{edges}/{i}") for i, piece in enumerate(pieces)]
-        return SweptLevel(edges, len(here), units)
-
-
-Coverage: TypeAlias = Whole | Shard | Sample | Given
+Coverage: TypeAlias = Whole | Shard | Sample
 """The part of the worlds of an extent that is tried."""
 
 
@@ -151,33 +131,20 @@ class Scope(Struct, frozen=True):
 
     @property
     def whole(self) -> bool:
-        """Whether every world of the extent is tried, so that they can be counted."""
-        return isinstance(self.coverage, Whole)
+        """Whether every world of a class is tried, so that they can be counted."""
+        return isinstance(self.coverage, Whole) and self.extent.given is None
 
     @property
     def portion(self) -> Portion:
         """The whole, or a shard of it."""
-        match self.coverage:
-            case Sample(portion=portion):
-                return portion
-            case Given():
-                return WHOLE
-        return self.coverage
+        return self.coverage.portion if isinstance(self.coverage, Sample) else self.coverage
 
-    @property
-    def sizes(self) -> Sequence[int]:
-        """The numbers of edges of its levels."""
-        return self.coverage.sizes if isinstance(self.coverage, Given) else self.extent.levels
-
-    def units(self, edges: int) -> Iterator[LevelUnit]:
+    def units(self, edges: int) -> Iterator[LevelUnit | GivenUnit]:
         """The units of a level; they do not depend on the number of workers."""
         return units_of_level(self.extent, edges, self.portion)
 
     @property
     def levels(self) -> Iterator[SweptLevel]:
         """The levels of the scope, with their units."""
-        if isinstance(self.coverage, Given):
-            yield from map(self.coverage.level, self.coverage.sizes)
-            return
         for edges in self.extent.levels:
             yield SweptLevel(edges, level_size(self.extent, edges), self.units(edges))

@@ -12,6 +12,7 @@ from allworlds.document.struct import (
     Document,
     IfAny,
     NotInDocument,
+    Positive,
     Text,
     Why,
     about,
@@ -142,6 +143,20 @@ def tried_places(kind: LighthouseKind, extent: Extent) -> str:
     return kind.as_class.tried_in_maps_of(extent.levels[-1])
 
 
+FileDigests: TypeAlias = Annotated[
+    IfAny[dict[str, Text] | None], about("the SHA-256 of each file of given worlds")
+]
+GivenCount: TypeAlias = Annotated[
+    IfAny[Positive | None], about("how many worlds were given; where it is left out, none")
+]
+
+
+def given_of(request: object) -> dict[str, Any]:
+    """The keys of a scope that tell of given worlds."""
+    given = getattr(request, "given", None)
+    return given.described if given else {"sha256": None, "given": None}
+
+
 Scope_ = TypeVar("Scope_", bound=Document)
 
 
@@ -158,7 +173,7 @@ def told_scope(
     """
     keys = {*kind.__struct_fields__}
     asked = {one.name: as_json(getattr(request, one.name)) for one in in_scope(type(request))}
-    told = {**asked, **(rules.in_effect if rules else {})}
+    told = {**asked, **(rules.in_effect if rules else {}), **given_of(request)}
     return kind(**({name: told[name] for name in told if name in keys} | more))
 
 

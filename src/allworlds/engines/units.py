@@ -19,7 +19,9 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.count_source import completions, source_of
 from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
+from allworlds.notations.given import GivenMap, GivenMaps, Placed
 from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.placeless import Nothing
 
 
 class Unit(Protocol):
@@ -182,10 +184,6 @@ COUNTABLE_WORLDS = 10**12
 _LONG = "this takes long, or does not end; an interrupt ends it with what is finished"
 
 
-Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
-"""A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""
-
-
 class LevelUnit(Struct, frozen=True):
     """All maps of a level whose history begins with ``prefix``."""
 
@@ -223,26 +221,64 @@ SIMPLE_DEPTHS = ((4, 1), (7, 2), (inf, 5))
 for smaller units, and the errors of many units make up for each other."""
 
 
-def units_of_level(extent: Extent, edges: int, portion: Portion = WHOLE) -> Iterator[LevelUnit]:
+class GivenUnit(Struct, frozen=True):
+    """Some of the given maps of a level, with the number of the piece."""
+
+    edges: int
+    number: int
+    given: tuple[GivenMap, ...]
+
+    @property
+    def key(self) -> str:
+        """The name ``EDGES/NUMBER``."""
+        return f"{self.edges}/{self.number}"
+
+    def maps(self, extent: Extent) -> Iterator[CombinatorialMap]:
+        """The maps of the extent, each from every start."""
+        return (map_ for map_, _ in self.placed(extent, Nothing))
+
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+        """The same, each with every place that is left open."""
+        for each in self.given:
+            if extent.include(each.map):
+                yield from each.placed(kind)
+
+
+def units_of_level(
+    extent: Extent, edges: int, portion: Portion = WHOLE
+) -> Iterator[LevelUnit | GivenUnit]:
     """The pieces of a level, or those of a shard; independent of the number of workers.
 
     A shard gets about as many worlds as any other: the weights are counted beforehand.
     """
+    given = extent.given
+    if isinstance(given, GivenMaps):
+        weights = given.weights(edges)
+        mine = dealt(weights, portion) if isinstance(portion, Shard) else range(len(weights))
+        for number in mine:
+            yield GivenUnit(edges, number, given.piece(edges, number))
+        return
     depths = SIMPLE_DEPTHS if extent.map_class.simple else DEPTHS
     depth = next(depth for below, depth in depths if edges < below)
     histories = prefixes(edges, extent.map_class, extent.vertices, depth, extent.where)
-    units = (LevelUnit(edges, prefix) for prefix in histories)
+    units: Iterable[LevelUnit] = (LevelUnit(edges, prefix) for prefix in histories)
     if isinstance(portion, Shard):
         every = list(units)
         units = (every[i] for i in dealt([unit.weight(extent) for unit in every], portion))
     yield from units
 
 
-def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator[LevelUnit]:
+def drawn_units(
+    extent: Extent, edges: int, most: int, draw: Random
+) -> Iterator[LevelUnit | GivenUnit]:
     """An endless sequence of pieces of a level, of at most ``most`` maps, drawn as its maps are.
 
-    A piece is drawn the more often the more maps it has; pieces without a map are left out.
+    A piece is drawn the more often the more maps it has; pieces without a map are left out.  Given
+    maps come as they are.
     """
+    if extent.given is not None:
+        yield from units_of_level(extent, edges)
+        return
     while True:
         gluing, prefix = Gluing(edges, extent.map_class, extent.vertices, extent.where), list[int]()
         while not gluing.finished and (not prefix or completions(gluing) > most):
@@ -272,6 +308,8 @@ def is_counted(extent: Extent | None) -> bool:
 
 def level_size(extent: Extent, edges: int) -> int:
     """The number of all rooted maps of the level; under a condition without a source at most."""
+    if extent.given is not None:
+        return extent.given.starts.get(edges, 0)
     return sum(cells_of_level(extent, edges).values())
 
 
@@ -296,6 +334,8 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
 
     Cost: some milliseconds; a level of which most worlds lie beyond the extent ends the counting.
     """
+    if extent.given is not None:
+        return  # the user knows
     last = extent.levels[-1]
     source = source_of(extent) or SOURCES[extent.map_class]
     worlds = counted = 0

@@ -281,9 +281,10 @@ def meant(request: object) -> dict[str, Any]:
     """All that the answer to a request depends on, but for the explorer, as JSON has it.
 
     A value that JSON does not have stands there by its name, which is its text; of the user's
-    code there is the record, from which it can be loaded again.
+    code there is the record, from which it can be loaded again, and of given files the digest.
     """
-    values = (getattr(request, each.name) for each in _meant(type(request)))
+    values = [getattr(request, each.name) for each in _meant(type(request))]
+    values.append(getattr(request, "given", None))
     codes = [code for value in values for code in getattr(value, "codes", ())]
     found = told_by(type(request), request)
     return {**found, "code": {code.plain: code.record for code in codes}} if codes else found

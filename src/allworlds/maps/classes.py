@@ -7,7 +7,7 @@ under a condition; the options by which requests name them.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import StrEnum
 from itertools import groupby
 from typing import TYPE_CHECKING, Annotated, Any, Protocol
@@ -336,6 +336,26 @@ CONDITIONS: dict[str, ConditionKind] = {
 # ---------------------------------------------------------------- classes of a size
 
 
+class MapSource(Protocol):
+    """Maps that are given one by one, in place of every map of a class."""
+
+    @property
+    def starts(self) -> Mapping[int, int]:
+        """By the number of edges, ascending, how many rooted maps there are."""
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the start and the lighthouse of each are."""
+
+    @property
+    def words(self) -> str:
+        """How many there are, and where they come from."""
+
+    @property
+    def gate(self) -> str:
+        """Why nobody counts them."""
+
+
 class Extent(Struct, frozen=True):
     """At most ``edges`` edges and at most ``vertices`` vertices of one class.
 
@@ -344,6 +364,7 @@ class Extent(Struct, frozen=True):
         edges: M, or None where only the vertices are bounded (simple classes).
         vertices: N, or None where only the edges are bounded.
         where: what besides is true of the maps, or None.
+        given: the maps, if they are given, and not all of the class.
 
     Raises:
         InputError: naming the offending bound and what would be legal.
@@ -353,14 +374,22 @@ class Extent(Struct, frozen=True):
     edges: int | None
     vertices: int | None = None
     where: Condition | None = None
+    given: MapSource | None = None
 
     def __post_init__(self) -> None:
+        if self.given is not None and self.edges is None:
+            force_setattr(self, "edges", max(self.given.starts))
         for name in ("edges", "vertices"):
             if (value := getattr(self, name)) is not None:
                 force_setattr(self, name, an_integer(name, value))
                 at_most(name, value, LARGEST_SIZE)
         if self.edges is not None and self.edges < 1:
             raise InputError(f"edges = {show(self.edges)}, but a map has at least 1 edge")
+        if self.given is not None and not self.levels:
+            least = min(self.given.starts)
+            raise InputError(
+                f"edges = {self.edges}, but {self.given.words} have at least {least} edges"
+            )
         least = 1 + self.map_class.simple
         if self.vertices is not None and self.vertices < least:
             raise InputError(
@@ -377,8 +406,11 @@ class Extent(Struct, frozen=True):
             )
 
     @property
-    def levels(self) -> range:
+    def levels(self) -> Sequence[int]:
         """The numbers of edges m that are to be visited, ascending."""
+        if self.given is not None:
+            assert self.edges is not None
+            return [edges for edges in self.given.starts if edges <= self.edges]
         if self.edges is not None:
             return range(1, self.edges + 1)
         assert self.vertices is not None
@@ -445,9 +477,14 @@ class ExtentOptions(ClassOptions, SizeOptions):
         Raises:
             InputError: naming the offending bound and what would be legal.
         """
-        return Extent(self.map_class, self.edges, self.vertices, self.condition)
+        return Extent(self.map_class, self.edges, self.vertices, self.condition, self.given)
 
     @property
     def condition(self) -> Condition | None:
         """The further condition on the maps; by default there is none."""
+        return None
+
+    @property
+    def given(self) -> MapSource | None:
+        """The given maps; by default there are none."""
         return None

@@ -71,8 +71,10 @@ def _product(a: Mapping[Size, int], b: Mapping[Size, int]) -> Mapping[Size, int]
 
 
 def source_of(extent: Extent) -> CountSource | None:
-    """The source of the numbers of the maps in an extent; None where a condition has none."""
+    """The source of the numbers of the maps in an extent; None where there is none."""
     where = extent.where
+    if extent.given is not None:
+        return None
     if where is None:
         return SOURCES[extent.map_class]
     if isinstance(where, NamedCondition):

@@ -296,6 +296,11 @@ def as_recorded(records: Mapping[str, str]) -> Iterator[None]:
         _RECORDED.reset(token)
 
 
+def recorded(plain: str) -> str | None:
+    """What was recorded of that name, while a record is read; else None."""
+    return _RECORDED.get().get(plain)
+
+
 def _as_recorded(plain: str, record: str) -> tuple[SourceText | None, str]:
     place = plain.rpartition(":")[0]
     if not place.endswith(".py"):

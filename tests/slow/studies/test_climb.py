@@ -30,6 +30,6 @@ def test_rows_stand_by_family_size_and_explorer_whoever_was_faster(report):
     order = {"lattice": 0, "cubic": 1, "algorithm1": 0, "folding-oldest": 1}
     assert names == sorted(names, key=lambda key: (order[key[0]], key[1], order[key[2]]))
     again = compare(
-        "algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, worlds=2, workers=2
+        "algorithm1", "folding-oldest", family=["lattice", "cubic"], to=30, draws=2, workers=2
     )
     assert again.rows == report.rows

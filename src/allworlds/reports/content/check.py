@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from allworlds.engines.scope import Given, Sample
+from allworlds.engines.scope import Sample
 from allworlds.engines.single import SingleRun
 from allworlds.engines.swept_report import tried_places
 from allworlds.engines.tally import Row
@@ -199,16 +199,17 @@ CHECK_SAID = (*SAID, "task", "laws", "schedules", "min_edges", "runs", "max_find
 
 
 def _which(report: CheckReport) -> str:
-    if isinstance(report.asked.coverage, Sample | Given):
+    given = report.asked.extent.given
+    if isinstance(report.asked.coverage, Sample) or (given and given.fixed):
         return "one start and marker"
     some = tried_places(report.asked.rules.lighthouse, report.extent)
     return "every start and the places named below" if some else "every start and marker"
 
 
 def _maps(report: CheckReport) -> str:
-    sample = report.asked.coverage
-    if isinstance(sample, Given):
-        return f"each of {plural(len(sample.worlds), 'given world')}"
+    sample, given = report.asked.coverage, report.asked.extent.given
+    if given is not None:
+        return f"each of {given.words}"
     if not isinstance(sample, Sample):
         return "every map"
     return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
@@ -250,12 +251,12 @@ def _laws(report: CheckReport) -> str:
 
 
 def _gate(report: CheckReport) -> str:
+    if (given := report.asked.extent.given) is not None:
+        return given.gate
     if isinstance(report.asked.coverage, Shard):
         return "deferred to the merge of all shards"
     if isinstance(report.asked.coverage, Sample):
         return "absent: a sample is not to be counted"
-    if isinstance(report.asked.coverage, Given):
-        return "absent: the worlds were given"
     extent = report.asked.extent
     if extent.where is not None and source_of(extent) is None:
         return f"absent: no source counts the maps that are {extent.where.name}"
@@ -291,8 +292,8 @@ def _cases(report: CheckReport) -> Iterator[SuiteCase]:
         (past if report.past and report.past.holds(finding) else new).append(i)
     if report.past:
         yield _failure(report, "past findings", past) if past else SuiteCase("past findings")
-    every = "every given world" if isinstance(report.asked.coverage, Given) else "every world"
-    for edges in report.asked.sizes:
+    every = "every world" if report.asked.extent.given is None else "every given world"
+    for edges in report.asked.extent.levels:
         name = f"{every} with {plural(edges, 'edge')}"
         found = [i for i in new if report.findings[i].key[0] == edges]
         wrong = [

@@ -119,7 +119,7 @@ def _growth_facts(report: Growth) -> list[tuple[str, str]]:
     asked = report.request
     scope = (
         f"families {', '.join(report.families)} up to {plural(asked.to, 'edge')}, "
-        f"{plural(asked.worlds, 'seed')} of each size from seed {asked.seed} on, at most "
+        f"{plural(asked.draws, 'seed')} of each size from seed {asked.seed} on, at most "
         f"{plural(asked.places, 'place')} of the lighthouse in each world{shard}"
     )
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, GROWTH_SAID)]
@@ -141,7 +141,7 @@ def _growth_facts(report: Growth) -> list[tuple[str, str]]:
     return words
 
 
-GROWTH_SAID = (*SAID, "to", "worlds", "places")
+GROWTH_SAID = (*SAID, "to", "draws", "places")
 """The fields of the request of which the facts tell."""
 
 

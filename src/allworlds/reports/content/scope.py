@@ -21,7 +21,7 @@ OfWorlds: TypeAlias = SweptReport | CheckReport
 
 SAID = (
     *("edges", "vertices", "map_class", "where", "lighthouse", "policy", "bound"),
-    *("family", "holes", "seed"),
+    *("family", "holes", "seed", "worlds"),
 )
 """The fields of requests of which the words of a scope tell."""
 
@@ -41,7 +41,9 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
 def maps_in_words(report: OfWorlds) -> str:
     """The maps that a report is about, or the shard of them."""
     shard = f", shard {report.portion}" if isinstance(report.portion, Shard) else ""
-    return f"every rooted map {of_the_class(report.extent)}{shard}"
+    given = report.extent.given
+    maps = "every rooted map" if given is None else f"every start in each of {given.words}"
+    return f"{maps} {of_the_class(report.extent)}{shard}"
 
 
 def finished(report: SweptReport, last: int) -> str:
@@ -87,7 +89,9 @@ def gate_facts(report: Any, what: str, *, rows: bool) -> list[tuple[str, str]]:
         what: was counted, in the plural.
         rows: whether there is anything to compare.
     """
-    if not report.source:
+    if report.extent.given is not None:
+        said = report.extent.given.gate
+    elif not report.source:
         said = f"absent: no source counts the maps that are {report.extent.where}"
     elif not report.whole:
         said = f"of the shard {report.portion} alone; the merge of all shards compares"

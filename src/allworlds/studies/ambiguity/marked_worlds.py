@@ -34,25 +34,29 @@ from allworlds.engines.limits import (
 )
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import (
+    FileDigests,
+    GivenCount,
     SweptReport,
     ToldGate,
     TriedPlaces,
     told_scope,
     tried_places,
 )
-from allworlds.engines.units import WHOLE, LevelUnit, ShardOptions, SweptLevel
+from allworlds.engines.units import WHOLE, GivenUnit, LevelUnit, ShardOptions, SweptLevel
 from allworlds.inputs.checks import InputError, one_of
 from allworlds.inputs.requests import SCOPE, Converted, Option, answers
 from allworlds.maps.canonical import numbering, rooted_code
 from allworlds.maps.classes import Extent, ExtentOptions, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.quotient import Quotient, class_size, is_ambiguous
+from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Disagreement, Ending
 from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
 from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.lighthouses.options import InvalidWorld
+from allworlds.world.lighthouses.placeless import Nothing
 from allworlds.world.selection import WhereOptions, tried_kind
 from allworlds.world.world import World
 
@@ -67,6 +71,7 @@ class CensusRequest(
     TimeLimitOptions,
     ShardOptions,
     WhereOptions,
+    GivenOptions,
     ExtentOptions,
 ):
     """Request of ``ambiguity census``: a class, its bounds and the effort."""
@@ -198,15 +203,15 @@ class PartBySensing(Struct, frozen=True):
     extent: Extent
     kind: LighthouseKind
 
-    def parts(self, unit: LevelUnit) -> Iterator[SensedParts]:
+    def parts(self, unit: LevelUnit | GivenUnit) -> Iterator[SensedParts]:
         """The maps of the unit, some at a time."""
-        met, marked = SensedParts(), self.kind.name == Position.kind
-        for map_ in unit.maps(self.extent):
+        met, marked = SensedParts(), self.kind.name == Position.kind and self.extent.given is None
+        for map_, places in unit.placed(self.extent, Nothing if marked else self.kind.as_class):
             met.worlds += 1
             if marked:
                 met.meet_marked(map_)
-            else:
-                for place in self.kind.as_class.places(map_, 0):
+            else:  # given ones may be the same: each world is known by its code
+                for _, place in places:
                     met.meet(World(map_, place, 0))
             if met.worlds == BATCH:
                 yield met
@@ -309,6 +314,8 @@ class CensusScope(Document):
     """The scope of a census."""
 
     places: TriedPlaces
+    given: GivenCount
+    sha256: FileDigests
     shard: WhichShard
 
 
@@ -378,7 +385,9 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
         super().__init__(request, request.extent)
         self._levels: list[tuple[SweptLevel, int]] = []
         self._met = SensedParts()
-        self.kind: LighthouseKind = request.lighthouse
+        self.kind: LighthouseKind = (
+            request.lighthouse_of_given(request.lighthouse) or request.lighthouse
+        )
         if self.kind.as_class.leaves_marks:
             raise InputError(
                 f"under the lighthouse {self.kind} the robot leaves marks itself, and a census is "
@@ -392,7 +401,8 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
 
     @override
     def finish(self, level: SweptLevel, total: SensedParts) -> None:
-        all_maps = self.extent.map_class is MapClass.MAPS and self.extent.where is None
+        extent = self.extent
+        all_maps = extent.map_class is MapClass.MAPS and extent.where is extent.given is None
         if self.portion == WHOLE and all_maps and self.kind.name == Position.kind:
             total.ensure_counted()
         self._levels.append((level, total.worlds))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable
 from contextlib import suppress
 from itertools import islice
 from random import Random
@@ -37,11 +36,10 @@ from allworlds.engines.job_records import Identity
 from allworlds.engines.limits import ClusterLost, TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.engines.progress import Listener, NoticeOnce, Silent
-from allworlds.engines.scope import Given, Scope
+from allworlds.engines.scope import Scope
 from allworlds.engines.single import subject_of
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.engines.units import (
-    WHOLE,
     Portion,
     SweptLevel,
     drawn_units,
@@ -49,10 +47,8 @@ from allworlds.engines.units import (
     level_size,
     shards_of,
 )
-from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import answers
-from allworlds.judging.findings.finding import canonical_world, place_of
 from allworlds.maps.classes import Extent
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, Verdict
@@ -66,53 +62,6 @@ from allworlds.studies.check.tally_sweep import (
     subject_of_record,
 )
 from allworlds.words import duration
-from allworlds.world.lighthouses.kinds import LighthouseKind, kind_of
-from allworlds.world.world import World
-
-EXCLUSIVE = ("edges", "vertices", "where", "lighthouse", "run", "corpus")
-"""The options that name other worlds, or need worlds that another command can name."""
-
-
-def given_worlds(worlds: Iterable[object], request: CheckRequest) -> tuple[Given, LighthouseKind]:
-    """The worlds of a request as a check goes through them, and the lighthouse of all of them.
-
-    Raises:
-        InputError: if there are none, if one is no world, has another lighthouse or is not of the
-            class, or if the request names worlds in another way, too.
-    """
-    for name in EXCLUSIVE:
-        if getattr(request, name) is not None:
-            given = show(str(getattr(request, name)))
-            raise InputError(f"{name} = {given} cannot be given together with worlds")
-    if request.shard != WHOLE:
-        raise InputError(f"shard = {request.shard} cannot be given together with worlds")
-    try:
-        every = [*worlds]
-    except TypeError:
-        raise InputError(f"worlds = {show(worlds)} is no series of worlds") from None
-    if not every:
-        raise InputError("worlds = [] is empty; legal is one world or more")
-    rooted = [_rooted(world, number, request) for number, world in enumerate(every)]
-    kinds = [kind_of(world.lighthouse) for world in rooted]
-    for number, kind in enumerate(kinds):
-        if kind != kinds[0]:
-            raise InputError(
-                f"worlds[{number}] has the lighthouse {show(str(kind))}, and worlds[0] has "
-                f"{show(str(kinds[0]))}; legal is one lighthouse for all"
-            )
-    placed = [(world, place_of(world)) for world in rooted]
-    return Given(tuple(sorted(placed, key=lambda each: each[0].map.edge_count))), kinds[0]
-
-
-def _rooted(world: object, number: int, request: CheckRequest) -> World:
-    """The world with its darts numbered from the start, which is dart 0."""
-    if not isinstance(world, World):
-        raise InputError(f"worlds[{number}] = {show(world)} is no World")
-    if not request.map_class.includes(world.map):
-        raise InputError(
-            f"worlds[{number}] is not of the class {request.map_class}: {show(world.map)}"
-        )
-    return canonical_world(world)
 
 
 @answers(CheckRequest)
@@ -162,23 +111,13 @@ def _job(request: CheckRequest, keep: int = 1) -> tuple[Job, EngineKind]:
     """The job of a request, and the engine for it."""
     limits, notice = request.limits, request.listener.notice
     subject = subject_of(request.explore, limits)
-    scope = _scope(request, subject)
+    scope = Scope(request.extent, request.rules(subject), request.schedules, request.shard)
     if scope.schedules == "all" and not subject.takes_choices:
         raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
     if request.engine == "auto" and (why := why_not_compiled(scope, subject, limits.memory)):
         notice(why)
     job = Job(scope, subject, limits, keep, limits.deadline(), notice, request.cluster)
     return job, engine_for(request.engine, scope, subject, limits.memory)
-
-
-def _scope(request: CheckRequest, subject: Subject) -> Scope:
-    """The scope of a request: every world of an extent, or the given ones."""
-    if not isinstance(request, CheckRequest) or request.worlds is None:
-        return Scope(request.extent, request.rules(subject), request.schedules, request.shard)
-    given, lighthouse = given_worlds(request.worlds, request)
-    rules = replace(request, worlds=None, lighthouse=lighthouse).rules(subject)
-    extent = Extent(request.map_class, given.sizes[-1])
-    return Scope(extent, rules, request.schedules, given)
 
 
 class CheckSweep(TallySweep[CheckReport]):
@@ -193,8 +132,7 @@ class CheckSweep(TallySweep[CheckReport]):
     verb, asked = "check", CheckRequest
 
     def __init__(self, request: CheckRequest, job: Job, engine: EngineKind) -> None:
-        extent = None if isinstance(job.scope.coverage, Given) else job.scope.extent
-        super().__init__(request, job.scope, job.subject, job.keep, extent)
+        super().__init__(request, job.scope, job.subject, job.keep, job.scope.extent)
         self._engine = engine
         named = request.corpus
         self._corpus = None if named is None else UserCorpus(a_path("corpus", named))
@@ -395,7 +333,7 @@ def worlds_of(job: Job) -> int:
 def is_worth_a_guess(job: Job, engine: EngineKind) -> bool:
     """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
     extent = job.scope.extent
-    if source_of(extent) is None or isinstance(job.scope.coverage, Given):
+    if source_of(extent) is None:
         return False  # how many worlds there are is not known
     soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
     return soon and worlds_of(job) > MANY[_plays(job, engine)]

@@ -25,10 +25,12 @@ from allworlds.document.struct import (
 from allworlds.engines.engine_table import EngineName
 from allworlds.engines.lane import GOES_BY_HASHES
 from allworlds.engines.limits import Limits
-from allworlds.engines.scope import Given, Sample, Scope
+from allworlds.engines.scope import Sample, Scope
 from allworlds.engines.single import SingleRun, single_run, subject_of
 from allworlds.engines.swept_report import (
     EndedReport,
+    FileDigests,
+    GivenCount,
     TriedPlaces,
     told_scope,
     tried_places,
@@ -129,9 +131,8 @@ class CheckedScope(Document):
     shared_file: SharedFile
     shard: WhichShard
     sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
-    given: Annotated[
-        IfAny[Positive | None], about("how many worlds were given; where it is left out, none")
-    ]
+    given: GivenCount
+    sha256: FileDigests
     symmetry: Annotated[str | None, about("why one run was counted for several, if it was")]
     gate: Annotated[
         Gated,
@@ -195,7 +196,7 @@ class CheckReport(EndedReport):
         """All that was checked."""
         extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
         gate: Gated = self.cells
-        if source_of(extent) is None or isinstance(coverage, Sample | Given):
+        if source_of(extent) is None or isinstance(coverage, Sample):
             gate = "absent"
         elif isinstance(coverage, Shard):
             gate = "deferred to the merge of all shards"
@@ -208,7 +209,6 @@ class CheckReport(EndedReport):
             shared_file=rules.shared_file,
             shard=str(self.portion),
             sample=told_scope(SampleReport, self.request) if isinstance(coverage, Sample) else None,
-            given=len(coverage.worlds) if isinstance(coverage, Given) else None,
             symmetry=self.symmetry or None,
             gate=gate,
             complete=self.complete,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated, TypeAlias
 
@@ -16,9 +15,9 @@ from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Converted, Option
 from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
+from allworlds.notations.given import GivenOptions
 from allworlds.protocol.choices import Schedule, a_schedule
 from allworlds.world.selection import LighthouseOptions, WhereOptions, files_of_condition
-from allworlds.world.world import World
 
 SharedFile: TypeAlias = Annotated[
     IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")
@@ -47,7 +46,10 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, LighthouseOptions, ClassO
         Raises:
             InputError: naming the offending option and what would be legal.
         """
-        lighthouse = self.lighthouse or subject.lighthouse
+        lighthouse = self.lighthouse
+        if isinstance(self, GivenOptions):
+            lighthouse = self.lighthouse_of_given(lighthouse)
+        lighthouse = lighthouse or subject.lighthouse
         where = getattr(self, "where", None)
         rules = self.rules_of(
             subject, lighthouse, promised=self.map_class.planar, among=Among.of(where)
@@ -69,6 +71,7 @@ class CheckRequest(
     ExplorerOptions,
     ShardOptions,
     WhereOptions,
+    GivenOptions,
     ExtentOptions,
 ):
     """Request of ``check``: an explorer, worlds, rules and limits."""
@@ -101,12 +104,6 @@ class CheckRequest(
         ),
     ] = "auto"
 
-    worlds: Annotated[
-        Iterable[World] | None,
-        "Worlds to be tried, each once with its own lighthouse, in place of every world of the "
-        "class; they are counted by no source.",
-    ] = None
-
     max_findings: Annotated[
         Converted[int, int],
         Option(
@@ -133,6 +130,6 @@ class CheckRequest(
         Raises:
             InputError: naming the offending bound and what would be legal.
         """
-        unbounded = self.edges is None and self.vertices is None
+        unbounded = self.edges is None and self.vertices is None and self.given is None
         edges = DEFAULT_EDGES if unbounded else self.edges
-        return Extent(self.map_class, edges, self.vertices, self.where)
+        return Extent(self.map_class, edges, self.vertices, self.where, self.given)

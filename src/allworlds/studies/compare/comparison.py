@@ -139,7 +139,7 @@ def _contest(entrants: tuple[Entrant, ...], request: CompareRequest) -> SameWorl
     """The sweep for a request."""
     if request.to is not None:
         return GrowingWorlds(entrants, request, request.to)
-    for name in ("worlds", "places"):
+    for name in ("draws", "places"):
         if (given := getattr(request, name)) is not None:
             raise InputError(
                 f"{name} = {show(given)} is for worlds that grow: with --to M worlds of each size "
@@ -157,16 +157,18 @@ def _contest(entrants: tuple[Entrant, ...], request: CompareRequest) -> SameWorl
                 f"family {show(family)} names no world: give a size, as in lattice:3x4, for one "
                 "world, or --to M for worlds that grow up to M edges"
             )
-        if edges is not None or vertices is not None:
-            raise InputError(f"family {show(family)} is one world; it takes no edges or vertices")
+        if edges is not None or vertices is not None or request.given is not None:
+            raise InputError(
+                f"family {show(family)} is one world; it takes no edges, vertices or worlds"
+            )
         if request.where is not None:
             raise InputError(f"family {show(family)} is one world; where has no effect on it")
         seed = request.seed or 0
         return SameWorlds(entrants, replace(request, seed=seed), Member(family, holes, seed))
     if holes is not None:
         raise InputError(f"holes {holes} has no effect without a family")
-    if edges is None and vertices is None:
-        raise InputError("compare takes edges, vertices or a family")
+    if edges is None and vertices is None and request.given is None:
+        raise InputError("compare takes edges, vertices, worlds or a family")
     return SameWorlds(entrants, request)
 
 

@@ -36,6 +36,8 @@ from allworlds.engines.single import subject_of
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.swept_report import (
     By,
+    FileDigests,
+    GivenCount,
     RowOptions,
     SweptReport,
     TriedPlaces,
@@ -60,6 +62,7 @@ from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps.classes import Extent, ExtentOptions
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import FORMS
+from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Completed, Ending, Verdict
 from allworlds.studies.check.requests import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
@@ -78,10 +81,10 @@ def _families(given: object) -> tuple[str, ...] | None:
     return tuple(dict.fromkeys(a_text("family", name) for name in names))
 
 
-class ContestWorldsOptions(WhereOptions, ExtentOptions):
+class ContestWorldsOptions(WhereOptions, GivenOptions, ExtentOptions):
     """The worlds in which explorers are compared.
 
-    Without ``to`` these are all worlds of a class, or one of a family.
+    Without ``to`` these are all worlds of a class, or given ones, or one of a family.
     """
 
     family: Annotated[
@@ -126,7 +129,7 @@ class ContestWorldsOptions(WhereOptions, ExtentOptions):
             ],
         ),
     ] = None
-    worlds: Annotated[
+    draws: Annotated[
         int | None,
         Option(
             RARE_SCOPE,
@@ -354,6 +357,8 @@ class Compared(ComparedName):
 class ContestScope(Document):
     """The worlds of a comparison."""
 
+    given: GivenCount
+    sha256: FileDigests
     shard: WhichShard
 
 

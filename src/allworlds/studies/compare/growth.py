@@ -377,19 +377,19 @@ class GrowingWorlds(Contest[Growth]):
 
     def __init__(self, entrants: Sequence[Entrant], request: CompareRequest, to: int) -> None:
         _ensure_grows(entrants, request)
-        defaults = {"worlds": WORLDS, "places": PLACES, "seed": SEED}
+        defaults = {"draws": WORLDS, "places": PLACES, "seed": SEED}
         numbers = {"to": to}
         for name, default in defaults.items():
             given = getattr(request, name)
             numbers[name] = default if given is None else given
-        for option, least in (("to", LEAST), ("worlds", 1), ("places", 1), ("seed", 0)):
+        for option, least in (("to", LEAST), ("draws", 1), ("places", 1), ("seed", 0)):
             if an_integer(option, numbers[option]) < least:
                 raise InputError(f"{option} = {show(numbers[option])} is less than {least}")
         self._places, self._families = numbers["places"], request.family or ()
         sizes = [
             _size(number, family, members)
             for number, family in enumerate(self._families)
-            for members in members_of(family, to, numbers["worlds"], numbers["seed"])
+            for members in members_of(family, to, numbers["draws"], numbers["seed"])
         ]
         self._sizes = sorted(sizes, key=lambda size: size.edges)
         edges = [edges_of(member.text) for size in self._sizes for member in size.maps]
@@ -487,7 +487,7 @@ class GrowingWorlds(Contest[Growth]):
 
 def _ensure_grows(entrants: Sequence[Entrant], request: CompareRequest) -> None:
     """Raise InputError for an option without effect on worlds that grow, and for none to run."""
-    given = {name: getattr(request, name) for name in ("edges", "vertices", "holes")}
+    given = {name: getattr(request, name) for name in ("edges", "vertices", "holes", "worlds")}
     for name, value in given.items():
         if value is not None:
             raise InputError(f"{name} = {show(value)} has no effect on worlds that grow")

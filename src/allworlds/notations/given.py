@@ -1,0 +1,332 @@
+"""Worlds that users give in place of a class: of files, of a graph's embeddings, or made here."""
+
+from __future__ import annotations
+
+import hashlib
+from array import array
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cached_property
+from itertools import chain
+from pathlib import Path
+from typing import Annotated, Any, TypeAlias
+
+from msgspec import Struct
+
+from allworlds.document.struct import IfAny, Text, about
+from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
+from allworlds.maps.canonical import numbering, rooted_code
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, inverse
+from allworlds.notations.entry import Entry
+from allworlds.notations.table import Order, YAxis, entries, entry_at
+from allworlds.protocol.user_code import recorded
+from allworlds.words import listed, plural
+from allworlds.world.labels import PLAIN, Labels
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.kinds import LighthouseKind, kind_of, lighthouse_from_json
+from allworlds.world.world import World
+
+PIECE = 50
+"""The given maps that one worker does at a time."""
+
+Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
+"""A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""
+
+
+class GivenMap(Struct, frozen=True):
+    """A map, with what is fixed in it.
+
+    Attributes:
+        map: numbered in any way.
+        start: the only start, or None: every dart is one.
+        lighthouse: at its only place, or None: every place is tried.
+        labels: what the user calls it.
+    """
+
+    map: CombinatorialMap
+    start: Dart | None = None
+    lighthouse: Lighthouse | None = None
+    labels: Labels = PLAIN
+
+    @property
+    def starts(self) -> Sequence[Dart]:
+        """The darts that the robot may face at the start."""
+        return self.map.darts if self.start is None else (self.start,)
+
+    def placed(self, kind: type[Lighthouse]) -> Iterator[Placed]:
+        """The map from each start, in canonical numbering, with the places that are tried."""
+        for start in self.starts:
+            names = inverse(numbering(self.map.sigma, self.map.alpha, start))
+            rooted = self.map.relabelled(names)
+            if self.lighthouse is None:
+                yield rooted, [*enumerate(kind.places(rooted, 0))]
+            else:
+                place = self.lighthouse.relabelled(names)
+                yield rooted, [(place.number(rooted, 0), place)]
+
+
+class Digest(Struct, frozen=True):
+    """A file of worlds, as an identity knows it: by its name, and the SHA-256 of its content."""
+
+    plain: str
+    record: str
+
+
+class GivenMaps:
+    """Maps that are given one by one, in place of every map of a class.
+
+    What other processes get of them is what is said here, and not the maps: those are in units.
+
+    Args:
+        noun: of one of them.
+        of: where they come from, in words; empty for worlds that were made in this process.
+        found: the maps, each with the name by which it is refused and the key by which
+            :meth:`_entry` finds it.
+        codes: their files.
+
+    Attributes:
+        count: how many there are.
+        starts: by the number of edges, ascending, how many rooted maps there are.
+        lighthouse: the kind of those that are fixed; None: none is.
+        fixed: whether start and lighthouse of each are.
+
+    Raises:
+        InputError: if there are none, or lighthouses of two kinds.
+    """
+
+    def __init__(
+        self,
+        noun: str,
+        of: str,
+        found: Iterable[tuple[str, tuple[int, int], GivenMap]],
+        codes: tuple[Digest, ...] = (),
+    ) -> None:
+        self.noun, self.of, self.codes = noun, of, codes
+        self.count, self.fixed = 0, True
+        self.lighthouse: LighthouseKind | None = None
+        self._at: dict[int, array[int]] = defaultdict(lambda: array("Q"))
+        first = ""
+        for name, key, given in found:
+            self.count += 1
+            self._at[given.map.edge_count].extend((*key, len(given.starts)))
+            self.fixed &= given.start is not None and given.lighthouse is not None
+            kind = given.lighthouse and kind_of(given.lighthouse)
+            if kind and self.lighthouse and kind != self.lighthouse:
+                raise InputError(
+                    f"{name} has the lighthouse {show(str(kind))}, and {first} has "
+                    f"{show(str(self.lighthouse))}; legal is one lighthouse for all"
+                )
+            if kind and not self.lighthouse:
+                self.lighthouse, first = kind, name
+        if not self.count:
+            raise InputError(f"worlds = {of or '[]'} is empty; legal is one world or more")
+        self.starts = {edges: sum(self._at[edges][2::3]) for edges in sorted(self._at)}
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "_at": None, "_entry": None}
+
+    _entry: Callable[[int, int], GivenMap]
+
+    @property
+    def words(self) -> str:
+        """``3 worlds of plan.json``."""
+        return f"{plural(self.count, self.noun)}{self.of and f' of {self.of}'}"
+
+    @property
+    def gate(self) -> str:
+        """Why nobody counts them."""
+        return (
+            f"absent: {self.noun}s of a {'file' if self.codes else 'graph'}"
+            if self.of
+            else ("absent: the worlds were given")
+        )
+
+    @property
+    def described(self) -> dict[str, Any]:
+        """What the scope of a document tells of them."""
+        digests = {code.plain: code.record for code in self.codes}
+        return {"worlds": tuple(digests), "sha256": digests or None, "given": self.count}
+
+    def weights(self, edges: int) -> list[int]:
+        """How many rooted maps each piece of a level has."""
+        starts = self._at[edges][2::3]
+        return [sum(starts[i : i + PIECE]) for i in range(0, len(starts), PIECE)]
+
+    def piece(self, edges: int, number: int) -> tuple[GivenMap, ...]:
+        """The maps of a piece of a level."""
+        keys = self._at[edges][3 * PIECE * number : 3 * PIECE * (number + 1)]
+        return tuple(map(self._entry, keys[::3], keys[1::3]))
+
+    def like(self, world: World) -> Iterator[World]:
+        """The given worlds that are this one in another numbering, in their order."""
+        code = rooted_code(world.map.sigma, world.map.alpha, world.start)
+        edges = world.map.edge_count
+        pieces = (self.piece(edges, i) for i in range(len(self.weights(edges))))
+        for given in chain.from_iterable(pieces):
+            for start in given.starts:
+                if rooted_code(given.map.sigma, given.map.alpha, start) != code:
+                    continue
+                order = numbering(world.map.sigma, world.map.alpha, world.start)
+                own = numbering(given.map.sigma, given.map.alpha, start)
+                names = [own[i] for i in inverse(order)]
+                place = world.lighthouse.relabelled(names)
+                if given.lighthouse in (None, place):
+                    yield World(given.map, place, start)
+
+
+def given_worlds(worlds: Sequence[World]) -> GivenMaps:
+    """Worlds that were made in this process, each with its own start and lighthouse."""
+    made = [GivenMap(world.map, world.start, world.lighthouse) for world in worlds]
+    return _kept("given world", "", made)
+
+
+def _kept(noun: str, of: str, kept: Sequence[GivenMap]) -> GivenMaps:
+    found = ((f"worlds[{i}]", (0, i), each) for i, each in enumerate(kept))
+    maps = GivenMaps(noun, of, found)
+    maps._entry = lambda _, number: kept[number]  # noqa: SLF001  # of this module
+    return maps
+
+
+def worlds_of_files(names: Sequence[str], order: Order, y: YAxis | None) -> GivenMaps:
+    """Every world of these files; they are read twice, and never held.
+
+    Raises:
+        InputError: naming the file, the world in it, and what would be legal.
+    """
+    codes = tuple(Digest(name, _digest(name)) for name in dict.fromkeys(names))
+
+    def found() -> Iterator[tuple[str, tuple[int, int], GivenMap]]:
+        for file, code in enumerate(codes):
+            for number, (offset, entry) in enumerate(entries(code.plain, order, y), 1):
+                name = f"{entry.labels.name or f'world {number}'} of {code.plain}"
+                yield name, (file, offset), _given(entry, name)
+
+    maps = GivenMaps("world", listed([code.plain for code in codes]), found(), codes)
+    maps._entry = lambda file, offset: _given(  # noqa: SLF001  # of this module
+        entry_at(codes[file].plain, offset, order, y)
+    )
+    return maps
+
+
+def _given(entry: Entry, name: str = "") -> GivenMap:
+    """The entry with its lighthouse; the name is for a refusal."""
+    place, start = None, entry.start or 0
+    if entry.lighthouse is not None:
+        try:
+            place = lighthouse_from_json(entry.lighthouse, entry.map, start)
+            place.check(entry.map, start)
+        except InputError as error:
+            raise InputError(f"{name}: {error}") from None
+    return GivenMap(entry.map, entry.start, place, entry.labels)
+
+
+def _digest(name: str) -> str:
+    """SHA-256 of a file; the recorded one where a record is read."""
+    try:
+        with a_path("worlds", name).open("rb") as file:
+            digest = hashlib.file_digest(file, "sha256").hexdigest()
+    except OSError as error:
+        raise InputError(f"worlds {show(name)} cannot be read: {error.strerror}") from None
+    if recorded(name) not in (None, digest):
+        raise InputError(f"worlds {show(name)} has another text now than the one recorded")
+    return digest
+
+
+# ---------------------------------------------------------------- options
+
+
+def _worlds(given: object) -> tuple[Any, ...] | None:
+    """The names of files, or worlds; each as it is."""
+    if given is None:
+        return None
+    if isinstance(given, str | Path):
+        return (str(given),)
+    try:
+        every = [*given]  # type: ignore[misc]  # or a refusal
+    except TypeError:
+        raise InputError(f"worlds = {show(given)} is no series of worlds") from None
+    made = any(isinstance(world, World) for world in every)
+    for number, world in enumerate(every):
+        if not isinstance(world, World if made else str | Path):
+            raise InputError(f"worlds[{number}] = {show(world)} is no World")
+    return tuple(every) if made else tuple(map(str, every))
+
+
+class GivenOptions(Request):
+    """The part of a request that gives worlds in place of those of a class."""
+
+    worlds: Annotated[
+        Converted[str | Path | Iterable[str | Path | World] | None, tuple[Any, ...] | None],
+        Option(
+            SCOPE,
+            "FILE",
+            "Every world of a file in place of a class, from every start, with every place of the "
+            "lighthouse, unless the file fixes them. Of several files: repeat the option.",
+            repeated=True,
+            document_type=Annotated[
+                IfAny[tuple[Text, ...] | None], about("the files of the worlds, if there are any")
+            ],
+        ),
+    ] = Converted(_worlds, None)
+    order: Annotated[
+        Order | None,
+        Option(
+            RARE_SCOPE,
+            "clockwise|anticlockwise",
+            "With --worlds: how the files list the edges round a vertex [default: clockwise].",
+            document_type=Annotated[
+                IfAny[Text | None], about("how files list the edges round a vertex, if it was said")
+            ],
+        ),
+    ] = None
+    y: Annotated[
+        YAxis | None,
+        Option(
+            RARE_SCOPE,
+            "up|down",
+            "With --worlds: where the y of positions grows [default: as in their notation].",
+            document_type=Annotated[
+                IfAny[Text | None], about("where the y of positions grows, if it was said")
+            ],
+        ),
+    ] = None
+
+    @cached_property
+    def given(self) -> GivenMaps | None:
+        """The given worlds; None for those of a class.
+
+        Raises:
+            InputError: naming the file and the place in it, or the option.
+        """
+        if self.worlds is None:
+            for name in ("order", "y"):
+                if getattr(self, name) is not None:
+                    raise InputError(f"{name} {show(getattr(self, name))} is for --worlds FILE")
+            return None
+        if not self.worlds or isinstance(self.worlds[0], World):
+            if getattr(self, "run", None) is not None:
+                raise InputError(
+                    "run keeps no worlds that live in this process alone; write them into a file, "
+                    "and name that"
+                )
+            return given_worlds(self.worlds)
+        for name, legal in (("order", ("clockwise", "anticlockwise")), ("y", ("up", "down"))):
+            if getattr(self, name) not in (None, *legal):
+                said = show(getattr(self, name))
+                raise InputError(f"{name} {said} is not one of {', '.join(legal)}")
+        return worlds_of_files(self.worlds, self.order or "clockwise", self.y)
+
+    def lighthouse_of_given(self, named: LighthouseKind | None) -> LighthouseKind | None:
+        """The lighthouse that the given worlds fix, or the one that is named.
+
+        Raises:
+            InputError: if both are there, and are two.
+        """
+        fixed = self.given and self.given.lighthouse
+        if named and fixed and named != fixed:
+            raise InputError(
+                f"lighthouse = {show(str(named))}, but {self.given.words} have "  # type: ignore[union-attr]
+                f"{show(str(fixed))}"
+            )
+        return fixed or named
