@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import inspect
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import partial
 from typing import Any, TypeAlias
@@ -33,6 +33,7 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
+from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Verdict
 from allworlds.reports.formats import brief
 from allworlds.reports.plain_text import finding_in_words
@@ -64,6 +65,9 @@ LIGHTHOUSE_EDGES = 3
 WIDTH = 100
 PLUGIN = "_allworlds_pytest"
 
+GIVEN = {field.name for field in fields(GivenOptions)}  # type: ignore[arg-type]  # a class
+"""The options that give worlds in place of a class."""
+
 Explorer: TypeAlias = str | Callable[..., Any]
 """A generator function, or a name as on the command line."""
 
@@ -90,7 +94,7 @@ def assert_explores(explore: Explorer, *, edges: int | None = None, **options: A
     return report
 
 
-def levels_of(options: Mapping[str, Any]) -> range:
+def levels_of(options: Mapping[str, Any]) -> Sequence[int]:
     """The numbers of edges in the extent that these options name, from the least map on.
 
     Raises:
@@ -99,7 +103,10 @@ def levels_of(options: Mapping[str, Any]) -> range:
     bounds = _bounds(options)
     map_class = MapClass.named(options.get("map_class", MapClass.MAPS.value))
     where = a_condition(options.get("where"))
-    extent = Extent(map_class, bounds["edges"], bounds.get("vertices"), where)
+    given = GivenOptions(**{key: options[key] for key in GIVEN & options.keys()}).given
+    extent = Extent(map_class, bounds["edges"], bounds["vertices"], where, given)
+    if given is not None:
+        return extent.levels
     first, last = extent.levels[0], extent.levels[-1]
     while where is not None and first < last and not _any_map(extent, first):
         first += 1
@@ -307,8 +314,8 @@ def _assert_holds(report: CheckReport) -> None:
 
 def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
     """The report of a check, after past findings; those that are fixed are forgotten."""
-    chosen = options.get("worlds") is not None
-    given = {**options} if chosen else {**options, **_bounds(options)}
+    chosen = isinstance(options.get("worlds"), list | tuple)  # here, and not in a file
+    given = {**options, **_bounds(options)}
     if not chosen and "corpus" not in given and "run" not in given:
         plugin = sys.modules.get(PLUGIN)
         given["corpus"] = plugin and plugin.corpus_of_test()
@@ -320,9 +327,10 @@ def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
 
 
 def _bounds(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The edges and vertices of a check; the default bound if it has none."""
+    """The edges and vertices of a check; the default bound if it has none, and no worlds."""
     edges, vertices = options.get("edges"), options.get("vertices")
-    return {"edges": EDGES if edges is None and vertices is None else edges, "vertices": vertices}
+    unbounded = edges is None and vertices is None and not GIVEN & options.keys()
+    return {"edges": EDGES if unbounded else edges, "vertices": vertices}
 
 
 def _said(report: CheckReport) -> str:

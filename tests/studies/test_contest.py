@@ -194,7 +194,7 @@ def test_the_page_holds_both_walks_and_the_document(report):
     [
         (["folding"], {"edges": 2}, "two explorers"),
         (["folding", "folding"], {"edges": 2}, "named twice"),
-        (["folding", "folding-oldest"], {}, "edges, vertices or a family"),
+        (["folding", "folding-oldest"], {}, "edges, vertices, worlds or a family"),
         (
             ["folding", "folding-oldest"],
             {"edges": 2, "family": "cycle:3"},

@@ -85,12 +85,11 @@ def test_an_engine_that_cannot_do_it_says_so():
         ([], {}, "is empty"),
         (3, {}, "worlds = 3 is no series of worlds"),
         ([3], {}, r"worlds\[0\] = 3 is no World"),
-        (None, {"edges": 3}, "edges = '3' cannot be given together with worlds"),
-        (None, {"where": "trees"}, "where = 'trees' cannot be given together"),
-        (None, {"lighthouse": "none"}, "lighthouse = 'none' cannot be given together"),
-        (None, {"run": "rd"}, "run = 'rd' cannot be given together"),
-        (None, {"shard": (0, 2)}, "shard = 0/2 cannot be given together"),
-        (None, {"map_class": "simple"}, r"worlds\[1\] is not of the class simple"),
+        ([3], {"edges": 3}, "is no World"),
+        (None, {"lighthouse": "none"}, "lighthouse = 'none', but 3 given worlds have 'directional'"),
+        (None, {"run": "rd"}, "run keeps no worlds that live in this process alone"),
+        (None, {"order": "clockwise"}, "order = 'clockwise' has no effect without worlds of a file"),
+        (None, {"graph": "k4"}, "graph = 'k4' cannot be given together with worlds"),
     ],
 )
 def test_what_is_no_series_of_worlds_is_refused_in_one_line(worlds, options, said, folder):
@@ -98,6 +97,14 @@ def test_what_is_no_series_of_worlds_is_refused_in_one_line(worlds, options, sai
     with pytest.raises(InputError, match=said) as error:
         allworlds.check(worlds=given, **options)
     assert "\n" not in str(error.value)
+
+
+def test_class_condition_and_bounds_narrow_given_worlds():
+    given = [*allworlds.worlds(edges=3, places="all")]
+    for bound in ({"map_class": "simple"}, {"where": "cubic"}, {"vertices": 2}, {"edges": 2}):
+        some = allworlds.check("folding", worlds=given, **bound)
+        every = allworlds.check("folding", **{"edges": 3, **bound})
+        assert (some.runs, some.traversals) == (every.runs, every.traversals)
 
 
 def test_two_lighthouses_are_refused():

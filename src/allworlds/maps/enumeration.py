@@ -229,6 +229,27 @@ def _completions(gluing: Gluing) -> Iterator[CombinatorialMap]:
         yield from _completions(after)
 
 
+def history(map_: CombinatorialMap) -> tuple[Decision, ...]:
+    """The decisions that glue this map together from dart 0.  Cost: O(m)."""
+    order, decisions = list[Dart](), list[Decision]()
+    number: dict[Dart, Dart] = {}
+
+    def met(first: Dart) -> None:
+        decisions.append(-map_.degree_at[first])
+        for turned in range(map_.degree_at[first]):
+            number[map_.turn(first, turned)] = len(order)
+            order.append(map_.turn(first, turned))
+
+    met(0)
+    for dart in order:
+        other = map_.alpha[dart]
+        if other not in number:
+            met(other)
+        elif number[other] > number[dart]:
+            decisions.append(number[other])
+    return tuple(decisions)
+
+
 def prefixes(
     edges: int,
     map_class: MapClass = MapClass.MAPS,

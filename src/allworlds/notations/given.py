@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from array import array
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -14,12 +15,14 @@ from typing import Annotated, Any, TypeAlias
 from msgspec import Struct
 
 from allworlds.document.struct import IfAny, Text, about
-from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.inputs.checks import InputError, a_path, existing_file, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
+from allworlds.maps.build import named_map
 from allworlds.maps.canonical import numbering, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, inverse
+from allworlds.maps.networks import to_networkx
 from allworlds.notations.entry import Entry
-from allworlds.notations.table import Order, YAxis, entries, entry_at
+from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
 from allworlds.protocol.user_code import recorded
 from allworlds.words import listed, plural
 from allworlds.world.labels import PLAIN, Labels
@@ -81,6 +84,7 @@ class GivenMaps:
     Args:
         noun: of one of them.
         of: where they come from, in words; empty for worlds that were made in this process.
+        gate: why nobody counts them.
         found: the maps, each with the name by which it is refused and the key by which
             :meth:`_entry` finds it.
         codes: their files.
@@ -99,10 +103,11 @@ class GivenMaps:
         self,
         noun: str,
         of: str,
+        gate: str,
         found: Iterable[tuple[str, tuple[int, int], GivenMap]],
         codes: tuple[Digest, ...] = (),
     ) -> None:
-        self.noun, self.of, self.codes = noun, of, codes
+        self.noun, self.of, self.gate, self.codes = noun, of, f"absent: {gate}", codes
         self.count, self.fixed = 0, True
         self.lighthouse: LighthouseKind | None = None
         self._at: dict[int, array[int]] = defaultdict(lambda: array("Q"))
@@ -134,19 +139,11 @@ class GivenMaps:
         return f"{plural(self.count, self.noun)}{self.of and f' of {self.of}'}"
 
     @property
-    def gate(self) -> str:
-        """Why nobody counts them."""
-        return (
-            f"absent: {self.noun}s of a {'file' if self.codes else 'graph'}"
-            if self.of
-            else ("absent: the worlds were given")
-        )
-
-    @property
     def described(self) -> dict[str, Any]:
         """What the scope of a document tells of them."""
         digests = {code.plain: code.record for code in self.codes}
-        return {"worlds": tuple(digests), "sha256": digests or None, "given": self.count}
+        named = {} if self.of else {"worlds": ()}
+        return {"sha256": digests or None, "given": self.count, **named}
 
     def weights(self, edges: int) -> list[int]:
         """How many rooted maps each piece of a level has."""
@@ -178,13 +175,15 @@ class GivenMaps:
 def given_worlds(worlds: Sequence[World]) -> GivenMaps:
     """Worlds that were made in this process, each with its own start and lighthouse."""
     made = [GivenMap(world.map, world.start, world.lighthouse) for world in worlds]
-    return _kept("given world", "", made)
+    return _held("given world", "", "the worlds were given", made)
 
 
-def _kept(noun: str, of: str, kept: Sequence[GivenMap]) -> GivenMaps:
-    found = ((f"worlds[{i}]", (0, i), each) for i, each in enumerate(kept))
-    maps = GivenMaps(noun, of, found)
-    maps._entry = lambda _, number: kept[number]  # noqa: SLF001  # of this module
+def _held(
+    noun: str, of: str, gate: str, held: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
+) -> GivenMaps:
+    found = ((f"worlds[{i}]", (0, i), each) for i, each in enumerate(held))
+    maps = GivenMaps(noun, of, gate, found, codes)
+    maps._entry = lambda _, number: held[number]  # noqa: SLF001  # of this module
     return maps
 
 
@@ -202,11 +201,34 @@ def worlds_of_files(names: Sequence[str], order: Order, y: YAxis | None) -> Give
                 name = f"{entry.labels.name or f'world {number}'} of {code.plain}"
                 yield name, (file, offset), _given(entry, name)
 
-    maps = GivenMaps("world", listed([code.plain for code in codes]), found(), codes)
+    of = listed([code.plain for code in codes])
+    maps = GivenMaps("world", of, "worlds of a file", found(), codes)
     maps._entry = lambda file, offset: _given(  # noqa: SLF001  # of this module
         entry_at(codes[file].plain, offset, order, y)
     )
     return maps
+
+
+def embeddings_of(graph: str, which: str, order: Order | None, y: YAxis | None) -> GivenMaps:
+    """Every embedding of a graph, up to isomorphism; each is held.
+
+    Raises:
+        InputError: naming the graph, or the words about its embeddings; or if there are none.
+    """
+    of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
+    if which != "all" and not of_genus:
+        raise InputError(f"embeddings {show(which)} is not one of all, genus:G, as in genus:1")
+    if existing_file("graph", graph):
+        codes: tuple[Digest, ...] = (Digest(graph, _digest(graph)),)
+        map_ = entry_named(graph, "", order or "clockwise", y).map
+    else:
+        codes, map_ = (), named_map(graph)
+    from allworlds.maps import embeddings
+
+    genus = int(of_genus[1]) if of_genus else None
+    held = [GivenMap(each) for each in embeddings(to_networkx(map_), genus=genus)]
+    of = graph if genus is None else f"{graph} of genus {genus}"
+    return _held("embedding", of, "embeddings of a graph", held, codes)
 
 
 def _given(entry: Entry, name: str = "") -> GivenMap:
@@ -253,6 +275,10 @@ def _worlds(given: object) -> tuple[Any, ...] | None:
     return tuple(every) if made else tuple(map(str, every))
 
 
+def _said(meaning: str) -> Any:
+    return Annotated[IfAny[Text | None], about(f"{meaning}; left out: it was not said")]
+
+
 class GivenOptions(Request):
     """The part of a request that gives worlds in place of those of a class."""
 
@@ -274,10 +300,8 @@ class GivenOptions(Request):
         Option(
             RARE_SCOPE,
             "clockwise|anticlockwise",
-            "With --worlds: how the files list the edges round a vertex [default: clockwise].",
-            document_type=Annotated[
-                IfAny[Text | None], about("how files list the edges round a vertex, if it was said")
-            ],
+            "How files list the edges round a vertex [default: clockwise].",
+            document_type=_said("how files list the edges round a vertex"),
         ),
     ] = None
     y: Annotated[
@@ -285,10 +309,27 @@ class GivenOptions(Request):
         Option(
             RARE_SCOPE,
             "up|down",
-            "With --worlds: where the y of positions grows [default: as in their notation].",
-            document_type=Annotated[
-                IfAny[Text | None], about("where the y of positions grows, if it was said")
-            ],
+            "Where the y of positions in files grows [default: as in their notation].",
+            document_type=_said("where the y of positions in files grows"),
+        ),
+    ] = None
+    graph: Annotated[
+        str | None,
+        Option(
+            RARE_SCOPE,
+            "FILE|NAME",
+            "Every embedding of a graph in place of a class, each once up to isomorphism: of k4, "
+            "k33, k5, petersen, of another map with a name, or of the graph of a file.",
+            document_type=_said("the graph of which every embedding is tried"),
+        ),
+    ] = None
+    embeddings: Annotated[
+        str | None,
+        Option(
+            RARE_SCOPE,
+            "all|genus:G",
+            "Which embeddings of the graph [default: all].",
+            document_type=_said("which of them"),
         ),
     ] = None
 
@@ -299,23 +340,27 @@ class GivenOptions(Request):
         Raises:
             InputError: naming the file and the place in it, or the option.
         """
-        if self.worlds is None:
-            for name in ("order", "y"):
-                if getattr(self, name) is not None:
-                    raise InputError(f"{name} {show(getattr(self, name))} is for --worlds FILE")
-            return None
-        if not self.worlds or isinstance(self.worlds[0], World):
-            if getattr(self, "run", None) is not None:
-                raise InputError(
-                    "run keeps no worlds that live in this process alone; write them into a file, "
-                    "and name that"
-                )
-            return given_worlds(self.worlds)
-        for name, legal in (("order", ("clockwise", "anticlockwise")), ("y", ("up", "down"))):
-            if getattr(self, name) not in (None, *legal):
-                said = show(getattr(self, name))
-                raise InputError(f"{name} {said} is not one of {', '.join(legal)}")
-        return worlds_of_files(self.worlds, self.order or "clockwise", self.y)
+        order, y, graph, which = self.order, self.y, self.graph, self.embeddings
+        if graph is not None and self.worlds is not None:
+            raise InputError(f"graph = {show(graph)} cannot be given together with worlds")
+        files = graph or (self.worlds and not isinstance(self.worlds[0], World))
+        for name, beside, needed, what in (
+            ("order", order, files, "worlds of a file"),
+            ("y", y, files, "worlds of a file"),
+            ("embeddings", which, graph, "a graph"),
+        ):
+            if beside is not None and not needed:
+                raise InputError(f"{name} = {show(beside)} has no effect without {what}")
+        if graph is not None:
+            return embeddings_of(graph, which or "all", order, y)
+        if files:
+            return worlds_of_files(self.worlds, order or "clockwise", y)
+        if self.worlds is not None and getattr(self, "run", None) is not None:
+            raise InputError(
+                "run keeps no worlds that live in this process alone; write them into a file, and "
+                "name that"
+            )
+        return None if self.worlds is None else given_worlds(self.worlds)
 
     def lighthouse_of_given(self, named: LighthouseKind | None) -> LighthouseKind | None:
         """The lighthouse that the given worlds fix, or the one that is named.

@@ -73,6 +73,8 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
     """The scope of the verdict, in facts of a line each."""
     scope, cells = report.asked, report.cells
     extent = of_the_class(scope.extent).removeprefix("of the ")
+    if scope.extent.given is not None:
+        extent = f"{scope.extent.given.words}, {extent}"
     short = {
         "scope": f"{extent}, {scope.rules.lighthouse} lighthouse, {_which(report)}",
         "witnesses": f"{plural(len(report.tally.witnesses), 'kind')} of events seen",

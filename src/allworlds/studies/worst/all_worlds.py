@@ -33,7 +33,13 @@ from allworlds.engines.limits import (
 )
 from allworlds.engines.single import SingleRun, single_run
 from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import SweptReport, ToldGate, told_scope
+from allworlds.engines.swept_report import (
+    FileDigests,
+    GivenCount,
+    SweptReport,
+    ToldGate,
+    told_scope,
+)
 from allworlds.engines.units import WHOLE, ShardOptions, SweptLevel, cells_of_level
 from allworlds.explorers.asked import DEFAULT_EXPLORER
 from allworlds.explorers.builtin.algorithm1 import algorithm1
@@ -46,9 +52,11 @@ from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps.classes import ClassOptions, Extent
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Ending
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.words import size
+from allworlds.world.lighthouses.kinds import LighthouseKind
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.selection import LighthouseOptions
 from allworlds.world.world import World
@@ -69,11 +77,14 @@ def _algorithm1(given: object) -> str:
     return DEFAULT_EXPLORER
 
 
-def _edges(given: object) -> int:
-    number = an_integer("edges", given)
-    if number > MOST_EDGES:
-        raise InputError(f"edges = {show(number)}, but there is room for {MOST_EDGES} at most")
-    return number
+def _room_for(edges: int) -> int:
+    if edges > MOST_EDGES:
+        raise InputError(f"edges = {show(edges)}, but there is room for {MOST_EDGES} at most")
+    return edges
+
+
+def _edges(given: object) -> int | None:
+    return None if given is None else _room_for(an_integer("edges", given))
 
 
 def _transit(given: object) -> Transit:
@@ -103,21 +114,22 @@ class WorstRequest(
     TimeLimitOptions,
     WorkerOptions,
     ShardOptions,
+    GivenOptions,
     ClassOptions,
     Algorithm1Option,
 ):
     """Request of ``worst``: the worlds and the effort."""
 
     edges: Annotated[
-        Converted[int, int],
+        Converted[int | None, int | None],
         Option(
             SCOPE,
             "M",
-            "At most M edges.",
+            f"At most M edges [default: {DEFAULT_EDGES}; of given worlds any].",
             parse=integer_of,
             document_type=Annotated[Positive, about("at most so many")],
         ),
-    ] = Converted(_edges, DEFAULT_EDGES)
+    ] = Converted(_edges, None)
     transit: Annotated[
         Converted[str, Transit],
         Option(
@@ -129,6 +141,19 @@ class WorstRequest(
             ],
         ),
     ] = Converted(_transit, "simple")
+
+    @property
+    def extent(self) -> Extent:
+        """The worlds.
+
+        Raises:
+            InputError: naming what is too large, or another lighthouse that given worlds have.
+        """
+        self.lighthouse_of_given(LighthouseKind(Directional.kind))
+        least = DEFAULT_EDGES if self.given is None else None
+        extent = Extent(self.map_class, self.edges or least, given=self.given)
+        _room_for(extent.levels[-1])
+        return extent
 
 
 class WorstRow(Document):
@@ -172,6 +197,8 @@ class WorstScope(Document):
 
     schedules: Annotated[Literal["all"], about("each was searched")]
     symmetry: Annotated[Text, about("why one world stands for every direction")]
+    given: GivenCount
+    sha256: FileDigests
     shard: WhichShard
 
 
@@ -202,6 +229,7 @@ class WorstReport(SweptReport, kw_only=True):
             WorstScope,
             self.request,
             self.rules,
+            edges=self.extent.edges,
             schedules="all",
             symmetry="one world for each start vertex: every choice of dart is tried, so the dart "
             "faced at the start and the bearing make no difference",
@@ -253,7 +281,7 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
     def __init__(self, request: WorstRequest) -> None:
         from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
-        super().__init__(request, Extent(request.map_class, request.edges))
+        super().__init__(request, request.extent)
         self.result = ScheduleCostsBySize  # type: ignore[misc]  # loaded now, with the kernel
         self._subject = load("algorithm1")
         self._rules = RuleOptions().rules_of(self._subject, Directional.kind)
@@ -286,9 +314,10 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
     @override
     def finish(self, level: SweptLevel, total: ScheduleCostsBySize) -> None:
         whole, edges, rows = self.portion == WHOLE, level.edges, total.by_vertices
-        cells = cells_of_level(self.extent, edges)
+        cells = {} if self.extent.given else cells_of_level(self.extent, edges)
         for n, costs in sorted(rows.items()):
-            self._rows.append(self._row(edges, costs, cells.get(n, 0) if whole else None))
+            counted = cells.get(n, 0) if whole and cells else None
+            self._rows.append(self._row(edges, costs, counted))
         for n, counted in cells.items():
             if whole and counted and n not in rows and not self._missing:
                 self._missing = f"no map with {size(edges, n)} was met"

@@ -9,8 +9,9 @@ from msgspec import Struct, field
 
 from allworlds.engines.kernel.engine import flag
 from allworlds.engines.kernel.schedules import ScheduleCosts, schedule_costs_of_unit
-from allworlds.engines.units import LevelUnit
+from allworlds.engines.units import GivenUnit, LevelUnit
 from allworlds.maps.classes import Extent
+from allworlds.maps.enumeration import history
 from allworlds.studies.worst.every_schedule import Transit
 
 
@@ -55,16 +56,18 @@ class ScheduleSearch(Struct, frozen=True):
         """Set the flag that ends the compiled search."""
         self.flag[0] = 1
 
-    def parts(self, unit: LevelUnit) -> Iterator[ScheduleCostsBySize]:
+    def parts(self, unit: LevelUnit | GivenUnit) -> Iterator[ScheduleCostsBySize]:
         """The most expensive worlds of the unit."""
         map_class = self.extent.map_class
-        rows = schedule_costs_of_unit(
-            unit.edges,
-            self.extent.vertex_limit(unit.edges),
-            unit.prefix,
-            self.transit,
-            self.flag,
-            simple=map_class.simple,
-            planar=map_class.planar,
-        )
-        yield ScheduleCostsBySize({row.vertices: row for row in rows})
+        maps = map(history, unit.maps(self.extent)) if isinstance(unit, GivenUnit) else None
+        for prefix in maps or [unit.prefix]:
+            rows = schedule_costs_of_unit(
+                unit.edges,
+                self.extent.vertex_limit(unit.edges),
+                prefix,
+                self.transit,
+                self.flag,
+                simple=map_class.simple,
+                planar=map_class.planar,
+            )
+            yield ScheduleCostsBySize({row.vertices: row for row in rows})
