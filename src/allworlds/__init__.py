@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from allworlds.studies.ambiguity.twin_search import search as search
     from allworlds.studies.check.exhaustive import check as check
     from allworlds.studies.compare.comparison import compare as compare
+    from allworlds.studies.convert import convert as convert
     from allworlds.studies.count import count as count
     from allworlds.studies.explain import explain as explain
     from allworlds.studies.fuzz import fuzz as fuzz

@@ -13,6 +13,7 @@ from typing import Any
 
 ROWS, CASES, FINDINGS = "rows or a walk", "cases", "findings"
 PAGE = "a page of its own"
+WORLD_FILE = "worlds, in a notation"
 """Parts that a report can have."""
 
 
@@ -186,6 +187,18 @@ VERBS = (
         help=(
             "Enumerate every rooted map of a class, count, and compare the counts with an "
             "independent source."
+        ),
+    ),
+    Verb(
+        "convert",
+        "convert",
+        "Tell of the worlds of a file, and write them in another notation.",
+        panel=WORLDS,
+        has=(ROWS, WORLD_FILE),
+        example="plan.graphml -o plan.json",
+        help=(
+            "Tell of each world of a file: its size, genus, faces and symmetries. With -o write "
+            "them in another notation. What that cannot tell is refused, or left out by --without."
         ),
     ),
     Verb(

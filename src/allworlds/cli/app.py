@@ -293,6 +293,10 @@ def _own_command(name: str) -> Callable[..., int] | None:
             from allworlds.cli.run import run
 
             return run
+        case "convert":
+            from allworlds.cli.convert import convert
+
+            return convert
         case "replay":
             from allworlds.cli.replay import replay
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import IO, Any
 
 from msgspec import Struct
 
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.inputs.checks import InputError
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 from allworlds.world.labels import PLAIN, Labels
 
 
@@ -24,3 +27,51 @@ class Entry(Struct, frozen=True):
     labels: Labels = PLAIN
     start: Dart | None = None
     lighthouse: Any = None
+
+
+@contextmanager
+def at(place: str) -> Iterator[None]:
+    """Name the place in what is told of bad input there."""
+    try:
+        yield
+    except InputError as error:
+        raise type(error)(f"{place}: {error}") from None
+
+
+def text_of(content: bytes) -> str:
+    """The text of some bytes of a file.
+
+    Raises:
+        InputError: naming the first byte that is no UTF-8.
+    """
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(f"byte {error.start} is no text in UTF-8") from None
+
+
+def lines_of(file: IO[bytes]) -> Iterator[tuple[int, str, str]]:
+    """The lines that are not empty, from here on: the offset of each, its place, its text."""
+    start = offset = file.tell()
+    for number, line in enumerate(file, 1):
+        place = f"line {number}" + (f" from byte {start} on" if start else "")
+        if line.strip():
+            with at(place):
+                text = text_of(line)
+            yield offset, place, text
+        offset += len(line)
+
+
+def neighbours(entry: Entry) -> list[list[Vertex]]:
+    """The other ends of the edges round each vertex, for a notation that tells no more.
+
+    Raises:
+        InputError: naming a vertex with a loop or parallel edges.
+    """
+    at_, alpha = entry.map.vertex_of, entry.map.alpha
+    found = [[at_[alpha[dart]] for dart in darts] for darts in entry.map.vertices]
+    for vertex, ends in enumerate(found):
+        if vertex in ends or len({*ends}) < len(ends):
+            what = "a loop" if vertex in ends else "parallel edges"
+            raise InputError(f"vertex {entry.labels.vertex(vertex)} has {what}, not told so")
+    return found

@@ -2,19 +2,45 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
 from pathlib import Path
-from typing import IO, Literal, TypeAlias
+from typing import IO, Any, Literal, TypeAlias, get_args
 
 from msgspec import Struct
 
+from allworlds.inputs.checks import InputError, a_path, in_file, one_of, read_text, show
+from allworlds.notations.edge_list import read_edge_list, write_edge_list
 from allworlds.notations.entry import Entry
+from allworlds.notations.graphs import read_gml, read_graphml, read_yed
+from allworlds.notations.objects import fat_of, own_of
+from allworlds.notations.plantri import (
+    EDGE,
+    PLANAR,
+    read_edge_code,
+    read_planar_code,
+    write_edge_code,
+    write_planar_code,
+)
+from allworlds.notations.sage import read_sage, write_sage
+from allworlds.notations.worlds_as_json import (
+    read_json,
+    read_lines,
+    write_json,
+    write_lines,
+    write_rotations,
+)
+from allworlds.world.labels import Labels
 
 Order: TypeAlias = Literal["clockwise", "anticlockwise"]
 """In which order a file lists the edges round a vertex."""
 
 YAxis: TypeAlias = Literal["up", "down"]
 """Where the second coordinate of a position grows."""
+
+PARTS = ("name", "names", "positions", "start", "lighthouse")
+"""All that a world of a file can have besides its map, by the keys of our JSON."""
 
 
 class Notation(Struct, frozen=True):
@@ -23,21 +49,103 @@ class Notation(Struct, frozen=True):
     Attributes:
         name: as ``-o NAME:FILE`` takes it.
         suffixes: of files in it.
-        begins: the first bytes of such a file, where it has some.
-        read: the entries of an open binary file from its position on, each with the offset at which
-            it begins; a file that holds one entry alone yields one.
+        read: the entries of an open binary file from its position on, clockwise and with the y axis
+            upward, each with the offset at which it begins; its number where it does not stream.
         write: the bytes of these entries; None where it is not written.
+        keeps: those of :data:`PARTS` that it can tell.
+        mark: bytes that stand near the beginning of such files alone, where it has some.
+        streams: whether it holds many entries, of which one at a time is in memory.
         positions: whether the order follows from positions, so that the y axis matters.
         y: the usual direction of its y axis.
     """
 
     name: str
     suffixes: tuple[str, ...]
-    read: Callable[[IO[bytes], Order, YAxis], Iterator[tuple[int, Entry]]]
+    read: Callable[[IO[bytes]], Iterator[tuple[int, Entry]]]
     write: Callable[[Iterable[Entry]], Iterator[bytes]] | None = None
-    begins: bytes = b""
+    keeps: tuple[str, ...] = ()
+    mark: bytes = b""
+    streams: bool = False
     positions: bool = False
     y: YAxis = "up"
+
+
+NOTATIONS = (
+    Notation("worlds", (".json",), read_json, write_json(own_of), PARTS),
+    Notation("lines", (".jsonl", ".ndjson"), read_lines, write_lines(own_of), PARTS, streams=True),
+    Notation("rotation", (".rot.json",), read_json, write_rotations, ("name", "names")),
+    Notation("fat", (".fat.json",), read_json, write_json(fat_of)),
+    Notation("graphml", (".graphml",), read_graphml, positions=True),
+    Notation(
+        "yed", (), read_yed, mark=b"http://www.yworks.com/xml/graphml", positions=True, y="down"
+    ),
+    Notation("gml", (".gml",), read_gml, positions=True, y="down"),
+    Notation(
+        "planar_code",
+        (".pl", ".plc"),
+        read_planar_code,
+        write_planar_code,
+        mark=PLANAR,
+        streams=True,
+    ),
+    Notation("edge_code", (".ec",), read_edge_code, write_edge_code, mark=EDGE, streams=True),
+    Notation("sage", (".sage",), read_sage, write_sage, ("names",), streams=True),
+    Notation("edges", (".csv",), read_edge_list, write_edge_list, ("names",)),
+)
+"""Every notation; the first is that of a file that begins as JSON does."""
+
+HEAD = 2000
+"""The bytes from the beginning in which a mark is looked for."""
+
+
+def by_suffix(file: str) -> Notation | None:
+    """The notation of the longest suffix that the name ends with."""
+    ends = ((end, each) for each in NOTATIONS for end in each.suffixes if file.endswith(end))
+    return max(ends, key=lambda found: len(found[0]), default=("", None))[1]
+
+
+def _notation_in(stream: IO[bytes], file: str) -> Notation:
+    """The notation of an open file, by its mark, its suffix, or how it begins."""
+    head = stream.read(HEAD)
+    stream.seek(0)
+    for each in NOTATIONS:
+        if each.mark and each.mark in head:
+            return each
+    if found := by_suffix(file):
+        return found
+    if head.lstrip()[:1] in (b"{", b"["):
+        return NOTATIONS[0]
+    raise InputError(f"this is no file of worlds by its name or beginning; legal are {legal()}")
+
+
+def legal(*, written: bool = False) -> str:
+    """The suffixes of the notations, or of those that are written, in words."""
+    notations = (each for each in NOTATIONS if each.write or not written)
+    return one_of(end for each in notations for end in each.suffixes)
+
+
+def _opened(file: str | Path) -> IO[bytes]:
+    """The file, at its beginning; what cannot be read from the middle is read as a whole."""
+    if file == "-":
+        return io.BytesIO(read_text("-").encode())
+    try:
+        stream = a_path("file", file).open("rb")
+        if stream.seekable():
+            return stream
+        with stream:
+            return io.BytesIO(stream.read())
+    except OSError as error:
+        raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
+
+
+def notation_of(file: str | Path) -> Notation:
+    """The notation of a file.
+
+    Raises:
+        InputError: if it is of none, or cannot be read.
+    """
+    with _opened(file) as stream, in_file(str(file)):
+        return _notation_in(stream, str(file))
 
 
 def entries(
@@ -45,23 +153,165 @@ def entries(
 ) -> Iterator[tuple[int, Entry]]:
     """Every world of a file in any notation, with the offset in bytes at which it begins.
 
+    In a notation that does not stream the number of the world, from 0 on, is in its place.
+
     Raises:
         InputError: naming the file, the place in it and what would be legal.
 
-    Cost: the memory of one entry at a time, where the notation holds many.
+    Cost: the memory of one entry at a time, where the notation streams.
     """
-    raise NotImplementedError
+    with _opened(file) as stream, in_file(str(file)):
+        notation = _notation_in(stream, str(file))
+        _check(notation, order, y)
+        found = False
+        for offset, entry in notation.read(stream):
+            found = True
+            yield offset, _turned(entry, notation, order, y)
+        if not found:
+            raise InputError("there is no world in it")
+
+
+def _check(notation: Notation, order: str, y: str | None) -> None:
+    for name, given, known in (("order", order, Order), ("y", y or "up", YAxis)):
+        if given not in get_args(known):
+            raise InputError(f"{name} = {show(given)} is neither {' nor '.join(get_args(known))}")
+    if y and not notation.positions:
+        raise InputError(f"y {y} has no effect on {notation.name}, where positions decide nothing")
+
+
+def _turned(entry: Entry, notation: Notation, order: Order, y: YAxis | None) -> Entry:
+    """The entry as it is meant, which was read clockwise and with the y axis upward."""
+    labels = entry.labels
+    if notation.positions and labels.positions:
+        if order != "clockwise":
+            raise InputError(f"order {order} has no effect on positions; y up or y down has")
+        if (y or notation.y) == "up":
+            return entry
+        upward = tuple((right, -down) for right, down in labels.positions)
+        turned = Labels(labels.name, labels.vertices, upward)
+    elif order == "clockwise":
+        return entry
+    else:
+        turned = labels.mirrored()
+    return Entry(entry.map.mirrored(), turned, entry.start, entry.lighthouse)
 
 
 def entry_at(
     file: str | Path, offset: int, order: Order = "clockwise", y: YAxis | None = None
 ) -> Entry:
-    """The world of a file at an offset that :func:`entries` has told."""
-    raise NotImplementedError
+    """The world of a file at an offset that :func:`entries` has told.
+
+    Cost: that of this world; the file is read as a whole, once, where its notation does not stream.
+    """
+    with _opened(file) as stream, in_file(str(file)):
+        notation = _notation_in(stream, str(file))
+        if notation.streams:
+            stream.seek(offset)
+            for _, entry in notation.read(stream):
+                return _turned(entry, notation, order, y)
+        changed = a_path("file", file).stat().st_mtime_ns
+        found = _whole(str(file), changed, order, y)[offset : offset + 1]
+        if not found:
+            raise InputError(f"there is no world at {offset} any more: the file has changed")
+        return found[0]
+
+
+@lru_cache(maxsize=4)
+def _whole(file: str, _changed: int, order: Order, y: YAxis | None) -> tuple[Entry, ...]:
+    """All entries of a file, as long as it does not change."""
+    return tuple(entry for _, entry in entries(file, order, y))
+
+
+SHOWN = 5
+"""The names of worlds that a refusal lists."""
 
 
 def entry_named(
     file: str | Path, name: str, order: Order = "clockwise", y: YAxis | None = None
 ) -> Entry:
-    """The world of that name in the file, or of that number, from 1 on; the only one for ``""``."""
-    raise NotImplementedError
+    """The world of that name in the file, or of that number, from 1 on; the only one for ``""``.
+
+    Raises:
+        InputError: naming the first worlds, if it is none of them, or if one of several is meant.
+    """
+    known, numbered = list[str](), None
+    for number, (_, entry) in enumerate(entries(file, order, y), 1):
+        if entry.labels.name == name and name:
+            return entry
+        if name == str(number) or (not name and number == 1):
+            numbered = entry
+        if number <= SHOWN:
+            known.append(entry.labels.name or str(number))
+        elif not name:
+            break
+    if numbered and (name or len(known) == 1):
+        return numbered
+    first = ", ".join(map(show, known)) + (", ..." if number > SHOWN else "")
+    what = f"no world {show(name)}" if name else "more than one world"
+    raise InputError(f"file {show(str(file))} has {what}; @FILE:NAME names one of {first}")
+
+
+def by_name(name: str) -> Notation | None:
+    """The notation of that name."""
+    return next((each for each in NOTATIONS if each.name == name), None)
+
+
+def to_write(file: str) -> tuple[Notation, str]:
+    """The notation and the path that ``FILE`` or ``NOTATION:FILE`` means.
+
+    Raises:
+        InputError: if it is of none that is written.
+    """
+    name, _, path = file.partition(":")
+    found, path = (named, path) if (named := by_name(name)) else (by_suffix(file), file)
+    if not found or not found.write:
+        raise InputError(
+            f"worlds cannot be written as {show(file)}; legal are {legal(written=True)}"
+        )
+    return found, path
+
+
+def written(
+    worlds: Iterable[Entry], notation: Notation, without: Iterable[str] = ()
+) -> Iterator[bytes]:
+    """The bytes of a file in a notation.
+
+    Args:
+        worlds: what it holds.
+        notation: one that is written.
+        without: those of :data:`PARTS` that are left out.
+
+    Raises:
+        InputError: naming the world, and what of it the notation cannot tell.
+    """
+    left, number = {*without}, 0
+    if wrong := left - {*PARTS}:
+        raise InputError(f"without {min(wrong)}: legal are {', '.join(PARTS)}")
+
+    def kept() -> Iterator[Entry]:
+        nonlocal number
+        for entry in worlds:
+            number += 1
+            told = {part: value for part, value in _parts(entry).items() if part not in left}
+            for part, value in told.items():
+                if value not in ("", (), None) and part not in notation.keeps:
+                    advice = f"without {part} leaves it out"
+                    raise InputError(f"{notation.name} has no place for its {part}; {advice}")
+            labels = Labels(*(told.get(part, nothing) for part, nothing in _LABELS.items()))
+            yield Entry(entry.map, labels, told.get("start"), told.get("lighthouse"))
+
+    assert notation.write
+    try:
+        yield from notation.write(kept())
+    except InputError as error:
+        raise type(error)(f"world {number} is not written: {error}") from None
+
+
+_LABELS: dict[str, Any] = {"name": "", "names": (), "positions": ()}
+
+
+def _parts(entry: Entry) -> dict[str, Any]:
+    """All of an entry but its map, by the names of :data:`PARTS`."""
+    labels = entry.labels
+    parts = labels.name, labels.vertices, labels.positions, entry.start, entry.lighthouse
+    return dict(zip(PARTS, parts, strict=True))

@@ -16,10 +16,11 @@ from typing import Any
 from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, ensure_installed, show
+from allworlds.notations.table import by_name, by_suffix, legal, to_write
 from allworlds.reports.ci_formats import junit, markdown, runner_commands, sarif
 from allworlds.reports.parts import ReportContent, rows_of
 from allworlds.reports.plain_text import content_line, content_text
-from allworlds.verbs import BY_NAME, CASES, FINDINGS, PAGE, ROWS
+from allworlds.verbs import BY_NAME, CASES, FINDINGS, PAGE, ROWS, WORLD_FILE
 from allworlds.words import escaped, harmless, harmless_json
 
 
@@ -196,7 +197,20 @@ def legal_files(verb: str) -> str:
     """The names of files that a verb can write, in words."""
     forms = formats_of(verb)
     names = " ".join(form.suffix for form in forms.values() if form.suffix)
-    return f"{names}, or FORMAT:FILE ({', '.join(forms)})"
+    told = f"{names}, or FORMAT:FILE ({', '.join(forms)})"
+    if WORLD_FILE in BY_NAME[verb].has:
+        return f"{legal(written=True)} are worlds; of the report {told}"
+    return told
+
+
+def names_world_file(verb: str, name: str) -> bool:
+    """Whether a FILE is one of worlds, not of a report; a FORMAT before it says that of a report.
+
+    A suffix that both have means worlds.
+    """
+    form = name.partition(":")[0]
+    worlds = by_name(form) or (form not in FORMATS and by_suffix(name))
+    return WORLD_FILE in BY_NAME[verb].has and bool(worlds)
 
 
 def form_and_path(verb: str, name: str) -> tuple[str, str]:
@@ -205,6 +219,8 @@ def form_and_path(verb: str, name: str) -> tuple[str, str]:
     Raises:
         InputError: if this verb writes no such file, or a library is not installed.
     """
+    if names_world_file(verb, name):
+        return to_write(name)[0].name, to_write(name)[1]
     forms = formats_of(verb)
     form, colon, path = name.partition(":")
     if not colon or not form.isalpha():

@@ -15,7 +15,6 @@ from allworlds.inputs.checks import (
     integer_of,
     one_of,
     parse_json,
-    read_text,
     show,
 )
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Converted, Option, Request
@@ -23,6 +22,9 @@ from allworlds.maps.build import NoSuchMap, named_map, named_maps
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.families import FORMS, family
+from allworlds.notations.entry import Entry
+from allworlds.notations.objects import entry_of
+from allworlds.notations.table import entry_named
 from allworlds.world.corpus import CorpusEntry, own_corpus
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
@@ -30,13 +32,16 @@ from allworlds.world.lighthouses.kinds import (
     GivenLighthouse,
     LighthouseKind,
     kind_of,
+    lighthouse_from_json,
     lighthouse_kind,
 )
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.selection import tried_kind
 from allworlds.world.world import World, at_place
 
-WORLD = Argument("", "WORLD", "Inline JSON, @file, or a name such as k4, wheel:4, cycle:5.")
+WORLD = Argument(
+    "", "WORLD", "Inline JSON, @file or @file:name, or a name such as k4, wheel:4, cycle:5."
+)
 """An argument of every verb that takes a world."""
 
 LIGHTHOUSE = Option(
@@ -87,9 +92,12 @@ def world_named(
 
 def _world_of_text(text: str, kind: LighthouseKind, seed: int | None, holes: str | None) -> World:
     if text.startswith("@"):
-        return _world_of_json(read_text(text[1:]), kind, text[1:])
+        file, name = _file_and_name(text[1:])
+        entry = entry_named(file, name)
+        with in_file(file):
+            return world_of_entry(entry, kind)
     if _is_json(text):
-        return _world_of_json(text, kind)
+        return world_of_entry(entry_of(parse_json(text)), kind)
     if _CODE.fullmatch(text):
         return World(map_of_code(text), kind)
     if ":" in text:
@@ -163,13 +171,20 @@ def _is_json(text: str) -> bool:
     return text.lstrip().startswith(("{", "["))
 
 
-def _world_of_json(text: str, kind: LighthouseKind, file: str = "") -> World:
-    document = parse_json(text, file=file)
-    keys = document.keys() if isinstance(document, dict) else set()
-    with in_file(file):
-        if keys & {"findings", "finding", "law"} and not keys & {"sigma", "alpha"}:
-            raise InputError("this is a report or a finding, not a world; see replay and explain")
-        return World.from_json(document, missing=kind)
+def _file_and_name(text: str) -> tuple[str, str]:
+    """The file and the name of ``FILE:NAME``; each may have colons of its own."""
+    parts = text.split(":")
+    for count in range(len(parts), 0, -1):
+        if Path(file := ":".join(parts[:count])).exists():
+            return file, ":".join(parts[count:])
+    return text, ""
+
+
+def world_of_entry(entry: Entry, kind: GivenLighthouse = Directional.kind) -> World:
+    """The world of a file, with a lighthouse of this kind if the file has none for it."""
+    start = entry.start or 0
+    lighthouse = lighthouse_from_json(entry.lighthouse, entry.map, start, kind)
+    return World(entry.map, lighthouse, start)
 
 
 def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:

@@ -1,0 +1,78 @@
+"""A table of edges, in CSV: two ends, and which one clockwise the edge is at each of them.
+
+The header ``from,to,from_rank,to_rank`` must be there, ``key`` may follow: a name of the edge among
+those with the same ends.  Ranks are any numbers, and differ at one vertex.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Iterator
+from math import isfinite
+from typing import IO
+
+from allworlds.inputs.checks import InputError, show
+from allworlds.maps.build import from_rotation
+from allworlds.notations.entry import Entry, at, text_of
+from allworlds.notations.objects import distinct
+from allworlds.world.labels import Labels
+
+COLUMNS = ["from", "to", "from_rank", "to_rank"]
+
+
+def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
+    """The one world of a table."""
+    rows = csv.reader(io.StringIO(text_of(file.read()), newline=""), strict=True)
+    ranks = dict[str, dict[float, tuple[str, int]]]()
+    keys = set[tuple[frozenset[str], str]]()
+    try:
+        header = next(rows, [])
+        if header not in (COLUMNS, [*COLUMNS, "key"]):
+            legal = f"{','.join(COLUMNS)}, and ,key if wanted"
+            raise InputError(f"the header is {show(','.join(header))}; legal is {legal}")
+        for row in filter(None, rows):
+            with at(f"line {rows.line_num}"):
+                if len(row) != len(header):
+                    raise InputError(f"{len(row)} cells; the header has {len(header)}")
+                key = (frozenset(row[:2]), *row[4:])
+                if key in keys:
+                    raise InputError(f"a second edge with the ends and the key {show(row)}")
+                keys |= {key} if row[4:] else set()
+                for vertex, other, rank in ((*row[:2], row[2]), (*row[1::-1], row[3])):
+                    taken, number = ranks.setdefault(vertex, {}), _rank(rank)
+                    if number in taken:
+                        raise InputError(f"two edges at vertex {show(vertex)} have rank {rank}")
+                    taken[number] = other, rows.line_num
+    except csv.Error as error:
+        raise InputError(f"line {rows.line_num}: {error}") from None
+    rotation = {v: [ends[rank] for rank in sorted(ends)] for v, ends in ranks.items()}
+    yield 0, Entry(from_rotation(rotation), Labels(vertices=distinct(ranks)))
+
+
+def _rank(text: str) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = float("nan")
+    if not isfinite(number):
+        raise InputError(f"rank {show(text)} is not a number")
+    return number
+
+
+def write_edge_list(entries: Iterable[Entry]) -> Iterator[bytes]:
+    """The table of one world.
+
+    Raises:
+        InputError: if there are more.
+    """
+    for number, entry in enumerate(entries):
+        if number:
+            raise InputError("a table of edges tells one world; name a file of another notation")
+        out, map_ = io.StringIO(), entry.map
+        rank = {dart: i for darts in map_.vertices for i, dart in enumerate(darts)}
+        name = [entry.labels.vertex(vertex) for vertex in map_.vertex_of]
+        writer = csv.writer(out, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        writer.writerows([name[d], name[e], rank[d], rank[e]] for d, e in map_.edges)
+        yield out.getvalue().encode()

@@ -1,0 +1,131 @@
+"""The two binary codes of plantri: neighbours, or numbers of edges, clockwise round each vertex.
+
+``planar_code``: after a header the number of vertices, then for each its neighbours, from 1 on, and
+a 0.  Numbers have one byte, or two after a first byte 0; the header says whether the lower byte is
+first (``le``, as without a word) or the higher (``be``).  It cannot tell loops and parallel edges.
+
+``edge_code``: the number of bytes, then for each vertex the numbers of its edges, and between two
+vertices a byte 255.  If the first byte is 0, the two halves of the second say how many bytes the
+size has, and each number of an edge; the higher byte is first.
+
+Source: the guide of plantri, and its program; the headers are also those of CaGe.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import IO, Literal
+
+from allworlds.inputs.checks import InputError
+from allworlds.maps.build import from_cycles, from_rotation
+from allworlds.notations.entry import Entry, at, neighbours
+
+PLANAR, EDGE = b">>planar_code", b">>edge_code"
+MOST = 255
+"""The most vertices, and the most bytes, for which numbers have one byte."""
+
+
+def _begun(file: IO[bytes], code: bytes) -> bytes:
+    """The word after the name in the header; the position is not before the end of it."""
+    here = file.tell()
+    file.seek(0)
+    header = file.read(len(code) + 5)
+    if not header.startswith(code):
+        file.seek(here)
+        return b""
+    word, end, _ = header[len(code) :].partition(b"<<")
+    if not end or word not in (b"", b" le", b" be"):
+        raise InputError(f"the header is {header!r}; legal is {(code + b'<<')!r}")
+    file.seek(max(here, len(code + word + end)))
+    return word
+
+
+def _number(file: IO[bytes], size: int, order: Literal["little", "big"] = "big") -> int:
+    """The next number of so many bytes."""
+    read = file.read(size)
+    if len(read) < size:
+        raise InputError("the file ends in the middle of a world")
+    return int.from_bytes(read, order)
+
+
+def read_planar_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
+    """The worlds of a file in ``planar_code``."""
+    order: Literal["little", "big"] = "big" if _begun(file, PLANAR) == b" be" else "little"
+    offset = file.tell()
+    while first := file.read(1):
+        with at(f"the world at byte {offset}"):
+            size = 1 if first[0] else 2
+            count = first[0] or _number(file, 2, order)
+            rotation = dict[int, list[int]]()
+            for vertex in range(1, count + 1):
+                rotation[vertex] = []
+                while neighbour := _number(file, size, order):
+                    rotation[vertex].append(neighbour)
+                    if len(rotation[vertex]) > count:
+                        raise InputError(
+                            f"vertex {vertex} has more neighbours than there are vertices; "
+                            "edge_code tells parallel edges"
+                        )
+            entry = Entry(from_rotation(rotation))
+        yield offset, entry
+        offset = file.tell()
+
+
+def write_planar_code(entries: Iterable[Entry]) -> Iterator[bytes]:
+    """Worlds in ``planar_code``: simple, in the plane, and without names.
+
+    Raises:
+        InputError: naming the vertex with a loop or parallel edges, or the genus.
+    """
+    yield PLANAR + b"<<"
+    for entry in entries:
+        map_ = entry.map
+        if map_.genus:
+            raise InputError(f"planar_code tells maps of genus 0, not {map_.genus}; see edge_code")
+        size = 1 if map_.vertex_count <= MOST else 2
+        numbers = [map_.vertex_count]
+        for ends in neighbours(entry):
+            numbers += [*(end + 1 for end in ends), 0]
+        yield b"\0" * (size - 1) + b"".join(each.to_bytes(size, "little") for each in numbers)
+
+
+def read_edge_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
+    """The worlds of a file in ``edge_code``."""
+    _begun(file, EDGE)
+    offset = file.tell()
+    while first := file.read(1):
+        with at(f"the world at byte {offset}"):
+            length, size = first[0], 1
+            if not length:
+                halves = _number(file, 1)
+                size, length = halves & 15, _number(file, halves >> 4)
+                if not size:
+                    raise InputError("its numbers of edges have 0 bytes; 1 to 15 are legal")
+            end = file.tell() + length
+            vertices = [list[int]()]
+            while file.tell() < end:
+                if (byte := _number(file, 1)) == MOST:
+                    vertices.append([])
+                else:
+                    vertices[-1].append(byte << 8 * (size - 1) | _number(file, size - 1))
+            if file.tell() > end:
+                raise InputError(f"{length} bytes are no list of numbers of {size} bytes")
+            entry = Entry(from_cycles(vertices))
+        yield offset, entry
+        offset = file.tell()
+
+
+def write_edge_code(entries: Iterable[Entry]) -> Iterator[bytes]:
+    """Worlds in ``edge_code``: without names, of any genus."""
+    yield EDGE + b"<<"
+    for entry in entries:
+        map_ = entry.map
+        edge = {dart: number for number, pair in enumerate(map_.edges) for dart in pair}
+        size = 1 if map_.edge_count <= MOST else 2 if map_.edge_count <= MOST << 8 else 3
+        lists = [b"".join(edge[d].to_bytes(size, "big") for d in ds) for ds in map_.vertices]
+        body = b"\xff".join(lists)
+        if len(body) <= MOST and size == 1:
+            yield bytes([len(body)]) + body
+        else:
+            digits = (len(body).bit_length() + 7) // 8
+            yield bytes([0, digits << 4 | size]) + len(body).to_bytes(digits, "big") + body

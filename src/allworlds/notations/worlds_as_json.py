@@ -1,0 +1,79 @@
+"""Files of JSON: worlds, rotations and fat graphs, alone, in lists, by names, or one a line."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Iterator
+from typing import IO, Any
+
+from allworlds.inputs.checks import parse_json, show
+from allworlds.notations.entry import Entry, at, lines_of, text_of
+from allworlds.notations.objects import distinct, entry_of, rotation_of
+
+Objects = Iterator[tuple[int, Entry]]
+
+
+def read_json(file: IO[bytes]) -> Objects:
+    """The worlds of one document: an object, a list of them, or an object of them by names."""
+    worlds = _worlds(parse_json(text_of(file.read())))
+    for number, (name, given) in enumerate(worlds):
+        with at(f"world {show(name) if name else number + 1}"):
+            entry = entry_of(given, name)
+        yield number, entry
+
+
+def _worlds(document: Any) -> list[tuple[str, Any]]:
+    if isinstance(document, dict) and document.keys() == {"worlds"}:
+        document = document["worlds"]
+    if isinstance(document, list):
+        return [("", each) for each in document]
+    if isinstance(document, dict) and all(isinstance(each, dict) for each in document.values()):
+        return [*document.items()]
+    return [("", document)]
+
+
+def read_lines(file: IO[bytes]) -> Objects:
+    """The worlds of a file that has one a line."""
+    for offset, place, text in lines_of(file):
+        with at(place):
+            entry = entry_of(parse_json(text))
+        yield offset, entry
+
+
+def write_json(of: Callable[[Entry], Any]) -> Callable[[Iterable[Entry]], Iterator[bytes]]:
+    """A writer of one object, or of a list, of what each entry becomes."""
+
+    def write(entries: Iterable[Entry]) -> Iterator[bytes]:
+        told = (json.dumps(of(entry), ensure_ascii=False) for entry in entries)
+        first, second = next(told, None), next(told, None)
+        if second is None:
+            yield f"{first}\n".encode() if first else b"[]\n"
+            return
+        yield f"[\n{first},\n{second}".encode()
+        for each in told:
+            yield f",\n{each}".encode()
+        yield b"\n]\n"
+
+    return write
+
+
+def write_lines(of: Callable[[Entry], Any]) -> Callable[[Iterable[Entry]], Iterator[bytes]]:
+    """A writer of one object a line."""
+
+    def write(entries: Iterable[Entry]) -> Iterator[bytes]:
+        for entry in entries:
+            yield f"{json.dumps(of(entry), ensure_ascii=False)}\n".encode()
+
+    return write
+
+
+def write_rotations(entries: Iterable[Entry]) -> Iterator[bytes]:
+    """A writer of rotations: one, a list of them, or an object of them if they have names."""
+    entries = [*entries]
+    names = [entry.labels.name for entry in entries]
+    if any(names):
+        rotations = map(rotation_of, entries)
+        told = dict(zip(distinct(names, "worlds"), rotations, strict=True))
+        yield f"{json.dumps(told, ensure_ascii=False)}\n".encode()
+    else:
+        yield from write_json(rotation_of)(entries)
