@@ -65,7 +65,7 @@ LIGHTHOUSE_EDGES = 3
 WIDTH = 100
 PLUGIN = "_allworlds_pytest"
 
-GIVEN = {field.name for field in fields(GivenOptions)}  # type: ignore[arg-type]  # a class
+GIVEN = {field.name for field in fields(GivenOptions)}
 """The options that give worlds in place of a class."""
 
 Explorer: TypeAlias = str | Callable[..., Any]

@@ -86,9 +86,17 @@ def test_an_engine_that_cannot_do_it_says_so():
         (3, {}, "worlds = 3 is no series of worlds"),
         ([3], {}, r"worlds\[0\] = 3 is no World"),
         ([3], {"edges": 3}, "is no World"),
-        (None, {"lighthouse": "none"}, "lighthouse = 'none', but 2 given worlds have 'directional'"),
+        (
+            None,
+            {"lighthouse": "none"},
+            "lighthouse = 'none', but 2 given worlds have 'directional'",
+        ),
         (None, {"run": "rd"}, "run keeps no worlds that live in this process alone"),
-        (None, {"order": "clockwise"}, "order = 'clockwise' has no effect without worlds of a file"),
+        (
+            None,
+            {"order": "clockwise"},
+            "order = 'clockwise' has no effect without worlds of a file",
+        ),
         (None, {"graph": "k4"}, "graph = 'k4' cannot be given together with worlds"),
     ],
 )

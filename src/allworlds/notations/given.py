@@ -42,20 +42,15 @@ class GivenMap(Struct, frozen=True):
 
     Attributes:
         map: numbered in any way.
-        start: the only start, or None: every dart is one.
+        starts: the darts that the robot may face at the start.
         lighthouse: at its only place, or None: every place is tried.
         labels: what the user calls it.
     """
 
     map: CombinatorialMap
-    start: Dart | None = None
+    starts: Sequence[Dart]
     lighthouse: Lighthouse | None = None
     labels: Labels = PLAIN
-
-    @property
-    def starts(self) -> Sequence[Dart]:
-        """The darts that the robot may face at the start."""
-        return self.map.darts if self.start is None else (self.start,)
 
     def placed(self, kind: type[Lighthouse]) -> Iterator[Placed]:
         """The map from each start, in canonical numbering, with the places that are tried."""
@@ -115,7 +110,7 @@ class GivenMaps:
         for name, key, given in found:
             self.count += 1
             self._at[given.map.edge_count].extend((*key, len(given.starts)))
-            self.fixed &= given.start is not None and given.lighthouse is not None
+            self.fixed &= len(given.starts) == 1 and given.lighthouse is not None
             kind = given.lighthouse and kind_of(given.lighthouse)
             if kind and self.lighthouse and kind != self.lighthouse:
                 raise InputError(
@@ -174,7 +169,7 @@ class GivenMaps:
 
 def given_worlds(worlds: Sequence[World]) -> GivenMaps:
     """Worlds that were made in this process, each with its own start and lighthouse."""
-    made = [GivenMap(world.map, world.start, world.lighthouse) for world in worlds]
+    made = [GivenMap(world.map, (world.start,), world.lighthouse) for world in worlds]
     return _held("given world", "", "the worlds were given", made)
 
 
@@ -226,21 +221,29 @@ def embeddings_of(graph: str, which: str, order: Order | None, y: YAxis | None) 
     from allworlds.maps import embeddings
 
     genus = int(of_genus[1]) if of_genus else None
-    held = [GivenMap(each) for each in embeddings(to_networkx(map_), genus=genus)]
+    held = [GivenMap(each, each.darts) for each in embeddings(to_networkx(map_), genus=genus)]
     of = graph if genus is None else f"{graph} of genus {genus}"
     return _held("embedding", of, "embeddings of a graph", held, codes)
 
 
 def _given(entry: Entry, name: str = "") -> GivenMap:
-    """The entry with its lighthouse; the name is for a refusal."""
-    place, start = None, entry.start or 0
+    """The entry with its lighthouse, and the starts from which it can stand there.
+
+    The name is for a refusal.
+    """
+    map_, place = entry.map, None
+    starts: Sequence[Dart] = map_.darts if entry.start is None else (entry.start,)
     if entry.lighthouse is not None:
         try:
-            place = lighthouse_from_json(entry.lighthouse, entry.map, start)
-            place.check(entry.map, start)
+            place = lighthouse_from_json(entry.lighthouse, map_, starts[0])
+            kind = place.as_kind
+            able = tuple(start for start in starts if place in kind.places(map_, start))
+            if not able:
+                place.check(map_, starts[0])  # says why
+            starts = able
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
-    return GivenMap(entry.map, entry.start, place, entry.labels)
+    return GivenMap(map_, starts, place, entry.labels)
 
 
 def _digest(name: str) -> str:
@@ -283,7 +286,7 @@ class GivenOptions(Request):
     """The part of a request that gives worlds in place of those of a class."""
 
     worlds: Annotated[
-        Converted[str | Path | Iterable[str | Path | World] | None, tuple[Any, ...] | None],
+        Converted[Any, tuple[Any, ...] | None],
         Option(
             SCOPE,
             "FILE",
@@ -353,7 +356,7 @@ class GivenOptions(Request):
                 raise InputError(f"{name} = {show(beside)} has no effect without {what}")
         if graph is not None:
             return embeddings_of(graph, which or "all", order, y)
-        if files:
+        if files and self.worlds:
             return worlds_of_files(self.worlds, order or "clockwise", y)
         if self.worlds is not None and getattr(self, "run", None) is not None:
             raise InputError(
@@ -362,7 +365,7 @@ class GivenOptions(Request):
             )
         return None if self.worlds is None else given_worlds(self.worlds)
 
-    def lighthouse_of_given(self, named: LighthouseKind | None) -> LighthouseKind | None:
+    def lighthouse_of_given(self, named: Any) -> LighthouseKind | None:
         """The lighthouse that the given worlds fix, or the one that is named.
 
         Raises:

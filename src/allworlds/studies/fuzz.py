@@ -21,7 +21,6 @@ from allworlds.engines.single import played_again, subject_of
 from allworlds.engines.sweep import gather
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
-    Placed,
     Portion,
     Shard,
     ShardOptions,
@@ -42,6 +41,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import Gluing
 from allworlds.maps.families import random_map
 from allworlds.maps.surgery import contracted, deleted, moved
+from allworlds.notations.given import Placed
 from allworlds.outcome import Completed, Ending
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.check.requests import ManyWorlds

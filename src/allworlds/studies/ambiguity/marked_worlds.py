@@ -402,7 +402,7 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
     @override
     def finish(self, level: SweptLevel, total: SensedParts) -> None:
         extent = self.extent
-        all_maps = extent.map_class is MapClass.MAPS and extent.where is extent.given is None
+        all_maps = extent.map_class is MapClass.MAPS and not (extent.where or extent.given)
         if self.portion == WHOLE and all_maps and self.kind.name == Position.kind:
             total.ensure_counted()
         self._levels.append((level, total.worlds))

@@ -46,10 +46,8 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, LighthouseOptions, ClassO
         Raises:
             InputError: naming the offending option and what would be legal.
         """
-        lighthouse = self.lighthouse
-        if isinstance(self, GivenOptions):
-            lighthouse = self.lighthouse_of_given(lighthouse)
-        lighthouse = lighthouse or subject.lighthouse
+        fixed = isinstance(self, GivenOptions) and self.lighthouse_of_given(self.lighthouse)
+        lighthouse = fixed or self.lighthouse or subject.lighthouse
         where = getattr(self, "where", None)
         rules = self.rules_of(
             subject, lighthouse, promised=self.map_class.planar, among=Among.of(where)

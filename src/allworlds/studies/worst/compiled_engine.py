@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from msgspec import Struct, field
@@ -59,8 +59,12 @@ class ScheduleSearch(Struct, frozen=True):
     def parts(self, unit: LevelUnit | GivenUnit) -> Iterator[ScheduleCostsBySize]:
         """The most expensive worlds of the unit."""
         map_class = self.extent.map_class
-        maps = map(history, unit.maps(self.extent)) if isinstance(unit, GivenUnit) else None
-        for prefix in maps or [unit.prefix]:
+        prefixes: Iterable[Sequence[int]]
+        if isinstance(unit, GivenUnit):
+            prefixes = map(history, unit.maps(self.extent))
+        else:
+            prefixes = [unit.prefix]
+        for prefix in prefixes:
             rows = schedule_costs_of_unit(
                 unit.edges,
                 self.extent.vertex_limit(unit.edges),

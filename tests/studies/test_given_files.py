@@ -1,0 +1,301 @@
+"""Worlds of files and embeddings of graphs, in the verbs that go through many worlds."""
+
+import json
+import tracemalloc
+
+import pytest
+
+import allworlds
+from allworlds import World
+from allworlds.inputs.checks import InputError
+from allworlds.maps.build import from_cycles, named_map
+from allworlds.maps.enumeration import history, rooted_maps
+from allworlds.notations.given import GivenMap, worlds_of_files
+from allworlds.reports.formats import file_of, text
+from allworlds.studies.worst.every_schedule import EverySchedule
+from allworlds.testing import assert_explores, levels_of
+from allworlds.world.lighthouses.marked import Position
+
+NAMES = ("wheel-4", "k4", "cycle-5", "k4-torus", "theta", "two-loops-torus")
+
+WRONG = """
+from allworlds import Move
+
+
+def goes_on(first):
+    while True:
+        yield Move(0)
+"""
+
+
+def as_json(of, **more):
+    map_ = named_map(of)
+    return {"sigma": [*map_.sigma], "alpha": [*map_.alpha], "name": of, **more}
+
+
+def write(path, *worlds):
+    path.write_text("".join(json.dumps(world) + "\n" for world in worlds), encoding="utf-8")
+    return str(path)
+
+
+@pytest.fixture
+def plans(tmp_path, monkeypatch):
+    """A file of worlds whose sizes are in no order."""
+    monkeypatch.chdir(tmp_path)
+    return write(tmp_path / "plans.jsonl", *map(as_json, NAMES)).rpartition("/")[2]
+
+
+def of(report):
+    """The document of a report, but for the machine that made it."""
+    document = report.to_json()
+    document.pop("made_by", None)
+    return document
+
+
+def test_every_start_and_place_of_the_petersen_graph_holds_by_one_command(tmp_path, cli):
+    file = write(tmp_path / "petersen.jsonl", as_json("petersen"))
+    code, out, _ = cli("check", "algorithm1", "--worlds", file, "--json")
+    document = json.loads(out)
+    assert (code, document["verdict"]) == (0, "holds")
+    # 30 darts, and the three places of a directional lighthouse at a vertex of degree 3.
+    assert (document["worlds"], document["runs"]) == (30, 90)
+
+
+def test_worlds_of_a_file_are_tried_as_worlds_that_are_given(plans):
+    report = allworlds.check("folding", worlds=plans)
+    every = [
+        World(named_map(name), place, start)
+        for name in NAMES
+        for start in named_map(name).darts
+        for place in allworlds.world.Directional.places(named_map(name), start)
+    ]
+    made = allworlds.check("folding", worlds=every)
+    assert (report.runs, report.traversals) == (made.runs, made.traversals)
+    assert report.worlds == sum(2 * named_map(name).edge_count for name in NAMES)
+    scope = report.to_json()["scope"]
+    assert (scope["given"], scope["gate"], scope["finished_levels"]) == (
+        6,
+        "absent",
+        [2, 3, 5, 6, 8],
+    )
+    assert scope["worlds"] == ["plans.jsonl"]
+    assert len(scope["sha256"]["plans.jsonl"]) == 64
+    said = text(report, 1000)
+    assert (
+        "every start and marker of the directional lighthouse in each of 6 worlds of plans" in said
+    )
+    assert "absent: worlds of a file" in said
+    assert "every given world with 8 edges" in file_of("junit", report)
+
+
+def test_several_files_are_one_scope(tmp_path):
+    one = write(tmp_path / "a.jsonl", as_json("k4"), as_json("theta"))
+    other = write(tmp_path / "b.jsonl", as_json("wheel-4"))
+    together = allworlds.check("folding", worlds=[one, other])
+    apart = [allworlds.check("folding", worlds=file) for file in (one, other)]
+    assert together.runs == sum(report.runs for report in apart)
+    assert [*together.to_json()["scope"]["sha256"]] == [one, other]
+
+
+def test_what_a_file_fixes_is_not_varied(tmp_path):
+    position = {"kind": "position", "dart": 4}
+    started = write(tmp_path / "start.jsonl", as_json("k4", start=3))
+    placed = write(tmp_path / "place.jsonl", as_json("k4", lighthouse=position), as_json("theta"))
+    both = write(tmp_path / "both.jsonl", as_json("k4", start=3, lighthouse=position))
+    assert allworlds.check("folding", worlds=started).runs == 3
+    # Every start of K4 with the one place; of theta, whose place is open, every start.
+    assert allworlds.check("quotient", worlds=placed).runs == 12 + 6
+    report = allworlds.check("quotient", worlds=both)
+    assert (report.runs, str(report.asked.rules.lighthouse)) == (1, "position")
+    assert "one start and marker of the position lighthouse" in text(report, 1000)
+    (given,) = worlds_of_files([both], "clockwise", None).piece(6, 0)
+    ((map_, [(_, place)]),) = given.placed(Position)
+    # Where v0 is, is kept: its distance from the start, and the degree.
+    old = World(named_map("k4"), Position(4), 3)
+    assert World(map_, place, 0).percepts[0] == old.percepts[3]
+    assert [p.marks for p in World(map_, place, 0).percepts].count(1) == 3
+
+
+def test_the_smallest_world_refutes_first_whatever_its_place_in_the_file(plans, tmp_path):
+    (tmp_path / "mine.py").write_text(WRONG)
+    report = allworlds.check("mine.py:goes_on", worlds=plans, task="cover:edges", workers=1)
+    (finding,) = report.findings
+    assert (finding.world.map.edge_count, report.levels) == (2, (2,))
+    assert finding.confirmed
+
+
+def test_lighthouses_must_agree(tmp_path, refused):
+    position = {"kind": "position", "dart": 0}
+    worlds = as_json("k4", lighthouse=position), as_json("theta", lighthouse={"kind": "none"})
+    one, two = (write(tmp_path / f"{n}.jsonl", *worlds[:n]) for n in (1, 2))
+    said = refused("check", "--worlds", two)
+    assert f"theta of {two} has the lighthouse 'none', and k4 of {two} has 'position'" in said
+    for verb in (["check", "folding"], ["ambiguity", "census"]):
+        said = refused(*verb, "--worlds", one, "--lighthouse", "directional")
+        assert "lighthouse = 'directional', but 1 world of" in said
+    assert "have 'position'" in refused("worst", "--worlds", one)
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--worlds", "nowhere.jsonl"], "worlds 'nowhere.jsonl' cannot be read: No such file"),
+        (["--worlds", "plans.jsonl", "--edges", "1"], "6 worlds of plans.jsonl have at least 2"),
+        (["--order", "anticlockwise"], "has no effect without worlds of a file"),
+        (["--embeddings", "all"], "embeddings = 'all' has no effect without a graph"),
+        (["--graph", "k4", "--embeddings", "plane"], "'plane' is not one of all, genus:G"),
+        (["--graph", "k4", "--worlds", "plans.jsonl"], "cannot be given together with worlds"),
+        (["--graph", "nothing"], "no map is called 'nothing'"),
+        (["--graph", "k5", "--embeddings", "genus:0"], "is empty"),
+    ],
+)
+def test_what_is_no_file_of_worlds_is_refused_in_one_line(options, said, plans, refused):
+    assert said in refused("check", *options)
+
+
+def test_a_file_goes_with_condition_class_and_bounds(plans):
+    def runs(**options):
+        return allworlds.check("folding", worlds=plans, **options).runs
+
+    assert runs(where="cubic") == 3 * (2 * 6 + 2 * 6 + 2 * 3)
+    assert runs(map_class="planar", where="cubic") == 3 * (2 * 6 + 2 * 3)
+    assert runs(edges=3) == 3 * 2 * 3 + 4 * 2 * 2
+    assert allworlds.check("folding", worlds=plans, vertices=1).worlds == 4
+
+
+# ---------------------------------------------------------------- runs, shards, workers
+
+
+@pytest.mark.processes
+def test_two_workers_say_what_one_says(plans, tmp_path):
+    (tmp_path / "mine.py").write_text(WRONG)
+    options = {"worlds": plans, "task": "cover:edges"}
+    one, two = (allworlds.check("mine.py:goes_on", workers=n, **options) for n in (1, 2))
+    assert of(one) == of(two)
+
+
+def test_shards_are_merged_to_the_whole(plans):
+    pieces = worlds_of_files([plans], "clockwise", None)
+    assert [pieces.weights(edges) for edges in pieces.starts] == [[4], [6], [10], [24], [16]]
+    for verb in (
+        lambda **options: allworlds.check("folding", worlds=plans, **options),
+        lambda **options: allworlds.compare("folding", "algorithm1", worlds=plans, **options),
+        lambda **options: allworlds.ambiguity.census(worlds=plans, **options),
+    ):
+        name = str(len([*map(str, __import__("pathlib").Path().glob("rd*"))]))
+        runs = [f"rd{name}-{k}" for k in range(2)]
+        shards = [verb(shard=(k, 2), run=run) for k, run in enumerate(runs)]
+        assert all(shard.exit_code == 0 for shard in shards)
+        assert of(allworlds.merge(*runs)) == of(verb())
+
+
+def test_a_level_is_cut_into_pieces_and_dealt_to_shards(tmp_path):
+    file = write(tmp_path / "many.jsonl", *[as_json("edge", name=str(i)) for i in range(120)])
+    pieces = worlds_of_files([file], "clockwise", None)
+    assert pieces.weights(1) == [100, 100, 40]
+    assert [len(pieces.piece(1, i)) for i in range(3)] == [50, 50, 20]
+    assert pieces.piece(1, 2)[-1].labels.name == "119"
+    shards = [allworlds.check("folding", worlds=file, shard=(k, 2)) for k in range(2)]
+    assert [shard.worlds for shard in shards] == [140, 100]
+
+
+def test_a_run_is_resumed_and_not_with_a_changed_file(plans, tmp_path, refused, cli):
+    whole = allworlds.check("folding", worlds=plans, run="rd")
+    assert of(allworlds.check("folding", worlds=plans, run="rd")) == of(whole)
+    code, out, _ = cli("status", "rd")
+    assert (code, "--worlds plans.jsonl" in out) == (0, True)
+    write(tmp_path / "plans.jsonl", *map(as_json, NAMES[1:]))
+    assert "is of another text of 'plans.jsonl'" in refused(
+        "check", "folding", "--worlds", "plans.jsonl", "--run", "rd"
+    )
+    for verb in ("status", "merge"):
+        assert "worlds 'plans.jsonl' has another text now" in refused(verb, "rd")
+
+
+# ---------------------------------------------------------------- other verbs
+
+
+def test_compare_goes_through_a_file(plans):
+    report = allworlds.compare("folding", "algorithm1", worlds=plans, by="world")
+    assert {row.edges for row in report.rows} == {2, 3, 5, 6, 8}
+    # Starts from which a world looks the same count once: those of K4 are one.
+    assert {(row.edges, row.vertices): row.worlds for row in report.rows}[6, 4] == 1 + 3
+    assert "every start in each of 6 worlds of plans.jsonl" in text(report, 1000)
+    with pytest.raises(InputError, match="it takes no edges, vertices or worlds"):
+        allworlds.compare("folding", "algorithm1", worlds=plans, family="k:4")
+    with pytest.raises(InputError, match="worlds = .* has no effect on worlds that grow"):
+        allworlds.compare("folding", worlds=plans, family="lattice", to=12)
+
+
+def test_the_census_counts_worlds_once(tmp_path):
+    file = write(
+        tmp_path / "a.jsonl", as_json("k4"), as_json("k4", name="again"), as_json("wheel-4")
+    )
+    report = allworlds.ambiguity.census(worlds=file)
+    assert [(row.edges, row.marked_worlds) for row in report.rows] == [(6, 1), (8, 2)]
+    assert report.to_json()["gate"] is None
+    look_alike = [from_cycles(["aa"]), from_cycles(["abba"])]
+    worlds = [{"sigma": [*map_.sigma], "alpha": [*map_.alpha]} for map_ in look_alike]
+    none = allworlds.ambiguity.census(
+        worlds=write(tmp_path / "b.jsonl", *worlds), lighthouse="none"
+    )
+    assert sum(row.marked_worlds for row in none.rows) == 2
+
+
+def test_every_schedule_is_searched_in_given_worlds(plans):
+    report = allworlds.worst(worlds=plans)
+    found = {(row.edges, row.vertices): (row.worst, row.best, row.worlds) for row in report.rows}
+    starts = [(named_map(n), start) for n in NAMES for start in named_map(n).darts]
+    for (edges, vertices), row in found.items():
+        here = [
+            EverySchedule(map_, start)
+            for map_, start in starts
+            if (map_.edge_count, map_.vertex_count) == (edges, vertices) != (8, 5)
+        ]
+        if here:
+            costs = max(each.worst for each in here), max(each.best for each in here), len(here)
+            assert row == costs
+    assert {*found} == {(2, 1), (3, 2), (5, 5), (6, 4), (8, 5)}
+    assert report.to_json()["scope"]["edges"] == 8
+    with pytest.raises(InputError, match="edges = 15, but there is room for 12"):
+        allworlds.worst(graph="petersen")
+
+
+@pytest.mark.parametrize("edges", [1, 2, 3])
+def test_a_history_makes_its_map_again(edges):
+    for map_ in rooted_maps(edges):
+        assert [*rooted_maps(edges, prefix=history(map_))] == [map_]
+
+
+@pytest.mark.parametrize(("which", "maps"), [("all", 3), ("genus:0", 1), ("genus:1", 2)])
+def test_every_embedding_of_a_graph_is_tried(which, maps):
+    report = allworlds.check("algorithm1", graph="k4", embeddings=which)
+    assert (report.verdict.value, report.worlds, report.runs) == ("holds", 12 * maps, 36 * maps)
+    assert "absent: embeddings of a graph" in text(report, 1000)
+    assert report.to_json()["scope"]["graph"] == "k4"
+
+
+# ---------------------------------------------------------------- tests of users
+
+
+def test_a_mark_makes_a_test_for_each_size_of_a_file(plans):
+    assert [*levels_of({"worlds": plans})] == [2, 3, 5, 6, 8]
+    assert [*levels_of({"worlds": plans, "edges": 5})] == [2, 3, 5]
+    assert assert_explores("folding", worlds=plans).worlds == 60
+
+
+def test_memory_does_not_grow_with_the_worlds(tmp_path):
+    def held(count):
+        file = write(tmp_path / f"{count}.jsonl", *[as_json("cycle-5", name="x")] * count)
+        tracemalloc.start()
+        maps = worlds_of_files([file], "clockwise", None)
+        for number in range(len(maps.weights(5))):
+            assert all(type(each) is GivenMap for each in maps.piece(5, number))
+        most = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        return most
+
+    held(10)
+    few, many = held(500), held(1500)
+    # Three numbers a world, of 8 bytes each, with room to grow.
+    assert many - few < 1000 * 60
