@@ -103,8 +103,8 @@ def test_what_a_file_fixes_is_not_varied(tmp_path):
     placed = write(tmp_path / "place.jsonl", as_json("k4", lighthouse=position), as_json("theta"))
     both = write(tmp_path / "both.jsonl", as_json("k4", start=3, lighthouse=position))
     assert allworlds.check("folding", worlds=started).runs == 3
-    # Every start of K4 with the one place; of theta, whose place is open, every start.
-    assert allworlds.check("quotient", worlds=placed).runs == 12 + 6
+    # Of K4 the three starts at the vertex of the marker; of theta, whose place is open, every one.
+    assert allworlds.check("quotient", worlds=placed).runs == 3 + 6
     report = allworlds.check("quotient", worlds=both)
     assert (report.runs, str(report.asked.rules.lighthouse)) == (1, "position")
     assert "one start and marker of the position lighthouse" in text(report, 1000)
@@ -122,6 +122,42 @@ def test_the_smallest_world_refutes_first_whatever_its_place_in_the_file(plans, 
     (finding,) = report.findings
     assert (finding.world.map.edge_count, report.levels) == (2, (2,))
     assert finding.confirmed
+    assert finding.world.labels.name == "two-loops-torus"
+    assert "the world two-loops-torus" in text(report, 1000)
+
+
+def test_findings_are_told_in_the_names_of_the_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text(WRONG)
+    plans = [
+        {"lodge": {"hall": ["a", "b"], "a": ["hall"], "b": ["hall"]}},
+        {"tower": {"top": ["stair"], "stair": ["top"]}},
+    ]
+    for plan in plans:
+        (name,) = plan
+        (tmp_path / f"{name}.json").write_text(json.dumps(plan))
+    report = allworlds.check(
+        "mine.py:goes_on",
+        worlds=["lodge.json", "tower.json"],
+        max_findings=9,
+        task="map",
+        workers=1,
+    )
+    worlds = {
+        finding.world.labels.name: finding.world.labels.vertices for finding in report.findings
+    }
+    assert {name: {*rooms} for name, rooms in worlds.items()} == {
+        "tower": {"top", "stair"},
+        "lodge": {"hall", "a", "b"},
+    }
+    # Dart 0 of the finding's world is at the vertex of its start, whatever the file's numbers are.
+    for finding in report.findings:
+        map_, rooms = finding.world.map, finding.world.labels.vertices
+        for room, darts in zip(rooms, map_.vertices, strict=True):
+            assert (room == "hall") == (len(darts) == 2)
+    compared = allworlds.compare("folding", "algorithm1", worlds=["lodge.json"])
+    if compared.differ_most:
+        assert compared.differ_most.world.labels.name == "lodge"
 
 
 def test_lighthouses_must_agree(tmp_path, refused):
@@ -223,7 +259,7 @@ def test_compare_goes_through_a_file(plans):
     assert "every start in each of 6 worlds of plans.jsonl" in text(report, 1000)
     with pytest.raises(InputError, match="it takes no edges, vertices or worlds"):
         allworlds.compare("folding", "algorithm1", worlds=plans, family="k:4")
-    with pytest.raises(InputError, match="worlds = .* has no effect on worlds that grow"):
+    with pytest.raises(InputError, match=r"worlds = .* has no effect on worlds that grow"):
         allworlds.compare("folding", worlds=plans, family="lattice", to=12)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Protocol, TypeAlias
 
 from msgspec import Struct
@@ -133,6 +133,10 @@ class Scope(Struct, frozen=True):
     def whole(self) -> bool:
         """Whether every world of a class is tried, so that they can be counted."""
         return isinstance(self.coverage, Whole) and self.extent.given is None
+
+    def like(self, world: World) -> Iterable[World]:
+        """The given worlds that are this one in another numbering; none where none are given."""
+        return () if self.extent.given is None else self.extent.given.like(world)
 
     @property
     def portion(self) -> Portion:

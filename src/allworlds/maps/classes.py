@@ -347,6 +347,9 @@ class MapSource(Protocol):
     def fixed(self) -> bool:
         """Whether the start and the lighthouse of each are."""
 
+    def like(self, world: Any) -> Iterable[Any]:
+        """The given worlds that are this one in another numbering, in their order."""
+
     @property
     def words(self) -> str:
         """How many there are, and where they come from."""

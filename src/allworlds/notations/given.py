@@ -25,9 +25,10 @@ from allworlds.notations.entry import Entry
 from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
 from allworlds.protocol.user_code import recorded
 from allworlds.words import listed, plural
-from allworlds.world.labels import PLAIN, Labels
+from allworlds.world.labels import PLAIN, Labelling
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import LighthouseKind, kind_of, lighthouse_from_json
+from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import World
 
 PIECE = 50
@@ -50,7 +51,7 @@ class GivenMap(Struct, frozen=True):
     map: CombinatorialMap
     starts: Sequence[Dart]
     lighthouse: Lighthouse | None = None
-    labels: Labels = PLAIN
+    labels: Labelling = PLAIN
 
     def placed(self, kind: type[Lighthouse]) -> Iterator[Placed]:
         """The map from each start, in canonical numbering, with the places that are tried."""
@@ -164,12 +165,12 @@ class GivenMaps:
                 names = [own[i] for i in inverse(order)]
                 place = world.lighthouse.relabelled(names)
                 if given.lighthouse in (None, place):
-                    yield World(given.map, place, start)
+                    yield World(given.map, place, start, labels=given.labels)
 
 
 def given_worlds(worlds: Sequence[World]) -> GivenMaps:
     """Worlds that were made in this process, each with its own start and lighthouse."""
-    made = [GivenMap(world.map, (world.start,), world.lighthouse) for world in worlds]
+    made = [GivenMap(world.map, (world.start,), world.lighthouse, world.labels) for world in worlds]
     return _held("given world", "", "the worlds were given", made)
 
 
@@ -236,14 +237,20 @@ def _given(entry: Entry, name: str = "") -> GivenMap:
     if entry.lighthouse is not None:
         try:
             place = lighthouse_from_json(entry.lighthouse, map_, starts[0])
-            kind = place.as_kind
-            able = tuple(start for start in starts if place in kind.places(map_, start))
-            if not able:
-                place.check(map_, starts[0])  # says why
-            starts = able
+            starts = [start for start in starts if _stands(place, map_, start)] or starts
+            place.check(map_, starts[0])
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
     return GivenMap(map_, starts, place, entry.labels)
+
+
+def _stands(place: Lighthouse, map_: CombinatorialMap, start: Dart) -> bool:
+    """Whether the lighthouse can stand there when one starts here."""
+    try:
+        place.check(map_, start)
+    except InvalidWorld:
+        return False
+    return True
 
 
 def _digest(name: str) -> str:

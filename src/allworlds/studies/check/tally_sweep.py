@@ -38,7 +38,7 @@ from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import as_json, meant
-from allworlds.judging.findings.finding import DIGITS, Finding, digest_of
+from allworlds.judging.findings.finding import DIGITS, Finding, digest_of, labelled
 from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import Extent, MapClass
@@ -261,6 +261,7 @@ def is_inside(finding: Finding, scope: Scope) -> bool:
     rules, own, world = scope.rules, finding.rules, finding.world
     return (
         scope.extent.include(world.map)
+        and (scope.extent.given is None or any(True for _ in scope.like(world)))
         and own.task == rules.task
         and world.lighthouse in rules.kind.places(world.map, world.start)
         and (finding.law not in LAWS or finding.law in rules.applying)
@@ -280,7 +281,8 @@ def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None
         world = GivenWorlds(((finding.world, finding.place),))
         for part in workers.map(RunCounter(scope, keep=1), [world]):
             for found in part.result.findings:
-                return played_again(found, subject, limits)
+                again = replace(found, world=labelled(found.world, [finding.world]))
+                return played_again(again, subject, limits)
     return None
 
 

@@ -29,6 +29,7 @@ from allworlds.engines.single import SingleRun, single_run
 from allworlds.engines.units import WHOLE, Portion, Shard, SweptLevel, level_size
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import takes_fields
+from allworlds.judging.findings.finding import labelled
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending, Stopped
@@ -253,8 +254,10 @@ class SameWorlds(Contest[Comparison]):
         difference = max(abs(other - first) for other in others)
         if difference > self._difference:
             self._difference = difference
+            world = self.entrants[0].first_world(map_)
+            like = () if self.bounds.given is None else self.bounds.given.like(world)
             self._differ_most = DifferMost(
-                world=self.entrants[0].first_world(map_),
+                world=labelled(world, like),
                 costs=dict(zip(self.names, map(_rounded, means), strict=True)),
             )
         if self.request.by in ("world", "run"):
