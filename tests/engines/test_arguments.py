@@ -8,6 +8,7 @@ from allworlds import check
 from allworlds.inputs.checks import InputError
 from kept_jobs import EXPLORERS
 
+PLAN = str(EXPLORERS.parent / "plan.json")
 FIRST = {"explore": "algorithm1", "edges": 2, "engine": "python"}
 # Of every such argument a value with which the report may be another one.
 OTHERS = {
@@ -16,6 +17,8 @@ OTHERS = {
     "vertices": 2,
     "map_class": "planar",
     "where": "trees",
+    "worlds": PLAN,
+    "graph": "bouquet-2",
     "lighthouse": "none",
     "task": "cover",
     "schedules": "all",
@@ -30,12 +33,18 @@ OTHERS = {
     "memory": 3000,
 }
 APART = {"workers", "start_timeout", "time_limit", "dask", "dask_timeout", "run", "corpus"}
-APART |= {"listener", "worlds"}  # given worlds have no run directory
+APART |= {"listener"}
 """Where and how long it is done, and what is made of it."""
+BESIDE = {
+    "order": ({"worlds": PLAN}, "anticlockwise"),
+    "embeddings": ({"graph": "bouquet-2"}, "genus:0"),
+    "y": ({"worlds": PLAN}, None),  # that file has no positions
+}
+"""Such arguments that others need."""
 
 
 def test_each_argument_makes_another_report_or_does_not():
-    assert {*inspect.signature(check).parameters} == OTHERS.keys() | APART
+    assert {*inspect.signature(check).parameters} == OTHERS.keys() | APART | BESIDE.keys()
 
 
 @pytest.mark.usefixtures("compiled")
@@ -45,3 +54,13 @@ def test_who_asks_for_something_else_is_refused(name, tmp_path):
     with pytest.raises(InputError, match="run directory"):
         check(**{**FIRST, name: OTHERS[name]}, run=tmp_path / "run")
     assert check(**FIRST, run=tmp_path / "run").exit_code == 0
+
+
+@pytest.mark.parametrize("name", ["order", "embeddings"])
+def test_so_is_who_asks_for_other_given_worlds(name, tmp_path):
+    beside, value = BESIDE[name]
+    options = {**FIRST, **beside, "run": tmp_path / "run"}
+    check(**options)
+    with pytest.raises(InputError, match="run directory"):
+        check(**options, **{name: value})
+    assert check(**options).exit_code == 0

@@ -167,7 +167,7 @@ ONLY_CLI = {
     "compare": {"command", "native"},
 }
 ONLY_PYTHON = {
-    "check": {"explore", "worlds"},
+    "check": {"explore"},
     "fuzz": {"explore"},
     "run": {"explore", "world"},
     "replay": {"explore", "finding"},
