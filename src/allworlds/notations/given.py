@@ -20,7 +20,7 @@ from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Requ
 from allworlds.maps.build import named_map
 from allworlds.maps.canonical import numbering, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, inverse
-from allworlds.maps.networks import to_networkx
+from allworlds.maps.networks import embeddings, to_networkx
 from allworlds.notations.entry import Entry
 from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
 from allworlds.protocol.user_code import recorded
@@ -214,15 +214,16 @@ def embeddings_of(graph: str, which: str, order: Order | None, y: YAxis | None) 
     of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
     if which != "all" and not of_genus:
         raise InputError(f"embeddings {show(which)} is not one of all, genus:G, as in genus:1")
+    codes: tuple[Digest, ...] = ()
     if existing_file("graph", graph):
-        codes: tuple[Digest, ...] = (Digest(graph, _digest(graph)),)
-        map_ = entry_named(graph, "", order or "clockwise", y).map
+        codes = (Digest(graph, _digest(graph)),)
+        entry = entry_named(graph, "", order or "clockwise", y)
     else:
-        codes, map_ = (), named_map(graph)
-    from allworlds.maps import embeddings
-
+        entry = Entry(named_map(graph))
     genus = int(of_genus[1]) if of_genus else None
-    held = [GivenMap(each, each.darts) for each in embeddings(to_networkx(map_), genus=genus)]
+    labels = Labelling(entry.labels.name, entry.labels.vertices)
+    every = embeddings(to_networkx(entry.map), genus=genus)
+    held = [GivenMap(map_, map_.darts, labels=labels) for map_ in every]
     of = graph if genus is None else f"{graph} of genus {genus}"
     return _held("embedding", of, "embeddings of a graph", held, codes)
 
