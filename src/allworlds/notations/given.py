@@ -121,7 +121,8 @@ class GivenMaps:
             if kind and not self.lighthouse:
                 self.lighthouse, first = kind, name
         if not self.count:
-            raise InputError(f"worlds = {of or '[]'} is empty; legal is one world or more")
+            empty = f"there is no {noun} of {of}" if of else "worlds = [] is empty"
+            raise InputError(f"{empty}; legal is one world or more")
         self.starts = {edges: sum(self._at[edges][2::3]) for edges in sorted(self._at)}
 
     def __getstate__(self) -> dict[str, Any]:

@@ -1,0 +1,66 @@
+"""Many worlds of files: workers, shards of every verb, a hundred thousand, Petersen's graph."""
+
+import tracemalloc
+
+import pytest
+
+import allworlds
+from plan_files import NAMES, WRONG, as_json, of, write
+
+
+@pytest.fixture
+def plans(tmp_path, monkeypatch):
+    """A file of a hundred and twenty worlds whose sizes are in no order."""
+    monkeypatch.chdir(tmp_path)
+    write(tmp_path / "plans.jsonl", *[as_json(name) for name in NAMES] * 20)
+    return "plans.jsonl"
+
+
+@pytest.mark.parametrize("more", [{"workers": 2}, {"dask": "local", "workers": 2}])
+@pytest.mark.parametrize("explorer", ["folding", "mine.py:goes_on"])
+def test_wherever_it_is_done_it_is_the_same(plans, tmp_path, explorer, more):
+    (tmp_path / "mine.py").write_text(WRONG)
+    options = {"worlds": plans, "task": "cover:edges"}
+    one = allworlds.check(explorer, workers=1, **options)
+    assert of(allworlds.check(explorer, **options, **more)) == of(one)
+
+
+@pytest.mark.parametrize("verb", ["check", "compare", "census", "worst"])
+def test_shards_of_every_verb_are_merged_to_the_whole(verb, plans):
+    def answer(**options):
+        match verb:
+            case "check":
+                return allworlds.check("folding", worlds=plans, where="cubic", **options)
+            case "compare":
+                return allworlds.compare("folding", "algorithm1", worlds=plans, **options)
+            case "worst":
+                return allworlds.worst(worlds=plans, edges=6, **options)
+        return allworlds.ambiguity.census(worlds=plans, **options)
+
+    runs = ["one", "other"]
+    for k, run in enumerate(runs):
+        assert answer(shard=(k, 2), run=run).exit_code == 0
+    assert of(allworlds.merge(*runs)) == of(answer())
+
+
+def test_every_embedding_of_the_petersen_graph_holds():
+    # Of its 1024 rotations 40, 664 and 320 have the genera 1, 2 and 3; its group has 120 elements,
+    # half of the 2 x 120 automorphisms of rotations keep the orientation.
+    report = allworlds.check("folding", graph="petersen", embeddings="genus:1")
+    assert report.verdict.value == "holds"
+    assert report.runs == 3 * report.worlds == 90 * report.to_json()["scope"]["given"]
+
+
+def test_a_hundred_thousand_worlds_stream(tmp_path):
+    def most(count):
+        file = write(tmp_path / f"{count}.jsonl", *[as_json("edge", start=0)] * count)
+        tracemalloc.start()
+        report = allworlds.check("folding", worlds=file, workers=1)
+        held = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        assert (report.worlds, report.verdict.value) == (count, "holds")
+        return held
+
+    most(10)
+    # Three numbers of 8 bytes for each world, in an array that grows by an eighth.
+    assert most(100_000) - most(1000) < 99_000 * 60
