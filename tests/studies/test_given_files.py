@@ -11,6 +11,7 @@ from allworlds.maps.build import from_cycles, named_map
 from allworlds.maps.enumeration import history, rooted_maps
 from allworlds.notations.given import worlds_of_files
 from allworlds.reports.formats import file_of, text
+from allworlds.studies.check.exhaustive import estimate
 from allworlds.studies.worst.every_schedule import EverySchedule
 from allworlds.testing import assert_explores, levels_of
 from allworlds.world.lighthouses.marked import Position
@@ -242,6 +243,23 @@ def test_every_schedule_is_searched_in_given_worlds(tmp_path):
     assert (rows, report.to_json()["scope"]["edges"]) == ({}, 5)
     with pytest.raises(InputError, match="edges = 15, but there is room for 12"):
         allworlds.worst(graph="petersen", embeddings="genus:1")
+
+
+def test_rooted_embeddings_are_as_many_as_are_known():
+    """K4 has 16 rotations, and 24 automorphisms: of 16 x 12 rooted ones 8 differ."""
+    report = allworlds.compare("folding", "folding-oldest", graph="k4")
+    assert sum(row.worlds for row in report.rows) == 16 * 12 // 24 == 8
+    assert "every start in each of 3 embeddings of k4 of the class maps" in text(report, 1000)
+
+
+def test_a_world_without_a_name_has_a_number(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text(WRONG)
+    file = write(tmp_path / "a.jsonl", as_json("k4", name=""), as_json("theta", name=""))
+    report = allworlds.check("mine.py:goes_on", worlds="a.jsonl", task="cover:edges", workers=1)
+    assert report.findings[0].world.labels.name == "2 of a.jsonl"
+    with pytest.raises(InputError, match="estimate is of a class, and not of 2 worlds of"):
+        estimate("folding", worlds=file)
 
 
 @pytest.mark.parametrize("edges", [1, 2, 3])

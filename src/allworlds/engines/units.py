@@ -268,17 +268,11 @@ def units_of_level(
     yield from units
 
 
-def drawn_units(
-    extent: Extent, edges: int, most: int, draw: Random
-) -> Iterator[LevelUnit | GivenUnit]:
+def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator[LevelUnit]:
     """An endless sequence of pieces of a level, of at most ``most`` maps, drawn as its maps are.
 
-    A piece is drawn the more often the more maps it has; pieces without a map are left out.  Given
-    maps come as they are.
+    A piece is drawn the more often the more maps it has; pieces without a map are left out.
     """
-    if extent.given is not None:
-        yield from units_of_level(extent, edges)
-        return
     while True:
         gluing, prefix = Gluing(edges, extent.map_class, extent.vertices, extent.where), list[int]()
         while not gluing.finished and (not prefix or completions(gluing) > most):

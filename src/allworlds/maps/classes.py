@@ -344,6 +344,10 @@ class MapSource(Protocol):
         """By the number of edges, ascending, how many rooted maps there are."""
 
     @property
+    def count(self) -> int:
+        """How many there are."""
+
+    @property
     def fixed(self) -> bool:
         """Whether the start and the lighthouse of each are."""
 

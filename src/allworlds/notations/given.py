@@ -14,7 +14,7 @@ from typing import Annotated, Any, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document.struct import IfAny, Text, about
+from allworlds.document.struct import IfAny, Text, about, replace
 from allworlds.inputs.checks import InputError, a_path, existing_file, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
 from allworlds.maps.build import named_map
@@ -100,7 +100,7 @@ class GivenMaps:
         noun: str,
         of: str,
         gate: str,
-        found: Iterable[tuple[str, tuple[int, int], GivenMap]],
+        found: Iterable[tuple[str, tuple[int, int, int], GivenMap]],
         codes: tuple[Digest, ...] = (),
     ) -> None:
         self.noun, self.of, self.gate, self.codes = noun, of, f"absent: {gate}", codes
@@ -123,12 +123,12 @@ class GivenMaps:
         if not self.count:
             empty = f"there is no {noun} of {of}" if of else "worlds = [] is empty"
             raise InputError(f"{empty}; legal is one world or more")
-        self.starts = {edges: sum(self._at[edges][2::3]) for edges in sorted(self._at)}
+        self.starts = {edges: sum(self._at[edges][3::4]) for edges in sorted(self._at)}
 
     def __getstate__(self) -> dict[str, Any]:
         return {**vars(self), "_at": None, "_entry": None}
 
-    _entry: Callable[[int, int], GivenMap]
+    _entry: Callable[[int, int, int], GivenMap]
 
     @property
     def words(self) -> str:
@@ -144,13 +144,13 @@ class GivenMaps:
 
     def weights(self, edges: int) -> list[int]:
         """How many rooted maps each piece of a level has."""
-        starts = self._at[edges][2::3]
+        starts = self._at[edges][3::4]
         return [sum(starts[i : i + PIECE]) for i in range(0, len(starts), PIECE)]
 
     def piece(self, edges: int, number: int) -> tuple[GivenMap, ...]:
         """The maps of a piece of a level."""
-        keys = self._at[edges][3 * PIECE * number : 3 * PIECE * (number + 1)]
-        return tuple(map(self._entry, keys[::3], keys[1::3]))
+        keys = self._at[edges][4 * PIECE * number : 4 * PIECE * (number + 1)]
+        return tuple(map(self._entry, keys[::4], keys[1::4], keys[2::4]))
 
     def like(self, world: World) -> Iterator[World]:
         """The given worlds that are this one in another numbering, in their order."""
@@ -178,9 +178,9 @@ def given_worlds(worlds: Sequence[World]) -> GivenMaps:
 def _held(
     noun: str, of: str, gate: str, held: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
 ) -> GivenMaps:
-    found = ((f"worlds[{i}]", (0, i), each) for i, each in enumerate(held))
+    found = ((f"worlds[{i}]", (0, i, i), each) for i, each in enumerate(held))
     maps = GivenMaps(noun, of, gate, found, codes)
-    maps._entry = lambda _, number: held[number]  # noqa: SLF001  # of this module
+    maps._entry = lambda _file, _offset, number: held[number]  # noqa: SLF001  # of this module
     return maps
 
 
@@ -192,17 +192,21 @@ def worlds_of_files(names: Sequence[str], order: Order, y: YAxis | None) -> Give
     """
     codes = tuple(Digest(name, _digest(name)) for name in dict.fromkeys(names))
 
-    def found() -> Iterator[tuple[str, tuple[int, int], GivenMap]]:
+    def found() -> Iterator[tuple[str, tuple[int, int, int], GivenMap]]:
         for file, code in enumerate(codes):
             for number, (offset, entry) in enumerate(entries(code.plain, order, y), 1):
                 name = f"{entry.labels.name or f'world {number}'} of {code.plain}"
-                yield name, (file, offset), _given(entry, name)
+                yield name, (file, offset, number), _given(entry, name)
+
+    def entry_of(file: int, offset: int, number: int) -> GivenMap:
+        name = codes[file].plain
+        entry = entry_at(name, offset, order, y)
+        called = entry.labels.name or f"{number} of {name}"
+        return replace(_given(entry, called), labels=replace(entry.labels, name=called))
 
     of = listed([code.plain for code in codes])
     maps = GivenMaps("world", of, "worlds of a file", found(), codes)
-    maps._entry = lambda file, offset: _given(  # noqa: SLF001  # of this module
-        entry_at(codes[file].plain, offset, order, y)
-    )
+    maps._entry = entry_of  # noqa: SLF001  # of this module
     return maps
 
 
@@ -229,7 +233,7 @@ def embeddings_of(graph: str, which: str, order: Order | None, y: YAxis | None) 
     return _held("embedding", of, "embeddings of a graph", held, codes)
 
 
-def _given(entry: Entry, name: str = "") -> GivenMap:
+def _given(entry: Entry, name: str) -> GivenMap:
     """The entry with its lighthouse, and the starts from which it can stand there.
 
     The name is for a refusal.
@@ -288,7 +292,8 @@ def _worlds(given: object) -> tuple[Any, ...] | None:
 
 
 def _said(meaning: str) -> Any:
-    return Annotated[IfAny[Text | None], about(f"{meaning}; left out: it was not said")]
+    told = about(f"{meaning}; left out: it was not said")
+    return Annotated[IfAny[Text | None], told]  # type: ignore[misc]  # a value here
 
 
 class GivenOptions(Request):

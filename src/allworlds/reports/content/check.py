@@ -14,6 +14,7 @@ from allworlds.maps.count_source import source_of
 from allworlds.outcome import Disagreed, Verdict
 from allworlds.reports.content.scope import (
     SAID,
+    each_of,
     of_the_class,
     option_facts,
     places_facts,
@@ -211,7 +212,7 @@ def _which(report: CheckReport) -> str:
 def _maps(report: CheckReport) -> str:
     sample, given = report.asked.coverage, report.asked.extent.given
     if given is not None:
-        return f"each of {given.words}"
+        return each_of(given)
     if not isinstance(sample, Sample):
         return "every map"
     return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"

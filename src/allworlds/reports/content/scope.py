@@ -9,7 +9,7 @@ from allworlds.document.struct import replace
 from allworlds.engines.swept_report import SweptReport, tried_places
 from allworlds.engines.units import Shard
 from allworlds.inputs.requests import given_again
-from allworlds.maps.classes import Extent
+from allworlds.maps.classes import Extent, MapSource
 from allworlds.studies.check.report import CheckReport
 from allworlds.words import counted, plural
 
@@ -21,7 +21,7 @@ OfWorlds: TypeAlias = SweptReport | CheckReport
 
 SAID = (
     *("edges", "vertices", "map_class", "where", "lighthouse", "policy", "bound"),
-    *("family", "holes", "seed", "worlds"),
+    *("family", "holes", "seed", "worlds", "graph", "embeddings"),
 )
 """The fields of requests of which the words of a scope tell."""
 
@@ -30,19 +30,27 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
     """``of the class maps, trees, with at most 3 edges``; the condition stands there, if any."""
     where = f", {extent.where.name}," if extent.where else ""
     most = extent.edges
+    if extent.given is not None and most == max(extent.given.starts):
+        most = None
     limits = [f"at most {plural(most, 'edge')}"] if most else []
     if most and least > 1:
         limits = [f"{least} to {plural(most, 'edge')}"]
     if extent.vertices:
         limits.append(f"at most {plural(extent.vertices, 'vertex', 'vertices')}")
-    return f"of the class {extent.map_class}{where} with {' and '.join(limits)}"
+    bounds = f" with {' and '.join(limits)}" if limits else ""
+    return f"of the class {extent.map_class}{where}{bounds}"
+
+
+def each_of(given: MapSource) -> str:
+    """``each of 3 worlds of plan.json``."""
+    return given.words if given.count == 1 else f"each of {given.words}"
 
 
 def maps_in_words(report: OfWorlds) -> str:
     """The maps that a report is about, or the shard of them."""
     shard = f", shard {report.portion}" if isinstance(report.portion, Shard) else ""
     given = report.extent.given
-    maps = "every rooted map" if given is None else f"every start in each of {given.words}"
+    maps = "every rooted map" if given is None else f"every start in {each_of(given)}"
     return f"{maps} {of_the_class(report.extent)}{shard}"
 
 

@@ -96,6 +96,8 @@ def estimate(request: CheckRequest) -> TimeEstimate:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
+    if request.given is not None:
+        raise InputError(f"estimate is of a class, and not of {request.given.words}")
     heard = replace(request, listener=NoticeOnce(request.listener))
     job, chosen = _job(heard)
     guess, larger = estimated(job, chosen), tuple[Guess, ...]()
