@@ -262,6 +262,16 @@ def test_a_world_without_a_name_has_a_number(tmp_path, monkeypatch):
         estimate("folding", worlds=file)
 
 
+def test_a_finding_has_the_name_of_the_world_with_its_place(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text(WRONG)
+    place = [{"kind": "directional", "dart": dart} for dart in (1, 0)]
+    worlds = [as_json("k4", name=f"at {p['dart']}", start=0, lighthouse=p) for p in place]
+    file = write(tmp_path / "a.jsonl", *worlds)
+    report = allworlds.check("mine.py:goes_on", worlds=file, task="cover:edges", workers=1)
+    assert report.findings[0].world.labels.name == "at 0"
+
+
 @pytest.mark.parametrize("edges", [1, 2, 3])
 def test_a_history_makes_its_map_again(edges):
     for map_ in rooted_maps(edges):
