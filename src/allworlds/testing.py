@@ -314,9 +314,8 @@ def _assert_holds(report: CheckReport) -> None:
 
 def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
     """The report of a check, after past findings; those that are fixed are forgotten."""
-    chosen = isinstance(options.get("worlds"), list | tuple)  # here, and not in a file
     given = {**options, **_bounds(options)}
-    if not chosen and "corpus" not in given and "run" not in given:
+    if "corpus" not in given and "run" not in given:
         plugin = sys.modules.get(PLUGIN)
         given["corpus"] = plugin and plugin.corpus_of_test()
     report = check(explore, **given).uninterrupted()

@@ -9,7 +9,7 @@ from allworlds import World
 from allworlds.inputs.checks import InputError
 from allworlds.maps.build import from_cycles, named_map
 from allworlds.maps.enumeration import history, rooted_maps
-from allworlds.notations.given import worlds_of_files
+from allworlds.notations.given import files_of, worlds_of_files
 from allworlds.reports.formats import file_of, text
 from allworlds.studies.check.exhaustive import estimate
 from allworlds.studies.worst.every_schedule import EverySchedule
@@ -81,7 +81,11 @@ def test_what_a_file_fixes_is_not_varied(tmp_path):
     report = allworlds.check("quotient", worlds=both)
     assert (report.runs, str(report.asked.rules.lighthouse)) == (1, "position")
     assert "one start and marker of the position lighthouse" in text(report, 1000)
-    (given,) = worlds_of_files([both], "clockwise", None).piece(6, 0)
+    marked = write(tmp_path / "marked.jsonl", as_json("k4", lighthouse=position))
+    report = allworlds.check("quotient", worlds=marked)
+    assert report.runs == 3
+    assert "every start and marker of the position lighthouse in 1 world of" in text(report, 1000)
+    (given,) = worlds_of_files(files_of(both), "clockwise", None).piece(6, 0)
     ((map_, [(_, place)]),) = given.placed(Position)
     # Where v0 is, is kept: its distance from the start, and the degree.
     old = World(named_map("k4"), Position(4), 3)
@@ -177,7 +181,7 @@ def test_a_file_goes_with_condition_class_and_bounds(plans):
 
 def test_a_level_is_cut_into_pieces_and_dealt_to_shards(tmp_path):
     file = write(tmp_path / "many.jsonl", *[as_json("edge", name=str(i)) for i in range(120)])
-    pieces = worlds_of_files([file], "clockwise", None)
+    pieces = worlds_of_files(files_of(file), "clockwise", None)
     assert pieces.weights(1) == [100, 100, 40]
     assert [len(pieces.piece(1, i)) for i in range(3)] == [50, 50, 20]
     assert pieces.piece(1, 2)[-1].labels.name == "119"

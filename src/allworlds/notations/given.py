@@ -7,7 +7,7 @@ import re
 from array import array
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import chain
 from pathlib import Path
 from typing import Annotated, Any, TypeAlias
@@ -184,13 +184,22 @@ def _held(
     return maps
 
 
-def worlds_of_files(names: Sequence[str], order: Order, y: YAxis | None) -> GivenMaps:
+def files_of(*names: str) -> tuple[Digest, ...]:
+    """These files as they are now, each once.
+
+    Raises:
+        InputError: if one cannot be read, or is not as a record says that is being read.
+    """
+    return tuple(Digest(name, _digest(name)) for name in dict.fromkeys(names))
+
+
+@lru_cache(maxsize=4)
+def worlds_of_files(codes: tuple[Digest, ...], order: Order, y: YAxis | None) -> GivenMaps:
     """Every world of these files; they are read twice, and never held.
 
     Raises:
         InputError: naming the file, the world in it, and what would be legal.
     """
-    codes = tuple(Digest(name, _digest(name)) for name in dict.fromkeys(names))
 
     def found() -> Iterator[tuple[str, tuple[int, int, int], GivenMap]]:
         for file, code in enumerate(codes):
@@ -210,8 +219,11 @@ def worlds_of_files(names: Sequence[str], order: Order, y: YAxis | None) -> Give
     return maps
 
 
-def embeddings_of(graph: str, which: str, order: Order | None, y: YAxis | None) -> GivenMaps:
-    """Every embedding of a graph, up to isomorphism; each is held.
+@lru_cache(maxsize=4)
+def embeddings_of(
+    graph: str, codes: tuple[Digest, ...], which: str, order: Order | None, y: YAxis | None
+) -> GivenMaps:
+    """Every embedding of a graph, which has a name or a file, up to isomorphism; each is held.
 
     Raises:
         InputError: naming the graph, or the words about its embeddings; or if there are none.
@@ -219,12 +231,8 @@ def embeddings_of(graph: str, which: str, order: Order | None, y: YAxis | None) 
     of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
     if which != "all" and not of_genus:
         raise InputError(f"embeddings {show(which)} is not one of all, genus:G, as in genus:1")
-    codes: tuple[Digest, ...] = ()
-    if existing_file("graph", graph):
-        codes = (Digest(graph, _digest(graph)),)
-        entry = entry_named(graph, "", order or "clockwise", y)
-    else:
-        entry = Entry(named_map(graph))
+    named = entry_named(graph, "", order or "clockwise", y) if codes else None
+    entry = named or Entry(named_map(graph))
     genus = int(of_genus[1]) if of_genus else None
     labels = Labelling(entry.labels.name, entry.labels.vertices)
     every = embeddings(to_networkx(entry.map), genus=genus)
@@ -369,9 +377,10 @@ class GivenOptions(Request):
             if beside is not None and not needed:
                 raise InputError(f"{name} = {show(beside)} has no effect without {what}")
         if graph is not None:
-            return embeddings_of(graph, which or "all", order, y)
+            codes = files_of(graph) if existing_file("graph", graph) else ()
+            return embeddings_of(graph, codes, which or "all", order, y)
         if files and self.worlds:
-            return worlds_of_files(self.worlds, order or "clockwise", y)
+            return worlds_of_files(files_of(*self.worlds), order or "clockwise", y)
         if self.worlds is not None and getattr(self, "run", None) is not None:
             raise InputError(
                 "run keeps no worlds that live in this process alone; write them into a file, and "

@@ -5,7 +5,7 @@ import tracemalloc
 import pytest
 
 import allworlds
-from allworlds.notations.given import worlds_of_files
+from allworlds.notations.given import files_of, worlds_of_files
 from plan_files import NAMES, WRONG, as_json, of, write
 
 
@@ -55,7 +55,7 @@ def test_every_embedding_of_the_petersen_graph_holds():
 def test_a_hundred_thousand_worlds_stream(tmp_path):
     def most(count):
         tracemalloc.start()
-        maps = worlds_of_files([files[count]], "clockwise", None)
+        maps = worlds_of_files(files_of(files[count]), "clockwise", None)
         pieces = (maps.piece(1, number) for number in range(len(maps.weights(1))))
         assert sum(map(len, pieces)) == count
         held = tracemalloc.get_traced_memory()[1]
