@@ -150,8 +150,9 @@ class WorstRequest(
             InputError: naming what is too large, or another lighthouse that given worlds have.
         """
         self.lighthouse_of_given(LighthouseKind(Directional.kind))
-        least = DEFAULT_EDGES if self.given is None else None
-        extent = Extent(self.map_class, self.edges or least, given=self.given)
+        usual = self.edges is None and self.given is None
+        edges = DEFAULT_EDGES if usual else self.edges
+        extent = Extent(self.map_class, edges, given=self.given)
         _room_for(extent.levels[-1])
         return extent
 
