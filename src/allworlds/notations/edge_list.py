@@ -13,7 +13,7 @@ from math import isfinite
 from typing import IO
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.maps.build import from_rotation
+from allworlds.maps.build import from_cycles
 from allworlds.notations.entry import Entry, at, text_of
 from allworlds.notations.objects import distinct
 from allworlds.world.labels import Labels
@@ -24,7 +24,7 @@ COLUMNS = ["from", "to", "from_rank", "to_rank"]
 def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
     """The one world of a table."""
     rows = csv.reader(io.StringIO(text_of(file.read()), newline=""), strict=True)
-    ranks = dict[str, dict[float, tuple[str, int]]]()
+    ranks = dict[str, dict[float, int]]()
     keys = set[tuple[frozenset[str], str]]()
     try:
         header = next(rows, [])
@@ -39,15 +39,16 @@ def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
                 if key in keys:
                     raise InputError(f"a second edge with the ends and the key {show(row)}")
                 keys |= {key} if row[4:] else set()
-                for vertex, other, rank in ((*row[:2], row[2]), (*row[1::-1], row[3])):
+                for vertex, rank in zip(row[:2], row[2:4], strict=True):
                     taken, number = ranks.setdefault(vertex, {}), _rank(rank)
                     if number in taken:
                         raise InputError(f"two edges at vertex {show(vertex)} have rank {rank}")
-                    taken[number] = other, rows.line_num
+                    taken[number] = rows.line_num
     except csv.Error as error:
         raise InputError(f"line {rows.line_num}: {error}") from None
-    rotation = {v: [ends[rank] for rank in sorted(ends)] for v, ends in ranks.items()}
-    yield 0, Entry(from_rotation(rotation), Labels(vertices=distinct(ranks)))
+    names = distinct(ranks)
+    cycles = {v: [edges[rank] for rank in sorted(edges)] for v, edges in ranks.items()}
+    yield 0, Entry(from_cycles(cycles), Labels(vertices=names))
 
 
 def _rank(text: str) -> float:

@@ -9,7 +9,8 @@
 ``..., "faces": ...}``                    two of the three; also as ``vp``, ``ep`` and ``fp``
 ========================================  ========================================================
 
-A face is walked from each dart across its edge and on by the next dart, clockwise.
+In a face a dart is followed by the one before its other half in the order round the vertex, as in
+``FatGraph`` of the package surface_dynamics for Sage, whose vertices are anticlockwise.
 """
 
 from __future__ import annotations
@@ -117,12 +118,12 @@ def entry_of_rotation(given: Mapping[Any, Any], name: str = "") -> Entry:
     return Entry(from_rotation(rotation), Labels(name, names))
 
 
-def _ends(vertex: str, given: object) -> list[Hashable]:
+def _ends(vertex: str, given: object) -> list[Any]:
     if not isinstance(given, list | tuple) or not given:
         rule = "each vertex has one edge at least"
         raise InvalidMap(f"vertex {show(vertex)} lists {show(given)}; legal is a list, {rule}")
     return [
-        (str(end[0]), str(end[1])) if isinstance(end, list) and len(end) == 2 else str(end)
+        [*map(str, end)] if isinstance(end, list) else str(end)
         for end in given
     ]
 
@@ -158,26 +159,22 @@ def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
         image = {a: b for cycle in found for a, b in zip(cycle, cycle[1:] + cycle[:1], strict=True)}
         images[key] = [number[image[dart]] for dart in names]
     sigma, alpha, phi = map(images.get, ("vertices", "edges", "faces"))
-    # phi = sigma . alpha: first alpha, then sigma.
     if alpha is None:
-        assert sigma is not None
-        assert phi is not None
-        alpha = [inverse(sigma)[d] for d in phi]
-    elif sigma is None:
-        assert phi is not None
-        sigma = [phi[d] for d in inverse(alpha)]
-    map_ = CombinatorialMap(sigma, alpha)
-    for dart, face in enumerate(phi or ()):
-        if (after := sigma[alpha[dart]]) != face:
-            told_, made = show(names[face]), show(names[after])
-            raise InvalidMap(f"faces go on from {show(names[dart])} with {told_}; right is {made}")
+        alpha = [images["vertices"][d] for d in images["faces"]]
+    if sigma is None:
+        sigma = [alpha[d] for d in inverse(images["faces"])]
+    map_, back = CombinatorialMap(sigma, alpha), inverse(sigma)
+    for dart, told_next in enumerate(phi or ()):
+        if (right := back[alpha[dart]]) != told_next:
+            wrong = f"{show(names[dart])} is followed by {show(names[told_next])}"
+            raise InvalidMap(f"in faces {wrong}; after vertices and edges by {show(names[right])}")
     return map_
 
 
 def _cycles(key: str, given: object) -> list[list[Hashable]]:
     """The cycles of a permutation, of lists or of a text."""
-    if isinstance(given, str) and re.fullmatch(r"(\(\d+(,\d+)*\))+", given.replace(" ", "")):
-        return [[*map(int, each.split(","))] for each in re.findall(r"[\d,]+", given)]
+    if isinstance(given, str) and re.fullmatch(r"(\(\d+(, ?\d+)*\) ?)+", given):
+        return [[*map(int, each.split(","))] for each in re.findall(r"\(([^)]*)", given)]
     good = isinstance(given, list | tuple) and all(
         isinstance(cycle, list | tuple)
         and all(isinstance(dart, int | str) for dart in cycle)
@@ -192,7 +189,8 @@ def _cycles(key: str, given: object) -> list[list[Hashable]]:
 def fat_of(entry: Entry) -> dict[str, list[list[int]]]:
     """The fat graph of a world."""
     map_ = entry.map
-    parts = {"vertices": map_.vertices, "edges": cycles(map_.alpha), "faces": map_.faces}
+    faces = map_.mirrored().faces
+    parts = {"vertices": map_.vertices, "edges": cycles(map_.alpha), "faces": faces}
     return {key: [[*cycle] for cycle in found] for key, found in parts.items()}
 
 
