@@ -54,7 +54,9 @@ class Labelling(Struct, frozen=True):
             if not isinstance(name, str) or not name.strip() or not name.isprintable():
                 raise InvalidWorld(f"names[{vertex}] = {show(name)} is no printable text")
             if first.setdefault(name, vertex) != vertex:
-                raise InvalidWorld(f"names[{vertex}] = {show(name)} is names[{first[name]}], too")
+                raise InvalidWorld(
+                    f"names[{vertex}] = {show(name)} is names[{first[name]}], too: they differ"
+                )
         places = tuple(_a_position(v, place) for v, place in enumerate(self.positions))
         return Labelling(self.name, tuple(self.vertices), places)
 

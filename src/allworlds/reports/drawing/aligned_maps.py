@@ -99,7 +99,7 @@ def names_like(
         if known is None or known in taken:
             known = next(new)
         taken.add(known)
-        fresh_name = f"new {known}" if called else f"v{known}"
+        fresh_name = f"new {known - other.vertex_count + 1}" if called else f"v{known}"
         vertices.append(own.get(known, fresh_name))
     return Names(darts, tuple(vertices))
 

@@ -108,6 +108,7 @@ def _angles(
     gaps = [after - before for before, after in pairwise([turns[-1] - tau, *turns, tau])]
     for (turn, darts), before, after in zip(groups.items(), gaps, gaps[1:], strict=False):
         apart = min(APART, 0.8 * min(before, after) / len(darts))
-        middle = (sum(dart in towards for dart in darts) - 1) / 2
+        straight = [i for i, dart in enumerate(darts) if dart in towards]
+        middle = (straight[0] + straight[-1]) / 2
         for i, dart in enumerate(darts):
             yield dart, phase(towards[first]) + turn + apart * (i - middle)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from itertools import chain, count
+from collections import Counter, defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import count
 
 from msgspec import Struct, field
 
@@ -67,9 +67,12 @@ class Scene(Struct, frozen=True):
 
     def short_names(self, width: int) -> Sequence[str]:
         """The names of the vertices; longer ones are cut, and no two become one."""
+        if self.names is None:
+            return self.vertex_names
         taken, shown = {name for name in self.vertex_names if len(name) <= width}, list[str]()
+        numbers = defaultdict[str, Iterator[int]](lambda: count(1))
         for name in self.vertex_names:
-            ends = chain([""], map(str, count(2)))
+            ends = ("" if k == 1 else str(k) for k in numbers[name[: width - 1]])
             cuts = (f"{name[: max(width - 1 - len(end), 0)]}…{end}" for end in ends)
             shown.append(name if name in taken else next(cut for cut in cuts if cut not in taken))
             taken.add(shown[-1])

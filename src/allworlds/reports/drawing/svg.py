@@ -130,7 +130,7 @@ def _vertex(scene: Scene, drawn: Layout, vertex: int, name: str) -> ET.Element:
     parts += [_flag(along[dart], rims[dart]) for dart in along if dart in scene.pointed]
     parts.append(tag("circle", class_="disc", r=DISC))
     # In whatever font: a longer name is as wide as the disc.
-    fit = None if len(name) < SHORT else 2 * DISC
+    fit = 2 * DISC if len(name) > 3 else None
     parts.append(
         tag("text", name, class_="name", textLength=fit, lengthAdjust=fit and "spacingAndGlyphs")
     )
@@ -208,8 +208,8 @@ def _clockwise(along: Sequence[complex]) -> ET.Element:
     )
 
 
-SHORT, LONG = 4, 60
-"""The characters of a vertex's name that are as wide as its disc; a legend has longer names, up to
+SHORT, LONG = 5, 60
+"""The characters of a vertex's name for which its disc has room; a legend has longer names, up to
 so many characters."""
 
 LINE, LETTER = 18, 8
