@@ -155,6 +155,13 @@ class Scope(Struct, frozen=True):
         return isinstance(self.coverage, Whole)
 
     @property
+    def given(self) -> Sequence[World]:
+        """The worlds that the user has chosen; none where they are those of an extent."""
+        if not isinstance(self.coverage, Given):
+            return ()
+        return [world for world, _ in self.coverage.worlds]
+
+    @property
     def portion(self) -> Portion:
         """The whole, or a shard of it."""
         match self.coverage:

@@ -213,10 +213,8 @@ class ShownWalk(Struct, frozen=True):
         header = ["step", "motion", "arrives at", "sensed"]
         motions = ["start", *map(str, walked.transcript.actions)]
         rows: list[list[Cell]] = [
-            [i, motion, walked.place(dart), str(percept)]
-            for i, (motion, dart, percept) in enumerate(
-                zip(motions, walked.walked, walked.sensed, strict=True)
-            )
+            [i, motion, walked.arrival(i), str(percept)]
+            for i, (motion, percept) in enumerate(zip(motions, walked.sensed, strict=True))
         ]
         if elsewhere:
             header += ["", elsewhere.where]
@@ -345,12 +343,13 @@ def rows_of_walk(walk: ShownWalk) -> CsvRows:
     """A row for each step.
 
     The number is that of a motion, or what was written; vertex and dart are those of the world at
-    which the robot has arrived. Where a walk is compared, columns ``other_...`` hold what is sensed
-    elsewhere.
+    which the robot has arrived; the name is that of the vertex, where it has one. Where a walk is
+    compared, columns ``other_...`` hold what is sensed elsewhere.
     """
     walked, others = walk.walked, walk.elsewhere.percepts if walk.elsewhere else ()
+    named = walked.world.labels.vertices
     columns = {"step": int, "action": str, "number": int, "vertex": int, "dart": int}
-    columns |= dict.fromkeys(_SENSED, int)
+    columns |= dict.fromkeys(_SENSED, int) | ({"name": str} if named else {})
     if walk.elsewhere:
         columns |= {f"other_{name}": int for name in _SENSED}
     rows = []
@@ -361,6 +360,7 @@ def rows_of_walk(walk: ShownWalk) -> CsvRows:
         word, _, argument = action.partition(" ")
         row = [step, word, int(argument) if argument else None, walked.map.vertex_of[dart], dart]
         row += [getattr(percept, name) for name in _SENSED]
+        row += [walked.vertex(dart)] if named else []
         if walk.elsewhere:
             row += [getattr(other, name, None) for name in _SENSED]
         rows.append(row)

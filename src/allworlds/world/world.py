@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Annotated, Any, Literal
 
 from allworlds.document.report import Pictured
-from allworlds.document.struct import Document, about
+from allworlds.document.struct import Document, IfAny, about
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.maps.networks import from_networkx, to_networkx
 from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.player import Told
+from allworlds.words import size
+from allworlds.world.labels import PLAIN, Labelling, Position
 from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional
@@ -33,6 +35,14 @@ class WorldDocument(Document):
     lighthouse: Annotated[
         Lighthouse, about("where it stands; else the explorer's own, or a directional one")
     ] = Directional(0)
+    name: Annotated[IfAny[str], about("what it is called, in its file")] = ""
+    names: Annotated[
+        IfAny[tuple[str, ...]],
+        about("of the vertices, which are the cycles of sigma by least dart"),
+    ] = ()
+    positions: Annotated[
+        IfAny[tuple[Position, ...]], about("of the same vertices in pictures: to the right, and up")
+    ] = ()
 
 
 @dataclass(frozen=True, init=False)
@@ -44,20 +54,25 @@ class World(Pictured):
         lighthouse: one that stands at its place; or a kind, such as ``"position"``, which is put
             at its default place; None stands for ``"directional"``, as in a WORLD that names none.
         start: the dart.
+        labels: the name of the world, and names and positions of its vertices. Worlds are equal
+            whatever they are called.
 
     Raises:
-        InvalidWorld: if the start is no dart, or the lighthouse does not fit.
+        InvalidWorld: if the start is no dart, or the lighthouse or the labels do not fit.
     """
 
     map: CombinatorialMap
     lighthouse: Lighthouse
     start: Dart
+    labels: Labelling = field(compare=False, repr=False)
 
     def __init__(
         self,
         map: CombinatorialMap,  # noqa: A002  # the word of the field
         lighthouse: Lighthouse | GivenLighthouse | None = None,
         start: Dart = 0,
+        *,
+        labels: Labelling = PLAIN,
     ) -> None:
         if not isinstance(map, CombinatorialMap):
             raise InvalidWorld(f"map = {show(map)} is no CombinatorialMap; maps.family makes one")
@@ -69,6 +84,11 @@ class World(Pictured):
         object.__setattr__(self, "map", map)
         object.__setattr__(self, "lighthouse", lighthouse)
         object.__setattr__(self, "start", start)
+        if labels is not PLAIN:
+            if not isinstance(labels, Labelling):
+                raise InvalidWorld(f"labels = {show(labels)} is no Labelling")
+            labels = labels.checked(map)
+        object.__setattr__(self, "labels", labels)
 
     @cached_property
     def percepts(self) -> tuple[Percept, ...]:
@@ -89,6 +109,12 @@ class World(Pictured):
     def over(self) -> bool:
         """Whether the world ends the run: it never does."""
         return False
+
+    @property
+    def in_words(self) -> str:
+        """``a world with 1 edge and 2 vertices``; one that has a name is called by it."""
+        called = f"the world {self.labels.name}," if self.labels.name else "a world"
+        return f"{called} with {size(self.map.edge_count, self.map.vertex_count)}"
 
     @property
     def told(self) -> Told:
@@ -119,13 +145,16 @@ class World(Pictured):
 
     def relabelled(self, names: Sequence[Dart]) -> World:
         """Return this world with dart ``d`` renamed to ``names[d]``."""
-        return World(
-            self.map.relabelled(names), self.lighthouse.relabelled(names), names[self.start]
-        )
+        map_, labels = self.map.relabelled(names), self.labels
+        if labels is not PLAIN:
+            labels = labels.relabelled(self.map, names, map_)
+        return World(map_, self.lighthouse.relabelled(names), names[self.start], labels=labels)
 
     def mirrored(self) -> World:
         """The mirror image, marker and start included."""
-        return World(self.map.mirrored(), self.lighthouse, self.start)
+        return World(
+            self.map.mirrored(), self.lighthouse, self.start, labels=self.labels.mirrored()
+        )
 
     def to_networkx(self) -> Any:
         """The graph of the map, of networkx; see :func:`allworlds.maps.networks.to_networkx`.
@@ -169,6 +198,9 @@ class World(Pictured):
             alpha=self.map.alpha,
             start=self.start,
             lighthouse=self.lighthouse,
+            name=self.labels.name,
+            names=self.labels.vertices,
+            positions=self.labels.positions,
         ).to_json()
 
     @classmethod
@@ -189,14 +221,15 @@ class World(Pictured):
             raise InvalidWorld(
                 f"a world is an object with 'sigma' and 'alpha', not {show(document)}"
             )
-        refuse_other_keys("world", document, ("sigma", "alpha", "start", "lighthouse"))
+        refuse_other_keys("world", document, WorldDocument.__struct_fields__)
         if document.get("lighthouse", "") is None:
             raise InvalidWorld(f"lighthouse = None is no object; without one it is {missing}")
         map_ = CombinatorialMap.from_json(document)
         # A lighthouse looks for its place from the start, which must be one then.
         start = _a_start(document.get("start", 0), map_)
         lighthouse = lighthouse_from_json(document.get("lighthouse"), map_, start, missing)
-        return cls(map_, lighthouse, start)
+        given = (document.get("name", ""), document.get("names", ()), document.get("positions", ()))
+        return cls(map_, lighthouse, start, labels=Labelling(*given))
 
 
 def at_place(world: World, number: int) -> World:
@@ -211,7 +244,7 @@ def at_place(world: World, number: int) -> World:
             f"place {show(number)} is none of the {len(places)} places of the lighthouse "
             f"{world.lighthouse.kind} in this world, which are numbered from 0"
         )
-    return World(world.map, places[number], world.start)
+    return World(world.map, places[number], world.start, labels=world.labels)
 
 
 def _a_start(given: object, map_: CombinatorialMap) -> Dart:

@@ -66,12 +66,20 @@ class Walked:
         return back
 
     def vertex(self, dart: Dart) -> str:
-        """The name of a dart's vertex: ``v1``."""
-        return f"v{self.map.vertex_of[dart]}"
+        """The name of a dart's vertex: ``hall``, or ``v1`` where it has none."""
+        return self.world.labels.vertex(self.map.vertex_of[dart])
 
     def place(self, dart: Dart) -> str:
         """The name of a dart with its vertex: ``v1, dart 3``."""
         return f"{self.vertex(dart)}, dart {dart}"
+
+    def arrival(self, step: int) -> str:
+        """The place after a step; where vertices have names and it moved: ``hall -> F, dart 3``."""
+        place = self.place(self.walked[step])
+        moved = step and type(self.transcript.actions[step - 1]) is Move
+        if moved and self.world.labels.vertices:
+            return f"{self.vertex(self.walked[step - 1])} -> {place}"
+        return place
 
 
 class Story(Walked):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import shlex
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, partial
 from typing import Annotated, Any, Final, Literal, NamedTuple
 
@@ -240,6 +240,14 @@ def canonical_world(world: World) -> World:
     for number, dart in enumerate(numbering(world.map.sigma, world.map.alpha, world.start)):
         names[dart] = number
     return world.relabelled(names)
+
+
+def labelled(world: World, given: Iterable[World]) -> World:
+    """The canonical world with the labels of the first given one that is the same world."""
+    for one in given:
+        if one.map.edge_count == world.map.edge_count and canonical_world(one) == world:
+            return canonical_world(one)
+    return world
 
 
 DIGITS = 12

@@ -24,7 +24,7 @@ from allworlds.studies.compare.comparison import Comparison
 from allworlds.studies.compare.entrants import InWorld
 from allworlds.studies.compare.growth import CostRatio, GrowRow, Growth
 from allworlds.studies.compare.intervals import LEVEL
-from allworlds.words import number, plural, size
+from allworlds.words import number, plural
 from allworlds.world.named import code_of
 
 
@@ -195,9 +195,7 @@ def _facts(report: Comparison) -> list[tuple[str, str]]:
     most = report.differ_most
     if most is not None:
         costs = ", ".join(f"{name} {cost:,.2f}" for name, cost in most.costs.items())
-        map_ = most.world.map
-        where = size(map_.edge_count, map_.vertex_count)
-        said = f"most in a world with {where}, which the document has: {costs}"
+        said = f"most in {most.world.in_words}, which the document has: {costs}"
         words.append(("difference", said))
     return words
 

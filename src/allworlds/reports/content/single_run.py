@@ -17,6 +17,7 @@ from allworlds.judging.findings.walks import believed_walk, find_parting, true_t
 from allworlds.judging.laws.finished_run import embed
 from allworlds.protocol.answers import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
+from allworlds.reports.drawing.aligned_maps import named_like
 from allworlds.reports.drawing.scene import walk_in_answer, walk_in_world
 from allworlds.reports.parts import (
     Block,
@@ -38,7 +39,7 @@ from allworlds.reports.parts import (
 )
 from allworlds.studies.replay import Replay
 from allworlds.studies.run import WorldNames
-from allworlds.words import listed, number, plural, size
+from allworlds.words import listed, number, plural
 from allworlds.world.world import World
 
 if TYPE_CHECKING:
@@ -159,6 +160,7 @@ def run_section(run: SingleRun, name: str, title: str = "") -> Section:
         case Answered(Estimate() as estimate):
             belief = believed_walk(world, estimate, transcript)
             answer = answer_view(world, estimate, transcript, belief.trail)
+            answer = named_like(views[0], answer, belief.agreement)
             views.append(replace(answer, still=seen is not None))
             agreement = belief.agreement
         case Answered(Ambiguous() as quotient):
@@ -185,10 +187,8 @@ LONGEST_LIST = 60
 
 
 def headline_of(finding: Finding) -> str:
-    """One line: the explorer, the broken law and the world's size."""
-    map_ = finding.world.map
-    of_size = size(map_.edge_count, map_.vertex_count)
-    return f"{finding.explorer} breaks the law '{finding.law}' in a world with {of_size}"
+    """One line: the explorer, the broken law and the world's name and size."""
+    return f"{finding.explorer} breaks the law '{finding.law}' in {finding.world.in_words}"
 
 
 def finding_section(
@@ -288,6 +288,7 @@ def _walk(story: Story, explanation: Explanation, title: str) -> ShownWalk:
         # The steps in which both worlds look alike to an observer who sees everything.
         parting = find_parting(story.map, story.walked, other.map, trail, [True] * len(trail))
         agreement = parting.step if parting else len(trail)
+    views[1:] = [named_like(views[0], view, agreement or 0) for view in views[1:]]
     return ShownWalk(
         title, story, views, explanation.sentences, elsewhere, agreement, explanation.step
     )

@@ -24,17 +24,32 @@ def drawn_beside(
         agreement: the number of steps, the start included, in which both go along alike.
     """
     world, answer = first.scene, other.scene
-    ties: dict[Dart, Dart] = {}
-    for robot, belief in zip(first.trail[:agreement], other.trail[:agreement], strict=True):
-        for k in range(world.map.degree_at[robot]):
-            ties[answer.map.turn(belief, k)] = world.map.turn(robot, k)
-    ties = mirror_of(answer.map, world.map) or extended(ties, answer.map, world.map)
+    ties = _ties(first, other, agreement)
     beside = layout_like(ties, answer.map, answer.start, world.map, drawn)
     if agreement < len(first.trail):
         world = replace(world, ringed=first.trail[agreement])
         answer = replace(answer, ringed=other.trail[agreement])
-    answer = replace(answer, names=names_like(ties, answer.map, world.map))
+    answer = replace(answer, names=names_like(ties, answer.map, world.map, world.names))
     return replace(first, scene=world), replace(other, scene=answer), beside
+
+
+def named_like(first: View, other: View, agreement: int) -> View:
+    """The other view with the names of the first one's vertices, if these are not their numbers."""
+    scene, called = other.scene, first.scene.names
+    if called is None:
+        return other
+    names = names_like(_ties(first, other, agreement), scene.map, first.scene.map, called)
+    return replace(other, scene=replace(scene, names=Names((*scene.dart_names,), names.vertices)))
+
+
+def _ties(first: View, other: View, agreement: int) -> dict[Dart, Dart]:
+    """Each dart of the other view with that of the first, as far as the two agree."""
+    world, answer = first.scene.map, other.scene.map
+    ties: dict[Dart, Dart] = {}
+    for robot, belief in zip(first.trail[:agreement], other.trail[:agreement], strict=True):
+        for k in range(world.degree_at[robot]):
+            ties[answer.turn(belief, k)] = world.turn(robot, k)
+    return mirror_of(answer, world) or extended(ties, answer, world)
 
 
 def extended(
@@ -66,8 +81,14 @@ def extended(
     return ties
 
 
-def names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: CombinatorialMap) -> Names:
+def names_like(
+    ties: Mapping[Dart, Dart],
+    map_: CombinatorialMap,
+    other: CombinatorialMap,
+    called: Names | None = None,
+) -> Names:
     """Names for a map's darts and vertices from another map; unmatched ones get new names."""
+    own = dict(enumerate(called.vertices if called else ()))
     fresh = iter(range(len(other.sigma), len(other.sigma) + len(map_.sigma)))
     darts = tuple(str(ties[d] if d in ties else next(fresh)) for d in map_.darts)
     new = iter(range(other.vertex_count, other.vertex_count + map_.vertex_count))
@@ -78,7 +99,8 @@ def names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: Combina
         if known is None or known in taken:
             known = next(new)
         taken.add(known)
-        vertices.append(f"v{known}")
+        fresh_name = f"new {known - other.vertex_count + 1}" if called else f"v{known}"
+        vertices.append(own.get(known, fresh_name))
     return Names(darts, tuple(vertices))
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import count
 
 from msgspec import Struct, field
 
@@ -13,6 +14,7 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
+from allworlds.world.labels import Position
 from allworlds.world.world import World
 
 
@@ -37,6 +39,7 @@ class Scene(Struct, frozen=True):
         walked: the darts by which the robot has arrived anywhere.
         ringed: the dart to look at; None where there is none.
         names: the names of darts and vertices, where they are not their numbers.
+        positions: of the vertices, where these are given.
     """
 
     map: CombinatorialMap
@@ -48,6 +51,7 @@ class Scene(Struct, frozen=True):
     walked: Collection[Dart] = ()
     ringed: Dart | None = None
     names: Names | None = None
+    positions: tuple[Position, ...] = ()
 
     @property
     def dart_names(self) -> Sequence[str]:
@@ -60,6 +64,24 @@ class Scene(Struct, frozen=True):
         if self.names:
             return self.names.vertices
         return [f"v{vertex}" for vertex in range(self.map.vertex_count)]
+
+    def short_names(self, width: int) -> Sequence[str]:
+        """The names of the vertices; longer ones are cut, and no two become one."""
+        if self.names is None:
+            return self.vertex_names
+        taken, shown = {name for name in self.vertex_names if len(name) <= width}, list[str]()
+        numbers = defaultdict[str, Iterator[int]](lambda: count(1))
+        for name in self.vertex_names:
+            ends = ("" if k == 1 else str(k) for k in numbers[name[: width - 1]])
+            cuts = (f"{name[: max(width - 1 - len(end), 0)]}…{end}" for end in ends)
+            shown.append(name if name in taken else next(cut for cut in cuts if cut not in taken))
+            taken.add(shown[-1])
+        return shown
+
+    def cut_names(self, width: int) -> list[str]:
+        """For each name that :meth:`short_names` cuts: ``ki… kitchen``."""
+        pairs = zip(self.short_names(width), self.vertex_names, strict=True)
+        return [f"{short} {name}" for short, name in pairs if short != name]
 
     @classmethod
     def sensed(
@@ -87,7 +109,9 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
     """
     map_, lying = world.map, Counter(dropped)
     percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
-    return Scene.sensed(map_, world.start, percepts)
+    scene, labels = Scene.sensed(map_, world.start, percepts), world.labels
+    names = Names((*map(str, map_.darts),), labels.vertices) if labels.vertices else None
+    return replace(scene, names=names, positions=labels.positions)
 
 
 def walk_in_world(world: World, transcript: Transcript) -> Scene:

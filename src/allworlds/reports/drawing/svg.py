@@ -15,7 +15,8 @@ from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.reports.drawing.layout import CHIP, DISC, HIGH, Layout, bridges_of, layout, rim
+from allworlds.reports.drawing.layout import CHIP, DISC, HIGH, Layout, bridges_of, rim
+from allworlds.reports.drawing.positions import laid_out
 from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.drawing.text import draw as drawn_in_characters
 from allworlds.reports.markup import Child, tag
@@ -50,10 +51,10 @@ TURN = 16.5
 def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) -> ET.Element:
     """The scene as an SVG element; ``name`` is its id, ``title`` what a screen reader says.
 
-    It is drawn as ``drawn`` says, by default as :func:`layout` does.
+    It is drawn as ``drawn`` says, by default as :func:`laid_out` does.
     """
     map_ = scene.map
-    drawn = drawn or layout(map_, scene.start)
+    drawn = drawn or laid_out(scene)
     left, top, width, height = (round(x) for x in drawn.box(MARGIN))
     return tag(
         "svg",
@@ -65,7 +66,7 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
             tag("path", class_="stub", data_stub=d, d=f"M{at(way[0])} L{at(drawn.stub(d))}")
             for d, way in enumerate(drawn.ways)
         ),
-        *(_vertex(scene, drawn, vertex) for vertex in range(map_.vertex_count)),
+        *(_vertex(scene, drawn, v, name) for v, name in enumerate(scene.short_names(SHORT))),
         tag("g", class_="arrows"),
         id=name,
         class_="map",
@@ -117,7 +118,7 @@ def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
     yield tag("path", class_=kind, data_darts=f"{dart} {other}", d=path)
 
 
-def _vertex(scene: Scene, drawn: Layout, vertex: int) -> ET.Element:
+def _vertex(scene: Scene, drawn: Layout, vertex: int, name: str) -> ET.Element:
     """The vertex with its name, the numbers of its darts, its markers and the robot."""
     marks = scene.marks.get(vertex, 0)
     along = {dart: drawn.along(dart) for dart in scene.map.vertices[vertex]}
@@ -128,7 +129,11 @@ def _vertex(scene: Scene, drawn: Layout, vertex: int) -> ET.Element:
     parts = [_clockwise([*along.values()])]
     parts += [_flag(along[dart], rims[dart]) for dart in along if dart in scene.pointed]
     parts.append(tag("circle", class_="disc", r=DISC))
-    parts.append(tag("text", scene.vertex_names[vertex], class_="name"))
+    # In whatever font: a longer name is as wide as the disc.
+    fit = 2 * DISC if len(name) > 3 else None
+    parts.append(
+        tag("text", name, class_="name", textLength=fit, lengthAdjust=fit and "spacingAndGlyphs")
+    )
     if marks > 1:
         text = f"\N{MULTIPLICATION SIGN}{marks}"
         parts.append(tag("text", text, class_="marks", x=rounded(DISC), y=rounded(-DISC)))
@@ -203,6 +208,28 @@ def _clockwise(along: Sequence[complex]) -> ET.Element:
     )
 
 
+SHORT, LONG = 5, 60
+"""The characters of a vertex's name for which its disc has room; a legend has longer names, up to
+so many characters."""
+
+LINE, LETTER = 18, 8
+"""In pixels, the height of a line of a legend and the width of a letter."""
+
+
+def _add_legend(root: ET.Element, scene: Scene) -> None:
+    """Write the names of vertices that are cut below the picture, a line for each."""
+    pairs = zip(scene.short_names(SHORT), scene.short_names(LONG), strict=True)
+    lines = [f"{short} {name}" for short, name in pairs if short != name]
+    left, top, width, height = map(int, root.get("viewBox", "").split())
+    for i, line in enumerate(lines):
+        y = top + height + i * LINE
+        root.append(tag("text", line, class_="legend", x=left + LINE, y=y))
+    width = max(width, *(LETTER * len(line) + 2 * LINE for line in lines)) if lines else width
+    height += LINE * len(lines)
+    root.attrib.update(width=f"{width}", height=f"{height}")
+    root.set("viewBox", f"{left} {top} {width} {height}")
+
+
 SUFFIX = ".svg"
 """The end of the names of files of drawings."""
 
@@ -263,6 +290,7 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
     def svg(name: str) -> str:
         root = picture(scene, name, title)
         root.insert(2, tag("style", style.replace("NAME", name)))
+        _add_legend(root, scene)
         return ET.tostring(root, "unicode") + "\n"
 
     # In a notebook that shows several drawings, each has a name of its own: that of its content.

@@ -24,6 +24,9 @@ T = TypeVar("T")
 LONGEST_ROW = 40
 """Of more vertices in a table, and of more darts of a vertex, both ends are shown."""
 
+LONGEST_NAME = 16
+"""Characters of the name of a vertex; the legend has the whole of longer ones."""
+
 _LEGEND = {
     "(": "( ) vertex with its darts clockwise",
     "╭": "╭─╮ edge",
@@ -85,13 +88,13 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
     are shown, and how many there are between them.
     """
     map_, labels, signed = scene.map, scene.labels, _signed(scene)
-    names = _names(scene)
+    names, shown = _names(scene), scene.short_names(LONGEST_NAME)
 
     def entry(dart: Dart) -> str:
         signs = "".join(sign for sign, darts in signed.items() if dart in darts)
         label = "" if labels is None else f"[{labels[dart]}]"
         other = map_.alpha[dart]
-        return f"{signs}{dart}{label}→v{map_.vertex_of[other]}.{other}"
+        return f"{signs}{dart}{label}→{shown[map_.vertex_of[other]]}.{other}"
 
     def row(group: list[Dart]) -> list[str]:
         first, left_out, last = _ends(group)
@@ -149,13 +152,13 @@ def _turned(map_: CombinatorialMap, first: Dart) -> list[Dart]:
 
 
 def _names(scene: Scene) -> list[str]:
-    """``v0``, ``v1 ●``, ``v2 ●3``: all names of equal length, then the markers."""
-    length = len(f"v{scene.map.vertex_count - 1}")
+    """``v0``, ``v1 ●``, ``v2 ●3``: all numbers of equal length, then the markers."""
+    length = 0 if scene.names else len(f"v{scene.map.vertex_count - 1}")
     names = []
-    for vertex in range(scene.map.vertex_count):
+    for vertex, name in enumerate(scene.short_names(LONGEST_NAME)):
         count = scene.marks.get(vertex, 0)
         sign = "" if count == 0 else " ●" if count == 1 else f" ●{count}"
-        names.append(f"v{vertex}".ljust(length) + sign)
+        names.append(name.ljust(length) + sign)
     return names
 
 
@@ -199,6 +202,7 @@ def _legend(signs: set[str], scene: Scene, width: int) -> str:
     signs |= {"a"} if scene.labels is not None else set()
     signs |= {sign for sign, darts in _signed(scene).items() if darts}
     # Spaces within an item hold together; only between items may the line break.
-    items = [text.replace(" ", "\0") for sign, text in _LEGEND.items() if sign in signs]
+    said = [text for sign, text in _LEGEND.items() if sign in signs]
+    items = [text.replace(" ", "\0") for text in [*said, *scene.cut_names(LONGEST_NAME)]]
     lines = textwrap.wrap("   ".join(items), max(width, 1), break_long_words=False)
     return "\n".join(lines).replace("\0", " ")

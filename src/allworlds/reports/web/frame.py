@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 
 from allworlds.reports.drawing.layout import Layout
 from allworlds.reports.drawing.scene import Scene
-from allworlds.reports.drawing.svg import picture
+from allworlds.reports.drawing.svg import SHORT, picture
 from allworlds.reports.markup import document, raw, record, tag
 from allworlds.version import __version__
 
@@ -155,11 +155,13 @@ def figure(
         tabindex="0",
         aria_label=f"{title}, which can be scrolled",
     )
+    cut = scene.cut_names(SHORT)
     about = f", genus {genus}" + ("; edges that cross do not meet" if genus else "")
     return tag(
         "figure",
         tag("figcaption", tag("b", title), about),
         frame,
+        *([tag("p", f"{'; '.join(cut)}.", class_="legend")] if cut else []),
         tag("p", *legend, class_="legend"),
         data_title=title,
     )

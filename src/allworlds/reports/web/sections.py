@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Move
 from allworlds.reports.drawing.aligned_maps import drawn_beside
-from allworlds.reports.drawing.layout import layout
+from allworlds.reports.drawing.positions import laid_out
 from allworlds.reports.markup import record, tag
 from allworlds.reports.parts import (
     Block,
@@ -74,12 +74,13 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
 
 def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     walked, parts = walk.walked, i == walk.parting
+    at = "" if walked.world.labels.vertices else "at "
     action = walked.transcript.steps[i - 1][0] if i else None
     item = tag(
         "li",
         tag("a", str(i), href=f"#{name}", class_="step", aria_label=f"step {i}"),
         tag("span", str(action) if action else "start", class_="motion"),
-        tag("span", f"at {walked.place(walked.walked[i])}", class_="place"),
+        tag("span", f"{at}{walked.arrival(i)}", class_="place"),
         tag("span", f"sensed: {walked.sensed[i]}", class_="sensed"),
         id=name,
         class_="parting" if parts else None,
@@ -199,7 +200,7 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
 
 def _figures(walk: ShownWalk, name: str, views: Mapping[str, View]) -> Iterator[ET.Element]:
     (robot, world), *others = views.items()
-    first = layout(world.scene.map, world.scene.start)
+    first = laid_out(world.scene)
     shown = [(robot, world, first), *((each, view, None) for each, view in others)]
     if walk.agreement is not None and not others[0][1].known:
         world, other, beside = drawn_beside(world, others[0][1], first, walk.agreement)

@@ -52,7 +52,7 @@ from allworlds.engines.units import (
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import answers
-from allworlds.judging.findings.finding import canonical_world, place_of
+from allworlds.judging.findings.finding import canonical_world, labelled, place_of
 from allworlds.maps.classes import Extent
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, Verdict
@@ -264,7 +264,10 @@ class CheckSweep(TallySweep[CheckReport]):
     @override
     def conclude(self, ending: Ending) -> Ending:
         """Confirm the findings, and store them."""
-        corpus = self._corpus
+        corpus, given = self._corpus, self.scope.given
+        self._tally.findings = [
+            replace(found, world=labelled(found.world, given)) for found in self._tally.findings
+        ]
         known = corpus.holds if corpus is not None else None
         unrepeated = self.confirmation.settle(self._tally, known)
         if corpus is not None:

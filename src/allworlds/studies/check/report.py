@@ -37,7 +37,7 @@ from allworlds.engines.tally import Tally
 from allworlds.engines.units import Portion, Shard
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.finding import Finding, labelled
 from allworlds.judging.laws.law_table import checked_laws
 from allworlds.judging.tasks import Task
 from allworlds.maps.build import named_map
@@ -346,4 +346,5 @@ def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
         if (run := row.most_expensive) is not None:
             map_ = CombinatorialMap(run.sigma, run.alpha)
             world = World(map_, [*rules.kind.places(map_, 0)][run.place], 0)
+            world = labelled(world, report.asked.given)
             yield single_run(subject, world, rules, run.choices, limits)

@@ -38,7 +38,7 @@ from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import as_json, meant
-from allworlds.judging.findings.finding import DIGITS, Finding, digest_of
+from allworlds.judging.findings.finding import DIGITS, Finding, digest_of, labelled
 from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import Extent, MapClass
@@ -280,7 +280,8 @@ def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None
         world = GivenWorlds(((finding.world, finding.place),))
         for part in workers.map(RunCounter(scope, keep=1), [world]):
             for found in part.result.findings:
-                return played_again(found, subject, limits)
+                again = replace(found, world=labelled(found.world, [finding.world]))
+                return played_again(again, subject, limits)
     return None
 
 

@@ -1,0 +1,114 @@
+"""Layouts at given positions: straight edges, where the map has its darts in their order."""
+
+from __future__ import annotations
+
+from cmath import phase, rect
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from itertools import chain, pairwise
+from math import isclose, tau
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.reports.drawing.layout import DISC, STUB, WIDEST, Layout, layout
+from allworlds.reports.drawing.scene import Scene
+from allworlds.world.labels import Position
+
+SHORTEST = 3 * STUB
+"""In pixels, the length of an edge, at least; a loop reaches as far."""
+
+APART = 0.5
+"""The angle between parallel edges, at most."""
+
+WIDE = 0.4 * tau
+"""The angle between the ends of a loop, at most: a wider one would run over its vertex."""
+
+
+def laid_out(scene: Scene) -> Layout:
+    """The drawing at the positions of the scene; where these do not fit, that of :func:`layout`."""
+    placed = at_positions(scene.map, scene.positions) if scene.positions else None
+    return placed or layout(scene.map, scene.start)
+
+
+@lru_cache(maxsize=256)
+def at_positions(map_: CombinatorialMap, positions: Sequence[Position]) -> Layout | None:
+    """The drawing with each vertex at its position; parallel edges and loops are bent.
+
+    None if round a vertex the order of its edges is not that of the map, if there is no room, or
+    for fewer than three vertices.
+
+    Cost: O(n m).
+    """
+    points, owner = [complex(x, -y) for x, y in positions], map_.vertex_of
+    lines = [(owner[a], owner[b]) for a, b in map_.edges if owner[a] != owner[b]]
+    least = min((abs(points[u] - points[v]) for u, v in lines), default=0.0)
+    if not least or map_.vertex_count < 3:
+        return None
+    across = (max(xs) - min(xs) for xs in zip(*positions, strict=True))
+    scale = min(2 * SHORTEST / least, WIDEST / max(across))
+    centres = [(point - points[0]) * scale for point in points]
+    near = (
+        _distance(centre, centres[u], centres[v]) < 3 * DISC
+        for u, v in lines
+        for w, centre in enumerate(centres)
+        if w not in (u, v)
+    )
+    if least * scale < SHORTEST or any(near):
+        return None
+    angles = dict(chain.from_iterable(_angles(map_, vertex, centres) for vertex in map_.vertices))
+    if len(angles) < len(map_.sigma):
+        return None
+    ways = []
+    for dart, other in enumerate(map_.alpha):
+        start, end = centres[owner[dart]], centres[owner[other]]
+        if start == end and abs(phase(rect(1, angles[dart] - angles[other]))) > WIDE:
+            return None
+        reach = abs(end - start) / 3 or SHORTEST
+        middle = (start + rect(reach, angles[dart]), end + rect(reach, angles[other]))
+        ways.append((start, *middle, end))
+    return Layout(tuple(centres), tuple(ways))
+
+
+def _distance(point: complex, start: complex, end: complex) -> float:
+    """The distance of a point from the straight line between two others."""
+    along = (point - start) / (end - start)
+    return abs(along - min(max(along.real, 0), 1)) * abs(end - start)
+
+
+def _angles(
+    map_: CombinatorialMap, around: Sequence[Dart], centres: Sequence[complex]
+) -> Iterator[tuple[Dart, float]]:
+    """The darts of a vertex with the angles at which they leave it; none in another order.
+
+    Parallel edges leave side by side, and loops behind the edge before them.
+
+    Args:
+        map_: with another vertex at least.
+        around: the darts of the vertex, clockwise; so grow the angles.
+        centres: of all vertices.
+    """
+    owner, alpha = map_.vertex_of, map_.alpha
+    here, ends = owner[around[0]], {dart: owner[alpha[dart]] for dart in around}
+    towards = {d: centres[end] - centres[here] for d, end in ends.items() if end != here}
+    lines = [*towards]
+    # The first of a bundle of parallel edges; where all are one, its last at the other end.
+    firsts = (b for a, b in pairwise([lines[-1], *lines]) if ends[a] != ends[b])
+    lasts = (d for d in lines if owner[alpha[map_.sigma[alpha[d]]]] != here)
+    last = first = next(chain(firsts, lasts))
+    turn, groups = 0.0, dict[float, list[Dart]]()
+    at = around.index(first)
+    for dart in chain(around[at:], around[:at]):
+        if ends[dart] not in (here, ends[last]):
+            turn += phase(towards[dart] / towards[last]) % tau
+            last = dart
+        groups.setdefault(turn, []).append(dart)
+    whole = turn + phase(towards[first] / towards[last]) % tau
+    if turn and not isclose(whole, tau):
+        return
+    turns = [*groups]
+    gaps = [after - before for before, after in pairwise([turns[-1] - tau, *turns, tau])]
+    for (turn, darts), before, after in zip(groups.items(), gaps, gaps[1:], strict=False):
+        apart = min(APART, 0.8 * min(before, after) / len(darts))
+        straight = [i for i, dart in enumerate(darts) if dart in towards]
+        middle = (straight[0] + straight[-1]) / 2
+        for i, dart in enumerate(darts):
+            yield dart, phase(towards[first]) + turn + apart * (i - middle)
