@@ -215,7 +215,7 @@ def _turned(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
     chosen = [next(each) for each in orders]
     while True:
         pairs = zip(map_.vertices, chosen, strict=True)
-        sigma = _permutation((darts[0], *others) for darts, others in pairs)
+        sigma = permutation((darts[0], *others) for darts, others in pairs)
         yield CombinatorialMap.trusted(sigma, map_.alpha)
         for v in reversed(range(len(orders))):
             following = next(orders[v], None)
@@ -277,7 +277,7 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
     if loose:
         some = ", nor ".join(f"dart {d} of node {show(v)}" for d, v in [*loose.items()][:2])
         raise InvalidMap(f"no edge has {some}; each dart belongs to an edge")
-    map_ = CombinatorialMap(_permutation(around.values()), _permutation(pairs))
+    map_ = CombinatorialMap(permutation(around.values()), permutation(pairs))
     return _compared(map_, [owner[first] for first, *_ in map_.vertices], graph)
 
 
@@ -294,7 +294,7 @@ def _darts(place: str, data: Mapping[str, Any]) -> list[int]:
     return darts
 
 
-def _permutation(cycles: Iterable[Sequence[int]]) -> list[int]:
+def permutation(cycles: Iterable[Sequence[int]]) -> list[int]:
     """The images of the permutation with these cycles, by the numbers that are moved.
 
     Raises:

@@ -15,8 +15,7 @@ from typing import IO
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import from_cycles
 from allworlds.notations.entry import Entry, at, text_of
-from allworlds.notations.objects import distinct
-from allworlds.world.labels import Labels
+from allworlds.world.labels import Labelling
 
 COLUMNS = ["from", "to", "from_rank", "to_rank"]
 
@@ -46,9 +45,8 @@ def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
                     taken[number] = rows.line_num
     except csv.Error as error:
         raise InputError(f"line {rows.line_num}: {error}") from None
-    names = distinct(ranks)
     cycles = {v: [edges[rank] for rank in sorted(edges)] for v, edges in ranks.items()}
-    yield 0, Entry(from_cycles(cycles), Labels(vertices=names))
+    yield 0, Entry(from_cycles(cycles), Labelling(vertices=tuple(ranks)))
 
 
 def _rank(text: str) -> float:

@@ -22,9 +22,10 @@ from typing import IO, TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
 from allworlds.inputs.checks import InputError, parse_json, show
+from allworlds.maps.networks import from_positions
 from allworlds.notations.entry import Entry, text_of
-from allworlds.notations.objects import distinct, entry_of_rotation, position
-from allworlds.world.labels import Labels
+from allworlds.notations.objects import entry_of_rotation
+from allworlds.world.labels import Labelling
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -54,10 +55,9 @@ def read_yed(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
     graph, root = _read(nx.read_graphml, content), ET.fromstring(content)  # noqa: S314  # networkx has read it
     for node in root.iter(f"{PLAIN}node"):
         if (box := node.find(f".//{YED}Geometry")) is not None:
-            x, width, y, height = (box.get(key, "0") for key in ("x", "width", "y", "height"))
-            name = node.get("id", "")
-            (left, top), (right, down) = position(name, (x, y)), position(name, (width, height))
-            graph.nodes[name]["pos"] = (left + right / 2, top + down / 2)
+            keys = ("x", "width"), ("y", "height")
+            place = [float(box.get(a, "nan")) + float(box.get(b, "0")) / 2 for a, b in keys]
+            graph.nodes[node.get("id")]["pos"] = place
     both = nx.MultiGraph()
     both.add_nodes_from(graph.nodes(data=True))
     for edge in root.iter(f"{PLAIN}edge"):
@@ -66,7 +66,7 @@ def read_yed(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
         if arrows is not None and (arrows.get("source") == "none") != (
             arrows.get("target") == "none"
         ):
-            raise _one_way(*(graph.nodes[end].get("label", end) for end in ends))
+            raise _one_way(*(graph.nodes[end].get("label", end).strip() for end in ends))
         both.add_edge(*ends)
     yield 0, _entry(both)
 
@@ -93,32 +93,29 @@ def _entry(graph: nx.Graph) -> Entry:
     """The world of a graph whose nodes have positions, or rotations."""
     import networkx as nx
 
-    from allworlds.maps.networks import from_positions
-
-    labels = [str(data.get("label", "")).strip() for _, data in graph.nodes(data=True)]
-    named = all(labels) and len({*labels}) == len(labels)
-    names = distinct(labels if named else map(str, graph))
+    labels = [" ".join(str(label).split()) for _, label in graph.nodes("label", "")]
+    names = labels if all(labels) and len({*labels}) == len(labels) else [*map(str, graph)]
     graph = nx.relabel_nodes(graph, dict(zip(graph, names, strict=True)))
     if graph.is_directed():
         graph = _both_ways(graph)
     rotations = nx.get_node_attributes(graph, "rotation")
     if rotations:
         return _of_rotations(graph, rotations)
-    positions = {name: position(name, _place(name, graph.nodes[name])) for name in names}
-    map_ = from_positions(graph, positions)
-    return Entry(map_, Labels(vertices=names, positions=tuple(positions.values())))
+    places = {name: _place(name, graph.nodes[name]) for name in names}
+    map_ = from_positions(graph, places)
+    return Entry(map_, Labelling("", tuple(names), tuple(places.values())))
 
 
 def _place(name: str, data: dict[str, Any]) -> Any:
-    if isinstance(pos := data.get("pos"), str):
-        return re.split(r"[\s,]+", pos.strip("()[]! "))
-    if pos is not None:
-        return pos
+    """The two coordinates of a node, wherever they stand."""
     told = data.get("graphics", data)
-    if not isinstance(told, dict) or not {"x", "y"} <= told.keys():
+    pos = data.get("pos") or [told.get("x"), told.get("y")]
+    pos = re.split(r"[\s,]+", pos.strip("()[]! ")) if isinstance(pos, str) else pos
+    try:
+        return [float(each) for each in pos]
+    except (TypeError, ValueError):
         ways = "pos, x and y, graphics [ x y ], or rotation"
-        raise InputError(f"vertex {show(name)} has no position; legal are {ways}")
-    return told["x"], told["y"]
+        raise InputError(f"vertex {show(name)} is at {show(pos)}; legal are {ways}") from None
 
 
 def _both_ways(graph: nx.Graph) -> nx.Graph:

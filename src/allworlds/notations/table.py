@@ -31,7 +31,7 @@ from allworlds.notations.worlds_as_json import (
     write_lines,
     write_rotations,
 )
-from allworlds.world.labels import Labels
+from allworlds.world.labels import Labelling
 
 Order: TypeAlias = Literal["clockwise", "anticlockwise"]
 """In which order a file lists the edges round a vertex."""
@@ -181,19 +181,18 @@ def _check(notation: Notation, order: str, y: str | None) -> None:
 
 def _turned(entry: Entry, notation: Notation, order: Order, y: YAxis | None) -> Entry:
     """The entry as it is meant, which was read clockwise and with the y axis upward."""
-    labels = entry.labels
+    labels = entry.labels.checked(entry.map)
     if notation.positions and labels.positions:
         if order != "clockwise":
             raise InputError(f"order {order} has no effect on positions; y up or y down has")
-        if (y or notation.y) == "up":
-            return entry
-        upward = tuple((right, -down) for right, down in labels.positions)
-        turned = Labels(labels.name, labels.vertices, upward)
-    elif order == "clockwise":
-        return entry
+        turn = (y or notation.y) == "down"
+        upward = tuple((right, -up) for right, up in labels.positions)
+        mirror = Labelling(labels.name, labels.vertices, upward)
     else:
-        turned = labels.mirrored()
-    return Entry(entry.map.mirrored(), turned, entry.start, entry.lighthouse)
+        turn, mirror = order == "anticlockwise", labels.mirrored()
+    if not turn:
+        return Entry(entry.map, labels, entry.start, entry.lighthouse)
+    return Entry(entry.map.mirrored(), mirror, entry.start, entry.lighthouse)
 
 
 def entry_at(
@@ -297,7 +296,7 @@ def written(
                 if value not in ("", (), None) and part not in notation.keeps:
                     advice = f"without {part} leaves it out"
                     raise InputError(f"{notation.name} has no place for its {part}; {advice}")
-            labels = Labels(*(told.get(part, nothing) for part, nothing in _LABELS.items()))
+            labels = Labelling(*(told.get(part, nothing) for part, nothing in _LABELS.items()))
             yield Entry(entry.map, labels, told.get("start"), told.get("lighthouse"))
 
     assert notation.write

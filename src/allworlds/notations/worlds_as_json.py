@@ -6,9 +6,9 @@ import json
 from collections.abc import Callable, Iterable, Iterator
 from typing import IO, Any
 
-from allworlds.inputs.checks import parse_json, show
+from allworlds.inputs.checks import InputError, parse_json, show
 from allworlds.notations.entry import Entry, at, lines_of, text_of
-from allworlds.notations.objects import distinct, entry_of, rotation_of
+from allworlds.notations.objects import entry_of, rotation_of
 
 Objects = Iterator[tuple[int, Entry]]
 
@@ -17,8 +17,11 @@ def read_json(file: IO[bytes]) -> Objects:
     """The worlds of one document: an object, a list of them, or an object of them by names."""
     worlds = _worlds(parse_json(text_of(file.read())))
     for number, (name, given) in enumerate(worlds):
-        with at(f"world {show(name) if name else number + 1}"):
-            entry = entry_of(given, name)
+        if len(worlds) > 1 or name:
+            with at(f"world {show(name) if name else number + 1}"):
+                entry = entry_of(given, name)
+        else:
+            entry = entry_of(given)
         yield number, entry
 
 
@@ -69,11 +72,11 @@ def write_lines(of: Callable[[Entry], Any]) -> Callable[[Iterable[Entry]], Itera
 
 def write_rotations(entries: Iterable[Entry]) -> Iterator[bytes]:
     """A writer of rotations: one, a list of them, or an object of them if they have names."""
-    entries = [*entries]
-    names = [entry.labels.name for entry in entries]
-    if any(names):
-        rotations = map(rotation_of, entries)
-        told = dict(zip(distinct(names, "worlds"), rotations, strict=True))
-        yield f"{json.dumps(told, ensure_ascii=False)}\n".encode()
-    else:
-        yield from write_json(rotation_of)(entries)
+    every = [*entries]
+    rotations = {entry.labels.name: rotation_of(entry) for entry in every}
+    if "" in rotations:
+        yield from write_json(rotation_of)(every)
+        return
+    if len(rotations) < len(every):
+        raise InputError("two worlds have one name")
+    yield f"{json.dumps(rotations, ensure_ascii=False)}\n".encode()

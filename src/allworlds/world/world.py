@@ -76,7 +76,7 @@ class World(Pictured):
     ) -> None:
         if not isinstance(map, CombinatorialMap):
             raise InvalidWorld(f"map = {show(map)} is no CombinatorialMap; maps.family makes one")
-        start = _a_start(start, map)
+        start = a_start(start, map)
         if not isinstance(lighthouse, Lighthouse):
             kind = Directional.kind if lighthouse is None else lighthouse
             lighthouse = lighthouse_from_json(None, map, start, kind)
@@ -186,7 +186,7 @@ class World(Pictured):
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
         """
         map_, told = from_networkx(graph, order), graph.graph
-        begin = _a_start(told.get("start", start), map_)
+        begin = a_start(told.get("start", start), map_)
         if "lighthouse" in told:
             lighthouse = lighthouse_from_json(told["lighthouse"], map_, begin)
         return cls(map_, lighthouse, begin)
@@ -226,7 +226,7 @@ class World(Pictured):
             raise InvalidWorld(f"lighthouse = None is no object; without one it is {missing}")
         map_ = CombinatorialMap.from_json(document)
         # A lighthouse looks for its place from the start, which must be one then.
-        start = _a_start(document.get("start", 0), map_)
+        start = a_start(document.get("start", 0), map_)
         lighthouse = lighthouse_from_json(document.get("lighthouse"), map_, start, missing)
         given = (document.get("name", ""), document.get("names", ()), document.get("positions", ()))
         return cls(map_, lighthouse, start, labels=Labelling(*given))
@@ -247,7 +247,7 @@ def at_place(world: World, number: int) -> World:
     return World(world.map, places[number], world.start, labels=world.labels)
 
 
-def _a_start(given: object, map_: CombinatorialMap) -> Dart:
+def a_start(given: object, map_: CombinatorialMap) -> Dart:
     """The start; raise InvalidWorld unless it is a dart of the map."""
     start = the_integer("start", given)
     if start not in map_.darts:

@@ -4,8 +4,17 @@ import pytest
 
 from allworlds.maps import MapClass, automorphisms, rooted_maps, unrooted_code
 from allworlds.notations.entry import Entry
-from allworlds.notations.table import by_name
-from world.test_notations import STREAMS, WRITTEN, file_of, garbled, growth, read, tried, valid
+from world.test_notations import (
+    GRAPHS,
+    STREAMS,
+    WRITTEN,
+    file_of,
+    garbled,
+    growth,
+    read,
+    tried,
+    valid,
+)
 
 pytestmark = pytest.mark.slow
 
@@ -29,7 +38,7 @@ def test_every_simple_planar_map_with_4_to_6_vertices_is_read_back(notation, tmp
     assert sum(2 * map_.edge_count // automorphisms(map_) for map_ in with_4) == 20
 
 
-@pytest.mark.parametrize("notation", WRITTEN)
+@pytest.mark.parametrize("notation", [*WRITTEN, *GRAPHS])
 def test_every_prefix_and_every_garbled_byte_is_read_or_refused(notation):
     content = valid(notation)
     for place in range(len(content)):
