@@ -172,9 +172,9 @@ def entries(
 
 
 def _check(notation: Notation, order: str, y: str | None) -> None:
-    for name, given, known in (("order", order, Order), ("y", y or "up", YAxis)):
-        if given not in get_args(known):
-            raise InputError(f"{name} = {show(given)} is neither {' nor '.join(get_args(known))}")
+    for name, given, known in (("order", order, Order), ("y", y, YAxis)):
+        if given is not None and given not in get_args(known):
+            raise InputError(f"{name} {show(given)} is neither {' nor '.join(get_args(known))}")
     if y and not notation.positions:
         raise InputError(f"y {y} has no effect on {notation.name}, where positions decide nothing")
 
@@ -285,7 +285,7 @@ def written(
     """
     left, number = {*without}, 0
     if wrong := left - {*PARTS}:
-        raise InputError(f"without {min(wrong)}: legal are {', '.join(PARTS)}")
+        raise InputError(f"without {show(min(wrong))}: legal are {', '.join(PARTS)}")
 
     def kept() -> Iterator[Entry]:
         nonlocal number
