@@ -312,10 +312,10 @@ def test_an_importer_that_drops_an_edge_is_found_out(kind, monkeypatch):
 def test_the_edges_of_the_map_are_compared_with_those_of_the_graph(cycles, nodes, said):
     map_, graph = from_cycles(cycles.split()), nx.MultiGraph([(0, 1), (0, 1)])
     if said is None:
-        assert networks._compared(map_, nodes, graph) is map_
+        assert networks.compared(map_, nodes, graph) is map_
     else:
         with pytest.raises(InvalidMap, match=said):
-            networks._compared(map_, nodes, graph)
+            networks.compared(map_, nodes, graph)
 
 
 def test_positions_beside_an_order_are_not_read():

@@ -290,10 +290,6 @@ def test_a_line_of_sage_is_refused_by_its_number(text, why, tmp_path):
         ("from,to,from_rank,to_rank\na,b,first,0\n", "line 2: rank 'first' is not a number"),
         ("from,to,from_rank,to_rank\na,b,0,0\nc,d,0,0\n", "'c' cannot be reached from"),
         ("from,to,from_rank,to_rank\n,b,0,0\n", "names\\[0\\] = '' is no printable"),
-        (
-            "from,to,from_rank,to_rank,key\na,b,0,0,k\nb,a,1,1,k\n",
-            "line 3: a second edge with the ends and the key",
-        ),
     ],
 )
 def test_a_table_of_edges_is_refused_by_its_line(text, why, tmp_path):
@@ -408,18 +404,22 @@ def test_rotations_of_nodes_go_before_positions(tmp_path):
         ("a.graphml", graphml(pos=TEXTS | {"hall": "2, 0"}), "'hall' and 'bath' are joined, but"),
         ("a.graphml", graphml(pos=TEXTS | {"bath": "0, 9"}), "'hall' to 'study' and to 'bath' le"),
         ("a.graphml", graphml(nx.DiGraph([("a", "b")]), x={"a": 0}), "from 'a' to 'b' leads one w"),
-        ("a.graphml", yed(arrow="standard"), "from 'hall' to 'study' leads one way"),
+        ("a.graphml", yed(arrow="standard"), "from 'hall' to 'study' has an arrow at one end"),
         ("a.graphml", graphml(nx.Graph([("a", "b"), ("c", "d")]), pos=TEXTS), "'a' is at"),
         (
             "a.graphml",
             graphml(nx.Graph([("hall", "bath"), ("loft", "porch")]), pos=TEXTS),
             "vertex 'loft' cannot be reached from vertex 'hall'",
         ),
-        ("a.graphml", graphml(rotation={"hall": "[]"}), "vertex 'study' has no rotation, but"),
+        (
+            "a.graphml",
+            graphml(rotation={"hall": "[]"}),
+            "vertex 'study' has an empty list|vertex 'hall' has an empty",
+        ),
         (
             "a.graphml",
             graphml(nx.Graph([("a", "b"), ("b", "b")]), rotation={"a": '["b"]', "b": '["a"]'}),
-            "1 edges join 'b', but 0 in rotations",
+            "edges from 'b' to 'b' is 1 in the graph, 0 in the map",
         ),
         (
             "a.graphml",

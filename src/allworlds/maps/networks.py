@@ -59,8 +59,8 @@ def from_networkx(
     import networkx as nx
 
     if order is None and _has_pointers(graph):
-        return _compared(_from_pointers(graph), list(graph), _undirected(graph))
-    plain = _undirected(graph)
+        return compared(_from_pointers(graph), list(graph), undirected(graph))
+    plain = undirected(graph)
     if order == "positions":
         return from_positions(plain, nx.get_node_attributes(plain, "pos"))
     if order == "planar":
@@ -68,7 +68,7 @@ def from_networkx(
         planar, embedding = nx.check_planarity(plain)
         if not planar:
             raise InvalidMap(f"the graph of node {show(next(iter(plain)))} is not planar; {LISTS}")
-        return _compared(_from_pointers(embedding), list(embedding), plain)
+        return compared(_from_pointers(embedding), list(embedding), plain)
     if order is not None:
         raise InvalidMap(f"order = {show(order)}; legal is 'positions', 'planar' or None")
     if any("darts" in data for *_, data in [*plain.nodes(data=True), *plain.edges(data=True)]):
@@ -90,7 +90,7 @@ def _has_pointers(graph: nx.Graph) -> bool:
     )
 
 
-def _undirected(graph: nx.Graph) -> nx.Graph:
+def undirected(graph: nx.Graph) -> nx.Graph:
     """The graph, in which both directions of an edge are one edge.
 
     Raises:
@@ -142,7 +142,7 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
 
     Cost: O(m log m).
     """
-    plain = _undirected(graph)
+    plain = undirected(graph)
     _refuse_loops_and_parallels(plain)
     points = {v: _point(v, pos.get(v)) for v in plain}
     rotation = {}
@@ -155,7 +155,7 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
                     f"the edges from {show(v)} to {show(w)} and to {show(x)} leave it in one "
                     f"direction; {LISTS}"
                 )
-    return _compared(from_rotation(rotation), list(plain), plain)
+    return compared(from_rotation(rotation), list(plain), plain)
 
 
 def _point(v: Hashable, position: Any) -> tuple[Fraction, Fraction]:
@@ -199,7 +199,7 @@ def embeddings(
     """
     if genus is not None and an_integer("genus", genus) < 0:
         raise InputError(f"genus = {genus}; legal is an integer of at least 0")
-    plain = _undirected(graph)
+    plain = undirected(graph)
     around: dict[Any, list[int]] = {v: [] for v in plain}
     for edge, (v, w, *_) in enumerate(plain.edges):
         around[v].append(edge)
@@ -236,7 +236,7 @@ def _one_of_each_class(maps: Iterable[CombinatorialMap]) -> Iterator[Combinatori
             seen.update(rooted_code(map_.sigma, map_.alpha, root) for root in map_.darts)
 
 
-def _compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> CombinatorialMap:
+def compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> CombinatorialMap:
     """The map, whose vertices are these nodes.
 
     Raises:
@@ -278,7 +278,7 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
         some = ", nor ".join(f"dart {d} of node {show(v)}" for d, v in [*loose.items()][:2])
         raise InvalidMap(f"no edge has {some}; each dart belongs to an edge")
     map_ = CombinatorialMap(permutation(around.values()), permutation(pairs))
-    return _compared(map_, [owner[first] for first, *_ in map_.vertices], graph)
+    return compared(map_, [owner[first] for first, *_ in map_.vertices], graph)
 
 
 def _darts(place: str, data: Mapping[str, Any]) -> list[int]:

@@ -1,7 +1,7 @@
 """A table of edges, in CSV: two ends, and which one clockwise the edge is at each of them.
 
-The header ``from,to,from_rank,to_rank`` must be there, ``key`` may follow: a name of the edge among
-those with the same ends.  Ranks are any numbers, and differ at one vertex.
+The header ``from,to,from_rank,to_rank`` must be there, ``key`` may follow: a word
+for the reader, since every line is an edge.  Ranks are any numbers, and differ at one vertex.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
     """The one world of a table."""
     rows = csv.reader(io.StringIO(text_of(file.read()), newline=""), strict=True)
     ranks = dict[str, dict[float, int]]()
-    keys = set[tuple[frozenset[str], str]]()
     try:
         header = next(rows, [])
         if header not in (COLUMNS, [*COLUMNS, "key"]):
@@ -34,10 +33,6 @@ def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
             with at(f"line {rows.line_num}"):
                 if len(row) != len(header):
                     raise InputError(f"{len(row)} cells; the header has {len(header)}")
-                key = (frozenset(row[:2]), *row[4:])
-                if key in keys:
-                    raise InputError(f"a second edge with the ends and the key {show(row)}")
-                keys |= {key} if row[4:] else set()
                 for vertex, rank in zip(row[:2], row[2:4], strict=True):
                     taken, number = ranks.setdefault(vertex, {}), _rank(rank)
                     if number in taken:

@@ -104,8 +104,17 @@ def convert(request: ConvertRequest) -> Convert:
     def told() -> Iterator[Entry]:
         for number, (_, entry) in enumerate(entries(request.file, request.order, request.y), 1):
             map_ = entry.map
-            found = map_.vertex_count, map_.edge_count, map_.genus, len(map_.faces)
-            rows.append(ConvertRow(number, entry.labels.name, *found, automorphisms(map_)))
+            rows.append(
+                ConvertRow(
+                    number=number,
+                    name=entry.labels.name,
+                    vertices=map_.vertex_count,
+                    edges=map_.edge_count,
+                    genus=map_.genus,
+                    faces=len(map_.faces),
+                    automorphisms=automorphisms(map_),
+                )
+            )
             yield entry
 
     if request.output is None:
