@@ -492,7 +492,7 @@ def growth(notation, tmp_path, few, many):
             file.writelines(written((some for _ in range(count)), by_name(notation)))
         tracemalloc.start()
         for number, _ in enumerate(entries(path), 1):
-            if number % 100 == 0:
+            if number % (count // 10) == 0:
                 gc.collect()
         assert number == count
         peaks.append(tracemalloc.get_traced_memory()[1])
