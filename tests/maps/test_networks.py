@@ -161,7 +161,7 @@ def test_a_graph_without_an_order_is_refused_and_told_the_ways(graph):
     ("graph", "said"),
     [
         (nx.complete_graph(5), "the graph of node 0 is not planar; maps.from_rotation"),
-        (nx.Graph(), "a map has 2m darts with m >= 1, not 0"),
+        (nx.Graph(), "the graph has no node; a map has at least one edge"),
         (nx.DiGraph([("a", "b"), ("b", "a"), ("b", "c")]), "from 'b' to 'c' leads one way only"),
         (nx.MultiDiGraph([(0, 1), (1, 0), (1, 0)]), "the edge from 1 to 0 leads one way only"),
         (nx.MultiGraph([(0, 1), (0, 1)]), "2 edges join 0 and 1; maps.from_rotation"),

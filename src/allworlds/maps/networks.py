@@ -65,10 +65,13 @@ def from_networkx(
         return from_positions(plain, nx.get_node_attributes(plain, "pos"))
     if order == "planar":
         _refuse_loops_and_parallels(plain)
-        planar, embedding = nx.check_planarity(plain)
+        names = list(plain)
+        # With numbers for names: networkx loses edges of names such as nan.
+        planar, embedding = nx.check_planarity(nx.convert_node_labels_to_integers(plain))
         if not planar:
-            raise InvalidMap(f"the graph of node {show(next(iter(plain)))} is not planar; {LISTS}")
-        return compared(_from_pointers(embedding), list(embedding), plain)
+            raise InvalidMap(f"the graph of node {show(names[0])} is not planar; {LISTS}")
+        around = [[names[w] for w in embedding.neighbors_cw_order(v)] for v in range(len(names))]
+        return compared(from_rotation(dict(zip(names, around, strict=True))), names, plain)
     if order is not None:
         raise InvalidMap(f"order = {show(order)}; legal is 'positions', 'planar' or None")
     if any("darts" in data for *_, data in [*plain.nodes(data=True), *plain.edges(data=True)]):
@@ -101,6 +104,8 @@ def undirected(graph: nx.Graph) -> nx.Graph:
 
     if not isinstance(graph, nx.Graph):
         raise InvalidMap(f"{show(graph)} is no graph of networkx; {LISTS}, maps.from_faces faces")
+    if not len(graph):
+        raise InvalidMap("the graph has no node; a map has at least one edge")
     for v in nx.isolates(graph):
         raise InvalidMap(f"node {show(v)} has no edge; a vertex has at least one")
     if not isinstance(graph, nx.DiGraph):  # an embedding says of itself that it is not directed
@@ -116,7 +121,7 @@ def undirected(graph: nx.Graph) -> nx.Graph:
 
 def _refuse_loops_and_parallels(graph: nx.Graph) -> None:
     for (v, w), count in Counter((v, w) for v, w, *_ in graph.edges).items():
-        if v == w:
+        if len({v, w}) == 1:
             raise InvalidMap(f"node {show(v)} has an edge to itself; {LISTS}, also of loops")
         if count > 1:
             raise InvalidMap(
