@@ -56,7 +56,7 @@ def report():
 
 
 def content(form, result):
-    """What a form says to people, in one line: of a page without its style and script."""
+    """The words of a form for people, in one line: of a page without its style and script."""
     made = re.sub(r"<(style|script)[^>]*>.*?</\1>", "", file_of(form, result), flags=re.DOTALL)
     return " ".join(made.replace("%2C", ",").split())
 
@@ -136,6 +136,16 @@ def test_the_page_of_play_has_the_names():
     page = content("html", replace(allworlds.play(PLAN), path="play.html"))
     assert "kitc… kitchen; bedr… bedroom 1; bed…2 bedroom 2." in page
     assert not NUMBER.search(page)
+
+
+def test_worlds_that_look_alike_are_shown_with_the_names():
+    one, other = (World(PLAN.map, "none", start, labels=PLAN.labels) for start in (0, 1))
+    apart = text(allworlds.ambiguity.twins(one, other), 200)
+    same = allworlds.ambiguity.twins(one, one.mirrored().mirrored())
+    rows = [*csv.DictReader(io.StringIO(file_of("csv", same)))]
+    assert [row["name"] for row in rows] == [ROOMS[v] for v in PLAN.map.vertex_of] * 2
+    assert not NUMBER.search(apart + text(same, 200))
+    assert "hall" in apart
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ FARTHEST = 1e300
 
 
 class Labelling(Struct, frozen=True):
-    """What a user calls a world and its vertices; nothing of it is sensed, or decides anything.
+    """Names of a world and of its vertices; nothing of it is sensed, or decides anything.
 
     Attributes:
         name: of the world, in its file; empty if it has none.

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Annotated, Any
 
 from allworlds.document.report import Pictured
-from allworlds.document.struct import Document, IfAny, about
+from allworlds.document.struct import Document, IfAny, Pair, about
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.maps.networks import from_networkx, to_networkx
@@ -16,7 +16,7 @@ from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.player import Told
 from allworlds.words import size
-from allworlds.world.labels import PLAIN, Labelling, Position
+from allworlds.world.labels import PLAIN, Labelling
 from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional
@@ -41,7 +41,8 @@ class WorldDocument(Document):
         about("of the vertices, which are the cycles of sigma by least dart"),
     ] = ()
     positions: Annotated[
-        IfAny[tuple[Position, ...]], about("of the same vertices in pictures: to the right, and up")
+        IfAny[tuple[Pair[float], ...]],
+        about("of the same vertices in pictures: to the right, and up"),
     ] = ()
 
 
