@@ -208,9 +208,8 @@ def _clockwise(along: Sequence[complex]) -> ET.Element:
     )
 
 
-SHORT, LONG = 5, 60
-"""The characters of a vertex's name for which its disc has room; a legend has longer names, up to
-so many characters."""
+SHORT = 5
+"""The characters of a vertex's name for which its disc has room; a legend has longer names."""
 
 LINE, LETTER = 18, 8
 """In pixels, the height of a line of a legend and the width of a letter."""
@@ -218,8 +217,7 @@ LINE, LETTER = 18, 8
 
 def _add_legend(root: ET.Element, scene: Scene) -> None:
     """Write the names of vertices that are cut below the picture, a line for each."""
-    pairs = zip(scene.short_names(SHORT), scene.short_names(LONG), strict=True)
-    lines = [f"{short} {name}" for short, name in pairs if short != name]
+    lines = scene.cut_names(SHORT)
     left, top, width, height = map(int, root.get("viewBox", "").split())
     for i, line in enumerate(lines):
         y = top + height + i * LINE
