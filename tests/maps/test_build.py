@@ -16,6 +16,7 @@ from allworlds.maps import (
 )
 from allworlds.maps.build import cycle, dense, lattice
 from allworlds.maps.canonical import Mismatch
+from bruteforce import rooted_maps_by_permutations
 
 # Vertices, edges and face lengths of well-known embedded graphs: the Platonic solids K4 and
 # cube and the wheels from any textbook; the others counted by hand with Euler's formula.
@@ -126,6 +127,31 @@ def test_a_list_of_lists_is_the_rotation_of_vertices_0_1_and_on():
     assert from_rotation(lists) == from_rotation(dict(enumerate(lists)))
 
 
+def test_keys_tell_loops_and_parallel_edges():
+    hall = [["a", 0], ["a", 1], ["hall", "x"], ["hall", "y"], ["hall", "x"], ["hall", "y"]]
+    map_ = from_rotation({"hall": hall, "a": [["hall", 0], ["hall", 1]]})
+    assert map_ == from_cycles(["01xyxy", "01"])
+    assert from_rotation([[0, 0, 1], [0]]) == from_cycles(["aab", "b"])
+    # The same neighbours, with the keys the other way round: another surface.
+    crossed = {v: [["b" if v == "a" else "a", k] for k in (0, 1, 2)] for v in "ab"}
+    assert from_rotation(crossed) == named_map("theta-torus")
+    assert from_rotation({**crossed, "b": crossed["b"][::-1]}) == named_map("theta")
+
+
+def test_a_tuple_is_a_name():
+    assert from_rotation({(0, 1): [(1, 0)], (1, 0): [(0, 1)]}) == named_map("edge")
+
+
+def test_every_small_map_can_be_written_with_keys():
+    for m in (1, 2, 3):
+        for map_ in rooted_maps_by_permutations(m):
+            at = [(map_.vertex_of[d], min(d, map_.alpha[d])) for d in map_.darts]
+            keyed = from_rotation(
+                [[[at[map_.alpha[d]][0], at[d][1]] for d in darts] for darts in map_.vertices]
+            )
+            assert isomorphism(keyed, map_)
+
+
 def test_edge_names_tell_loops_and_parallel_edges():
     map_ = from_cycles([["a", "a", "b"], ["b"]])
     assert map_.sigma == (1, 2, 0, 3)
@@ -150,17 +176,22 @@ def test_every_map_can_be_written_with_edge_names():
 @pytest.mark.parametrize(
     ("rotation", "named"),
     [
-        ([[1, 1], [0, 0]], ["vertex 0 lists 1 twice", "from_cycles"]),
-        ([[0, 0]], ["vertex 0 lists itself", "from_cycles"]),
+        ([[1, 1], [0, 0]], ["vertex 0 lists 1 too often", "keys, as in [1, 0]", "from_cycles"]),
+        ([[0, 0, 0, 0]], ["vertex 0 lists 0 too often", "keys, as in [0, 0]", "from_cycles"]),
+        ([[0]], ["vertex 0 lists 0 once; a loop is listed twice"]),
+        ({"a": [["b", 0]], "b": ["a"]}, ["lists ['b', 0], but 'b' does not list ['a', 0]"]),
+        ({"a": [["b", 0]], "b": [["a", 1]]}, ["lists ['b', 0], but 'b' does not list ['a', 0]"]),
+        ({"a": [["b", 0, 1]], "b": ["a"]}, ["'a' lists ['b', 0, 1]; legal is a neighbour, or ["]),
+        ({"a": [["b", {}]], "b": ["a"]}, ["vertex 'a' lists {}, which cannot be a name"]),
         ([[1], [0, 2], []], ["vertex 2 has an empty list", "at least one edge"]),
         ([[1, 2], [0], [1]], ["vertex 0 lists 1", "vertex 0 lists 2"]),
         ({"a": ["b"], "b": ["a", "c"], "c": []}, ["vertex 'c' has an empty list"]),
         ({"a": ["b"], "b": ["d"]}, ["vertex 'a' lists 'b', but 'b' does not list 'a'"]),
-        ({"a": ["d"], "b": ["a"]}, ["vertex 'a' lists 'd'", "the vertices are 'a', 'b'"]),
+        ({"a": ["d"], "b": ["a"]}, ["vertex 'a' lists 'd', but the vertices are ['a', 'b']"]),
         ([[1], [0], [3], [2]], ["vertex 2 cannot be reached from vertex 0"]),
         ({0: {1}, 1: {0}}, ["vertex 0 must have a clockwise list, not {1}"]),
         ([1, 0], ["vertex 0 must have a clockwise list, not 1"]),
-        ([[[1]], [0]], ["vertex 0 lists [1], which cannot be a name"]),
+        ([[[1]], [0]], ["vertex 0 lists [1]; legal is a neighbour, or [neighbour, key]"]),
         ([], ["m >= 1"]),
     ],
 )
@@ -178,6 +209,7 @@ def test_what_is_no_rotation_is_refused_with_its_vertex(rotation, named):
         ([["a"], ["a", "b"]], "edge 'b' has 1 ends; every name must stand exactly twice"),
         ([["a", "a"], ["a"]], "edge 'a' has 3 ends"),
         ([["a", "a"], []], "vertex 1 has an empty list"),
+        ({"hall": "aa", "den": "bb"}, "vertex 'den' cannot be reached from vertex 'hall'"),
         ([["a", "a"], ["b", "b"]], "vertex 1 cannot be reached from vertex 0"),
         ([7], "vertex 0 must have a clockwise list, not 7"),
         ([[["a"]]], r"vertex 0 lists \['a'\], which cannot be a name"),

@@ -16,7 +16,6 @@ from allworlds.maps import (
     to_networkx,
 )
 from allworlds.maps.build import lattice
-from allworlds.maps.networks import from_planar_embedding
 from allworlds.maps.surgery import deleted
 from allworlds.world import Directional, InvalidWorld, World
 from bruteforce import rooted_maps_by_permutations
@@ -46,7 +45,7 @@ def test_a_planar_embedding_keeps_its_graph_and_has_genus_zero(name):
     graph = nx.Graph(to_networkx(named_map(name)))
     planar, embedding = nx.check_planarity(graph)
     assert planar
-    map_ = from_planar_embedding(embedding)
+    map_ = from_networkx(embedding)
     assert map_.genus == 0
     assert nx.is_isomorphic(nx.Graph(to_networkx(map_)), graph)
 
@@ -55,7 +54,7 @@ def test_darts_follow_the_clockwise_order_of_the_embedding():
     embedding = nx.PlanarEmbedding()
     embedding.set_data({0: [2, 1, 3, 4], 1: [0], 2: [0], 3: [0], 4: [0]})
     nodes = list(embedding)
-    map_ = from_planar_embedding(embedding)
+    map_ = from_networkx(embedding)
     hub = nodes.index(0)
     around = [nodes[map_.vertex_of[map_.alpha[d]]] for d in map_.vertices[hub]]
     first = around.index(2)
@@ -68,26 +67,32 @@ def test_a_map_written_as_an_embedding_and_read_back_is_the_same():
     embedding.set_data(
         {v: [map_.vertex_of[map_.alpha[d]] for d in darts] for v, darts in enumerate(map_.vertices)}
     )
-    assert isomorphism(from_planar_embedding(embedding), map_)
+    assert isomorphism(from_networkx(embedding), map_)
 
 
 def test_an_embedding_that_is_empty_or_not_connected_is_refused():
     with pytest.raises(InvalidMap):
-        from_planar_embedding(nx.PlanarEmbedding())
+        from_networkx(nx.PlanarEmbedding())
     _, lonely = nx.check_planarity(nx.Graph([(0, 1), (1, 2)]))
     lonely.add_node(3)
     with pytest.raises(InvalidMap, match="vertex 3 has an empty list"):
-        from_planar_embedding(lonely)
+        from_networkx(lonely)
     _, parted = nx.check_planarity(nx.Graph([(0, 1), (2, 3)]))
     with pytest.raises(InvalidMap, match="vertex 2 cannot be reached from vertex 0"):
-        from_planar_embedding(parted)
+        from_networkx(parted)
 
 
-def test_an_embedding_that_is_not_in_the_plane_is_refused():
+def torus_of_four(type_=nx.PlanarEmbedding):
     embedding = nx.PlanarEmbedding()
     embedding.set_data({v: [w for w in range(4) if w != v] for v in range(4)})
-    with pytest.raises(InvalidMap, match="genus 1"):
-        from_planar_embedding(embedding)
+    return type_(embedding)
+
+
+@pytest.mark.parametrize("type_", [nx.PlanarEmbedding, nx.DiGraph])
+def test_an_embedding_of_any_genus_is_read(type_):
+    map_ = from_networkx(torus_of_four(type_))
+    assert map_.genus == 1
+    assert isomorphism(map_, named_map("k4-torus"))
 
 
 def test_every_small_map_comes_back_from_networkx():
@@ -129,21 +134,58 @@ def test_a_map_and_a_world_are_made_by_their_classes():
 
 
 def test_a_planar_graph_is_embedded_in_the_plane():
-    map_ = from_networkx(nx.dodecahedral_graph())
+    map_ = from_networkx(nx.dodecahedral_graph(), order="planar")
     assert (map_.vertex_count, map_.edge_count, len(map_.faces), map_.genus) == (20, 30, 12, 0)
+
+
+PLAIN = [
+    nx.path_graph(2),
+    nx.MultiGraph([("a", "b"), ("a", "b")]),
+    nx.Graph([(0, 0), (0, 1)]),
+    nx.path_graph(2).to_directed(),
+    nx.triangular_lattice_graph(2, 2),  # with positions
+    nx.random_geometric_graph(9, 2, seed=1),
+]
+
+
+@pytest.mark.parametrize("graph", PLAIN)
+def test_a_graph_without_an_order_is_refused_and_told_the_ways(graph):
+    with pytest.raises(InvalidMap, match="has no order of its edges") as refused:
+        from_networkx(graph)
+    first = next(iter(graph))
+    ways = ["order='positions'", "order='planar'", "maps.from_rotation", "maps.from_cycles"]
+    assert all(way in str(refused.value) for way in [f"node {first!r} has", *ways])
 
 
 @pytest.mark.parametrize(
     ("graph", "said"),
     [
-        (nx.complete_graph(5), "not planar"),
-        (nx.DiGraph([(0, 1)]), "DiGraph"),
-        (nx.MultiGraph([(0, 1), (0, 1)]), "MultiGraph"),
+        (nx.complete_graph(5), "the graph of node 0 is not planar; maps.from_rotation"),
+        (nx.Graph(), "the graph has no node; a map has at least one edge"),
+        (nx.DiGraph([("a", "b"), ("b", "a"), ("b", "c")]), "from 'b' to 'c' leads one way only"),
+        (nx.MultiDiGraph([(0, 1), (1, 0), (1, 0)]), "the edge from 1 to 0 leads one way only"),
+        (nx.MultiGraph([(0, 1), (0, 1)]), "2 edges join 0 and 1; maps.from_rotation"),
+        (nx.Graph([(0, 1), (2, 3)]), "vertex 2 cannot be reached from vertex 0"),
+        (nx.empty_graph(2), "node 0 has no edge"),
+        ({0: [1], 1: [0]}, "{0: [1], 1: [0]} is no graph of networkx; maps.from_rotation"),
+        ([(0, 1)], "[(0, 1)] is no graph of networkx; maps.from_rotation"),
     ],
 )
-def test_a_graph_without_a_rotation_is_refused(graph, said):
-    with pytest.raises(InvalidMap, match=said):
-        from_networkx(graph)
+@pytest.mark.parametrize("order", ["planar", "positions"])
+def test_a_graph_that_an_order_does_not_fit_is_refused_by_its_place(graph, said, order):
+    if isinstance(graph, nx.Graph):
+        nx.set_node_attributes(graph, {v: (i, i * i) for i, v in enumerate(graph)}, "pos")
+    if order == "positions" and "not planar" in said:
+        assert from_networkx(graph, order).edge_count == 10
+        return
+    with pytest.raises(InvalidMap) as refused:
+        from_networkx(graph, order)
+    assert said in str(refused.value)
+
+
+def test_no_order_but_these_is_legal():
+    with pytest.raises(InvalidMap, match="order = 'pos'; legal is 'positions', 'planar' or None"):
+        from_networkx(nx.path_graph(2), "pos")
 
 
 def test_attributes_that_are_no_darts_are_refused():
@@ -157,14 +199,14 @@ def test_attributes_that_are_no_darts_are_refused():
 @pytest.mark.parametrize(
     ("edges", "said"),
     [
-        ([(0, 0), (0, 1)], "node 0 has an edge to itself; maps.from_cycles takes loops"),
+        ([(0, 0), (0, 1)], "node 0 has an edge to itself; maps.from_rotation and maps.from_cycles"),
         ([(0, 1), (1, 2), (2, 0), ("c", "c"), (2, "c")], "node 'c' has an edge to itself"),
         ([(0, 0)], "node 0 has an edge to itself"),
     ],
 )
 def test_a_loop_of_a_plain_graph_is_refused(edges, said):
     with pytest.raises(InvalidMap, match=said):
-        from_networkx(nx.Graph(edges))
+        from_networkx(nx.Graph(edges), order="planar")
 
 
 def k4(change):
@@ -192,12 +234,13 @@ def with_an_edge_moved(graph):
         (lambda g: nx.contracted_nodes(g, 0, 1), "the edge from 0 to 2 has the darts [5, 7]"),
         (lambda g: g.remove_edge(0, 1), "no edge has dart 0 of node 0, nor dart 3 of node 1"),
         (lambda g: g.remove_node(3), "no edge has dart 2 of node 0, nor dart 4 of node 1"),
-        (lambda g: g.add_node(4), "node 4 has no attribute 'darts'"),
+        (lambda g: g.add_node(4), "node 4 has no edge"),
+        (lambda g: g.add_edge(3, 4, darts=(12, 13)), "node 4 has no attribute 'darts'"),
         (lambda g: nx.Graph(g.edges(data=True)), "node 0 has no attribute 'darts'"),
-        (lambda g: g.add_node(4, darts=()), "node 4 has darts = ()"),
+        (lambda g: g.add_node(3, darts=()), "node 3 has darts = ()"),
         (lambda g: g.add_node(3, darts="7, 10, 9"), "node 3 has darts = '7, 10, 9'"),
         (lambda g: g.add_node(3, darts=7), "node 3 has darts = 7"),
-        (lambda g: g.add_node(4, darts=(1,)), "dart 1 is at the nodes 0 and 4"),
+        (lambda g: g.add_node(3, darts=(1,)), "dart 1 is at the nodes 0 and 3"),
         (lambda g: g.edges[0, 1, 0].update(darts=(0, 3, 1)), "from 0 to 1 has the darts [0, 3, 1]"),
         (lambda g: g.edges[0, 1, 0].update(darts=(0, 99)), "from 0 to 1 has the darts [0, 99]"),
         (lambda g: g.edges[0, 1, 0].update(darts=(1, 3)), "the edge from 0 to 2 has the darts"),
@@ -232,16 +275,20 @@ def without_the_last_edge(map_):
 
 
 GIVEN = {
-    "plain": nx.cycle_graph(5),
+    "positions": nx.grid_graph((5,)),
     "embedding": nx.check_planarity(nx.wheel_graph(5))[1],
     "darts": to_networkx(from_cycles(["a", "abb"])),
     "directed": to_networkx(from_cycles(["a", "abb"])).to_directed(),
 }
 
 
+nx.set_node_attributes(GIVEN["positions"], {v: (v, 0) for v in range(5)}, "pos")
+
+
 @pytest.mark.parametrize("kind", GIVEN)
 def test_an_importer_that_drops_an_edge_is_found_out(kind, monkeypatch):
-    assert from_networkx(GIVEN[kind])
+    order = "positions" if kind == "positions" else None
+    assert from_networkx(GIVEN[kind], order)
     drop = {
         "from_rotation": lambda rotation: without_the_last_edge(from_rotation(rotation)),
         "CombinatorialMap": lambda *pair: without_the_last_edge(CombinatorialMap(*pair)),
@@ -249,7 +296,7 @@ def test_an_importer_that_drops_an_edge_is_found_out(kind, monkeypatch):
     for name, wrong in drop.items():
         monkeypatch.setattr(networks, name, wrong)
     with pytest.raises(InvalidMap, match=r"edges from . to . is 1 in the graph, 0 in the map"):
-        from_networkx(GIVEN[kind])
+        from_networkx(GIVEN[kind], order)
 
 
 @pytest.mark.parametrize(
@@ -269,20 +316,6 @@ def test_the_edges_of_the_map_are_compared_with_those_of_the_graph(cycles, nodes
     else:
         with pytest.raises(InvalidMap, match=said):
             networks._compared(map_, nodes, graph)
-
-
-@pytest.mark.parametrize(
-    "graph",
-    [
-        nx.triangular_lattice_graph(2, 2),
-        nx.random_geometric_graph(9, 2, seed=1),  # K9, which is not planar
-        nx.MultiGraph(nx.triangular_lattice_graph(2, 2)),
-    ],
-)
-def test_positions_are_no_order(graph):
-    with pytest.raises(InvalidMap, match=r"attribute 'pos'.*maps\.from_rotation") as refused:
-        from_networkx(graph)
-    assert repr(next(iter(graph))) in str(refused.value)
 
 
 def test_positions_beside_an_order_are_not_read():

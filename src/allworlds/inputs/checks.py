@@ -37,7 +37,7 @@ def let_users_interrupt(error: BaseException) -> None:
 
 
 def show(value: object) -> str:
-    """A short text for any object, also for one whose repr fails."""
+    """A short text of one line for any object, also for one whose repr fails."""
     try:
         text = str.__str__(repr(value))
     except BaseException as error:  # noqa: BLE001  # repr may be anybody's code
@@ -45,6 +45,7 @@ def show(value: object) -> str:
         return f"an object of type {type(value).__name__} whose repr fails"
     if not isinstance(value, str):
         text = re.sub(" at 0x[0-9a-f]+", "", text)  # an address is another one each time
+        text = " ".join(text.splitlines())
     return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
 
 

@@ -46,7 +46,8 @@ Modules
 ``build``, ``families``
     maps by hand and by name, and large ones by a text and a seed;
 ``surgery``, ``networks``
-    small changes to a map, and the shortest walk along every edge; to networkx and back;
+    small changes to a map, and the shortest walk along every edge; to networkx and back, and every
+    embedding of a graph;
 ``quotient``
     indistinguishable darts, the quotient by them, and the number of worlds that share a quotient.
 
@@ -88,8 +89,10 @@ if TYPE_CHECKING:
         usual_degree as usual_degree,
     )
     from allworlds.maps.networks import (
+        embeddings as embeddings,
         from_faces as from_faces,
         from_networkx as from_networkx,
+        from_positions as from_positions,
         to_networkx as to_networkx,
     )
     from allworlds.maps.quotient import (

@@ -1,14 +1,14 @@
 """Maps made by hand, by name and by recipe.
 
-Two notations.  A *rotation* lists the neighbours of every vertex clockwise; it can tell
-simple graphs only.  *Cycles* list the names of the edges round every vertex clockwise; they
-can tell every map, loops and parallel edges included.  Everything else here is written in
-one of the two.
+Two notations.  A *rotation* lists the neighbours of every vertex clockwise, with keys where edges
+are parallel.  *Cycles* list the names of the edges round every vertex clockwise.  Both can tell
+every map, loops and parallel edges included.  Everything else here is written in one of the two.
 """
 
 from __future__ import annotations
 
 import random
+from collections import Counter
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any
 
@@ -26,47 +26,65 @@ class NoSuchMap(InputError):
 def from_rotation(
     rotation: Mapping[Any, Sequence[Any]] | Sequence[Sequence[Any]],
 ) -> CombinatorialMap:
-    """The map of a simple graph from the clockwise list of neighbours of each vertex.
+    """The map from the clockwise list of neighbours of each vertex.
 
-    ``rotation`` maps each vertex to its neighbours; a plain sequence stands for the vertices
-    ``0, 1, ...``.  Darts are numbered vertex by vertex in the order given, and within a
-    vertex in the order of its list.
+    Args:
+        rotation: of each vertex its neighbours; a plain sequence stands for the vertices
+            ``0, 1, ...``.  A neighbour is a name, or a list ``[name, key]``: an edge is its two
+            ends and its key, and parallel edges have different keys.  Both ends list an edge;
+            a loop stands twice in the list of its vertex.
+
+    Darts are numbered vertex by vertex in the order given, and within a vertex in the order of
+    its list; the vertices of the map are in this order, too.
 
     Raises:
-        InvalidMap: naming the vertex: an empty list, an unknown or repeated neighbour, a
-            loop, an edge that only one end lists, or a graph that is not connected.
+        InvalidMap: naming the vertex: an empty list, an unknown neighbour, an edge that is
+            listed too often or at one end alone, or a graph that is not connected.
 
     Cost: O(m).
     """
     given = rotation if isinstance(rotation, Mapping) else dict(enumerate(rotation))
-    neighbours = {v: _around(v, listed) for v, listed in given.items()}
-    known = {v: set(around) for v, around in neighbours.items()}
-    for v, around in neighbours.items():
-        seen = set()
-        for w in around:
-            if w not in known:
-                legal = ", ".join(map(repr, known))
-                raise InvalidMap(f"vertex {show(v)} lists {show(w)}, but the vertices are {legal}")
-            if w == v:
-                raise InvalidMap(f"vertex {show(v)} lists itself; write loops with from_cycles")
-            if w in seen:
+    listed = {v: [_neighbour(v, entry) for entry in _around(v, given[v])] for v in given}
+    edges = {v: [(frozenset((v, w)), *key) for w, *key in listed[v]] for v in listed}
+    count = {v: Counter(edges[v]) for v in edges}
+    for v, around in listed.items():
+        for (w, *key), edge in zip(around, edges[v], strict=True):
+            there, back = (show([end, *key] if key else end) for end in (w, v))
+            if w not in count:
+                legal = show([*given])
+                raise InvalidMap(f"vertex {show(v)} lists {there}, but the vertices are {legal}")
+            ends_here = 3 - len(edge[0])  # 2 of a loop
+            if count[v][edge] < ends_here:
+                raise InvalidMap(f"vertex {show(v)} lists {there} once; a loop is listed twice")
+            if count[v][edge] > ends_here:
                 raise InvalidMap(
-                    f"vertex {show(v)} lists {show(w)} twice; write parallel edges with from_cycles"
+                    f"vertex {show(v)} lists {there} too often; parallel edges have keys, as in "
+                    f"{show([w, 0])} and {show([w, 1])}, or names with from_cycles"
                 )
-            if v not in known[w]:
+            if not count[w][edge]:
                 raise InvalidMap(
-                    f"vertex {show(v)} lists {show(w)}, but {show(w)} does not list {show(v)}; "
+                    f"vertex {show(v)} lists {there}, but {show(w)} does not list {back}; "
                     "an edge is listed at both its ends"
                 )
-            seen.add(w)
-    return _assembled({v: [frozenset((v, w)) for w in ws] for v, ws in neighbours.items()})
+    return _assembled(edges)
 
 
-def from_cycles(vertices: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
+def _neighbour(vertex: object, entry: object) -> tuple[Any, ...]:
+    """The neighbour that a vertex lists, and the key of the edge if it has one."""
+    if isinstance(entry, list) and len(entry) != 2:
+        legal = "a neighbour, or [neighbour, key]"
+        raise InvalidMap(f"vertex {show(vertex)} lists {show(entry)}; legal is {legal}")
+    return tuple(_name(vertex, each) for each in (entry if isinstance(entry, list) else [entry]))
+
+
+def from_cycles(
+    vertices: Mapping[Any, Sequence[Hashable]] | Sequence[Sequence[Hashable]],
+) -> CombinatorialMap:
     """The map from the clockwise list of edge names round each vertex.
 
     Every name stands exactly twice: ``["aab", "b"]`` is a loop ``a`` and an edge ``b`` to a
-    second vertex.  Darts are numbered vertex by vertex, and within a vertex in its order.
+    second vertex.  A plain sequence stands for the vertices ``0, 1, ...``.  Darts are numbered
+    vertex by vertex, and within a vertex in its order.
 
     Raises:
         InvalidMap: naming the edge or the vertex: an empty list, a name that does not stand
@@ -74,7 +92,8 @@ def from_cycles(vertices: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
 
     Cost: O(m).
     """
-    return _assembled({v: _around(v, names) for v, names in enumerate(vertices)})
+    given = vertices if isinstance(vertices, Mapping) else dict(enumerate(vertices))
+    return _assembled({v: [_name(v, e) for e in _around(v, given[v])] for v in given})
 
 
 def _around(vertex: object, listed: object) -> Sequence[Any]:
@@ -82,15 +101,18 @@ def _around(vertex: object, listed: object) -> Sequence[Any]:
         raise InvalidMap(f"vertex {show(vertex)} must have a clockwise list, not {show(listed)}")
     if not listed:
         raise InvalidMap(f"vertex {show(vertex)} has an empty list; a vertex has at least one edge")
-    for entry in listed:
-        try:
-            hash(entry)
-        except TypeError:
-            raise InvalidMap(
-                f"vertex {show(vertex)} lists {show(entry)}, which cannot be a name; "
-                "use numbers, strings or tuples of them"
-            ) from None
     return listed
+
+
+def _name(vertex: object, entry: object) -> Any:
+    try:
+        hash(entry)
+    except TypeError:
+        raise InvalidMap(
+            f"vertex {show(vertex)} lists {show(entry)}, which cannot be a name; "
+            "use numbers, strings or tuples of them"
+        ) from None
+    return entry
 
 
 def _assembled(vertices: Mapping[Any, Sequence[Any]]) -> CombinatorialMap:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.document.report import Pictured
 from allworlds.document.struct import Natural, Permutation, WrittenByFields, about
@@ -258,11 +258,13 @@ class CombinatorialMap(Pictured, WrittenByFields):
         return to_networkx(self)
 
     @classmethod
-    def from_networkx(cls, graph: Any) -> CombinatorialMap:
+    def from_networkx(
+        cls, graph: Any, order: Literal["positions", "planar"] | None = None
+    ) -> CombinatorialMap:
         """The map of a graph of networkx; see :func:`allworlds.maps.networks.from_networkx`."""
         from allworlds.maps.networks import from_networkx
 
-        return from_networkx(graph)
+        return from_networkx(graph, order)
 
     @classmethod
     def from_faces(cls, faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:

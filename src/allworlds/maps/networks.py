@@ -1,14 +1,16 @@
-"""Maps to and from networkx."""
+"""Maps to and from networkx, and every embedding of a graph."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Hashable, Iterable, Mapping, Sequence
-from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import pairwise, permutations
+from typing import TYPE_CHECKING, Any, Literal
 
-from allworlds.inputs.checks import integer, show
-from allworlds.maps.build import from_rotation, map_at
+from allworlds.inputs.checks import InputError, an_integer, integer, show
+from allworlds.maps.build import from_cycles, from_rotation, map_at
+from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles
 
 if TYPE_CHECKING:
@@ -32,47 +34,211 @@ def to_networkx(map_: CombinatorialMap) -> nx.MultiGraph:
     return graph
 
 
-def from_networkx(graph: nx.Graph) -> CombinatorialMap:
+def from_networkx(
+    graph: nx.Graph, order: Literal["positions", "planar"] | None = None
+) -> CombinatorialMap:
     """The map of a graph of networkx.
 
-    A graph of :func:`to_networkx` gives its map back, as long as the attributes ``darts`` are
-    there.  A planar embedding gives its map of genus 0; a planar graph without loops and parallel
-    edges, the map of the embedding that :func:`networkx.check_planarity` finds.  Other graphs have
-    no rotation, and are refused; so are nodes with the attribute ``pos`` and without an order.
+    Args:
+        graph: of any type; a directed one has both directions of each edge, which are one edge.
+        order: where the clockwise order round each node comes from.  ``"positions"``: from its
+            attribute ``pos``, as :func:`from_positions` reads it.  ``"planar"``: from the embedding
+            in the plane that :func:`networkx.check_planarity` finds.  None: from the graph itself:
+            from the attributes ``darts`` of :func:`to_networkx`, or the attributes ``cw`` and
+            ``ccw`` of a ``PlanarEmbedding``, of any genus; other graphs are refused.
+
+    The vertices of the map are the nodes in their order, unless ``darts`` have another one.
 
     Raises:
-        InvalidMap: if the attributes are no map, or if the graph has no rotation, is not
-            connected or has no edge, or if the map would not have all its edges.
+        InvalidMap: naming a node without an order, a broken attribute, an edge that leads one way
+            only, or one that the order does not place; if the graph is not connected or has no
+            edge; or if the map would not have all its edges.
 
-    Cost: O(m).
+    Cost: O(m log m).
     """
     import networkx as nx
 
-    if isinstance(graph, nx.PlanarEmbedding):
-        return from_planar_embedding(graph)
-    attributes = [*graph.nodes(data=True), *graph.edges(data=True)]
-    if any("darts" in data for *_, data in attributes):
-        return _from_darts(graph.to_undirected() if graph.is_directed() else graph)
-    for v, data in graph.nodes(data=True):
-        if "pos" in data:
+    if order is None and _has_pointers(graph):
+        return _compared(_from_pointers(graph), list(graph), _undirected(graph))
+    plain = _undirected(graph)
+    if order == "positions":
+        return from_positions(plain, nx.get_node_attributes(plain, "pos"))
+    if order == "planar":
+        _refuse_loops_and_parallels(plain)
+        names = list(plain)
+        # With numbers for names: networkx loses edges of names such as nan.
+        planar, embedding = nx.check_planarity(nx.convert_node_labels_to_integers(plain))
+        if not planar:
+            raise InvalidMap(f"the graph of node {show(names[0])} is not planar; {LISTS}")
+        around = [[names[w] for w in embedding.neighbors_cw_order(v)] for v in range(len(names))]
+        return _compared(from_rotation(dict(zip(names, around, strict=True))), names, plain)
+    if order is not None:
+        raise InvalidMap(f"order = {show(order)}; legal is 'positions', 'planar' or None")
+    if any("darts" in data for *_, data in [*plain.nodes(data=True), *plain.edges(data=True)]):
+        return _from_darts(plain)
+    raise InvalidMap(
+        f"node {show(next(iter(plain)))} has no order of its edges; order='positions' reads the "
+        f"attribute 'pos', order='planar' takes networkx's embedding in the plane, and {LISTS}"
+    )
+
+
+LISTS = "maps.from_rotation and maps.from_cycles take the order round each vertex as a list"
+
+
+def _has_pointers(graph: nx.Graph) -> bool:
+    import networkx as nx
+
+    return isinstance(graph, nx.PlanarEmbedding) or (
+        isinstance(graph, nx.DiGraph) and any("cw" in data for *_, data in graph.edges(data=True))
+    )
+
+
+def _undirected(graph: nx.Graph) -> nx.Graph:
+    """The graph, in which both directions of an edge are one edge.
+
+    Raises:
+        InvalidMap: for anything else, and naming an edge without its other direction, or a node
+            without an edge.
+    """
+    import networkx as nx
+
+    if not isinstance(graph, nx.Graph):
+        raise InvalidMap(f"{show(graph)} is no graph of networkx; {LISTS}, maps.from_faces faces")
+    if not len(graph):
+        raise InvalidMap("the graph has no node; a map has at least one edge")
+    for v in nx.isolates(graph):
+        raise InvalidMap(f"node {show(v)} has no edge; a vertex has at least one")
+    if not isinstance(graph, nx.DiGraph):  # an embedding says of itself that it is not directed
+        return graph
+    for v, w, *key in graph.edges:
+        if not graph.has_edge(w, v, *key):
             raise InvalidMap(
-                f"node {show(v)} has the attribute 'pos', which is not read as the order of its "
-                "edges; maps.from_rotation and maps.from_cycles take an order, and without 'pos' "
-                "networkx's own planar embedding is taken"
+                f"the edge from {show(v)} to {show(w)} leads one way only; each edge of a map "
+                "leads back, as in graph.to_undirected()"
             )
-    if graph.is_directed() or graph.is_multigraph():
-        raise InvalidMap(
-            f"a {type(graph).__name__} without the attribute 'darts' at each node has no rotation; "
-            "an undirected planar graph without parallel edges is embedded in the plane"
-        )
-    for v in nx.nodes_with_selfloops(graph):
-        raise InvalidMap(f"node {show(v)} has an edge to itself; maps.from_cycles takes loops")
-    planar, embedding = nx.check_planarity(graph)
-    if not planar:
-        raise InvalidMap(
-            "the graph is not planar, and no node has the attribute 'darts', its darts clockwise"
-        )
-    return _compared(from_planar_embedding(embedding), list(embedding), graph)
+    return graph.to_undirected()
+
+
+def _refuse_loops_and_parallels(graph: nx.Graph) -> None:
+    for (v, w), count in Counter((v, w) for v, w, *_ in graph.edges).items():
+        if len({v, w}) == 1:
+            raise InvalidMap(f"node {show(v)} has an edge to itself; {LISTS}, also of loops")
+        if count > 1:
+            raise InvalidMap(
+                f"{count} edges join {show(v)} and {show(w)}; {LISTS}, also of parallel edges"
+            )
+
+
+def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> CombinatorialMap:
+    """The map of a drawing in straight lines, which may cross; the genus follows from the order.
+
+    Args:
+        graph: as for :func:`from_networkx`, without loops and parallel edges.
+        pos: of each node the two coordinates, to the right and **up**; on screens, where the second
+            one counts down, the map is mirrored.  They are compared exactly, as the decimals that
+            they are printed as.
+
+    Darts are numbered node by node, from straight up clockwise.
+
+    Raises:
+        InvalidMap: naming a node without a position of two finite numbers, two nodes at one place
+            that are joined, two edges that leave a node in one direction, a loop or parallel edges;
+            or as for :func:`from_networkx`.
+
+    Cost: O(m log m).
+    """
+    plain = _undirected(graph)
+    _refuse_loops_and_parallels(plain)
+    points = {v: _point(v, pos.get(v)) for v in plain}
+    rotation = {}
+    for v in plain:
+        turn = {w: _turn(v, w, points) for w in plain[v]}
+        rotation[v] = sorted(turn, key=turn.__getitem__)
+        for w, x in pairwise(rotation[v]):
+            if turn[w] == turn[x]:
+                raise InvalidMap(
+                    f"the edges from {show(v)} to {show(w)} and to {show(x)} leave it in one "
+                    f"direction; {LISTS}"
+                )
+    return _compared(from_rotation(rotation), list(plain), plain)
+
+
+def _point(v: Hashable, position: Any) -> tuple[Fraction, Fraction]:
+    try:
+        x, y = [Fraction(str(number)) for number in position if not isinstance(number, str)]
+    except (TypeError, ValueError):
+        legal = "legal are two finite numbers"
+        raise InvalidMap(f"node {show(v)} has the position {show(position)}; {legal}") from None
+    return x, y
+
+
+def _turn(v: Hashable, w: Hashable, points: Mapping[Any, tuple[Fraction, Fraction]]) -> Fraction:
+    """The direction from ``v`` to ``w``, growing clockwise: 0 is up, 1 right, 2 down, 3 left."""
+    right, up = (there - here for here, there in zip(points[v], points[w], strict=True))
+    if not right and not up:
+        raise InvalidMap(f"the nodes {show(v)} and {show(w)} are joined, but at one place")
+    part = right / (abs(right) + abs(up))
+    return 2 - part if up < 0 else part % 4
+
+
+def embeddings(
+    graph: nx.Graph, *, up_to_isomorphism: bool = True, genus: int | None = None
+) -> Iterator[CombinatorialMap]:
+    """Every map of a graph: with each choice of a cyclic order of the edges round each vertex.
+
+    Args:
+        graph: of networkx, of any type; parallel edges and loops are told apart.
+        up_to_isomorphism: of maps that are the same up to the names of darts only the first comes;
+            mirror images are in general not the same.
+        genus: of these maps alone.
+
+    All have the same ``alpha``, and as vertices the nodes in their order.  The order is that of
+    their rotations, lexicographically: the edges round a vertex begin with its first one.
+
+    Raises:
+        InvalidMap: at once, if the graph is not connected or has no edge; InputError for a genus
+            that is no integer of at least 0.
+
+    Cost: ``(d - 1)!`` choices for each vertex of degree d; each O(m), and O(m^2) for each class,
+    of which the codes of all rootings are kept.
+    """
+    if genus is not None and an_integer("genus", genus) < 0:
+        raise InputError(f"genus = {genus}; legal is an integer of at least 0")
+    plain = _undirected(graph)
+    around: dict[Any, list[int]] = {v: [] for v in plain}
+    for edge, (v, w, *_) in enumerate(plain.edges):
+        around[v].append(edge)
+        around[w].append(edge)
+    maps = _turned(from_cycles(around))
+    of_genus = (map_ for map_ in maps if genus is None or map_.genus == genus)
+    return _one_of_each_class(of_genus) if up_to_isomorphism else of_genus
+
+
+def _turned(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
+    """The maps with the same edges and every cyclic order round each vertex, one at a time."""
+    orders = [permutations(others) for _, *others in map_.vertices]
+    chosen = [next(each) for each in orders]
+    while True:
+        pairs = zip(map_.vertices, chosen, strict=True)
+        sigma = _permutation((darts[0], *others) for darts, others in pairs)
+        yield CombinatorialMap.trusted(sigma, map_.alpha)
+        for v in reversed(range(len(orders))):
+            following = next(orders[v], None)
+            if following is not None:
+                chosen[v] = following
+                break
+            orders[v] = permutations(map_.vertices[v][1:])
+            chosen[v] = next(orders[v])
+        else:
+            return
+
+
+def _one_of_each_class(maps: Iterable[CombinatorialMap]) -> Iterator[CombinatorialMap]:
+    seen: set[Code] = set()
+    for map_ in maps:
+        if rooted_code(map_.sigma, map_.alpha, 0) not in seen:
+            yield map_
+            seen.update(rooted_code(map_.sigma, map_.alpha, root) for root in map_.darts)
 
 
 def _compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> CombinatorialMap:
@@ -81,13 +247,9 @@ def _compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> 
     Raises:
         InvalidMap: unless the map has the edges of the graph, with the same ends, and its nodes.
     """
-    import networkx as nx
-
     place = {v: i for i, v in enumerate(graph)}
     at = [nodes[vertex] for vertex in map_.vertex_of]
     given = [tuple(sorted(ends, key=place.__getitem__)) for ends in graph.edges()]
-    if isinstance(graph, nx.PlanarEmbedding):
-        given = list(dict.fromkeys(given))  # it has each edge in both directions
     made = [tuple(sorted((at[d], at[e]), key=place.__getitem__)) for d, e in map_.edges]
     wanted, found = Counter(given), Counter(made)
     for ends in [*given, *made]:
@@ -195,22 +357,12 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     return map_at(sigma, alpha, [vertex for vertex, _ in ways])
 
 
-def from_planar_embedding(embedding: nx.PlanarEmbedding) -> CombinatorialMap:
-    """The map of genus 0 that an embedding of networkx describes.
+def _from_pointers(graph: nx.DiGraph) -> CombinatorialMap:
+    """The map of the attributes ``cw`` and ``ccw`` of a ``PlanarEmbedding``; each edge has two.
 
     Darts are numbered node by node in the order of the embedding, clockwise round each.
-    The embeddings of :func:`networkx.check_planarity` have no loops and no parallel edges.
-
-    Raises:
-        InvalidMap: if the embedding is empty, not connected, or not in the plane; or naming the
-            node whose ``cw`` and ``ccw`` are no order of its neighbours.
-
-    Cost: O(m).
     """
-    map_ = from_rotation({v: _clockwise(v, around) for v, around in embedding.adjacency()})
-    if map_.genus:
-        raise InvalidMap(f"the embedding has genus {map_.genus}; a planar one has genus 0")
-    return _compared(map_, list(embedding), embedding)
+    return from_rotation({v: _clockwise(v, around) for v, around in graph.adjacency()})
 
 
 def _clockwise(v: Hashable, around: Mapping[Hashable, Mapping[str, Any]]) -> list[Hashable]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from allworlds.document.report import Pictured
 from allworlds.document.struct import Document, IfAny, Pair, about
@@ -169,7 +169,11 @@ class World(Pictured):
 
     @classmethod
     def from_networkx(
-        cls, graph: Any, lighthouse: Lighthouse | GivenLighthouse | None = None, start: Dart = 0
+        cls,
+        graph: Any,
+        lighthouse: Lighthouse | GivenLighthouse | None = None,
+        start: Dart = 0,
+        order: Literal["positions", "planar"] | None = None,
     ) -> World:
         """The world in the map of a graph of networkx.
 
@@ -177,11 +181,12 @@ class World(Pictured):
             graph: as :func:`allworlds.maps.networks.from_networkx` takes it.
             lighthouse: as for a world, if the graph has no attribute of that name.
             start: likewise.
+            order: as there; only ``darts`` fix the numbers of darts that these two name.
 
         Raises:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
         """
-        map_, told = from_networkx(graph), graph.graph
+        map_, told = from_networkx(graph, order), graph.graph
         begin = _a_start(told.get("start", start), map_)
         if "lighthouse" in told:
             lighthouse = lighthouse_from_json(told["lighthouse"], map_, begin)
