@@ -17,7 +17,6 @@ from allworlds.protocol.transcript import Transcript
 from allworlds.world.labels import Position
 from allworlds.world.world import World
 
-
 LONGEST = 60
 """Characters of a name of a vertex in a legend."""
 
