@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TypeAlias
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 
@@ -82,6 +82,23 @@ PLAIN = Labelling()
 """No labels."""
 
 Labels = Labelling
+
+
+def labels_of_nodes(
+    name: object, nodes: Sequence[tuple[object, Mapping[str, Any]]], map_: CombinatorialMap
+) -> Labelling:
+    """The labels that nodes, in the order of vertices, and their attributes make; else none."""
+    names = [data.get("name", node) for node, data in nodes]
+    if names == [*range(map_.vertex_count)]:
+        names = []
+    try:
+        places = [tuple(map(float, data["pos"])) for _, data in nodes]
+    except (KeyError, TypeError, ValueError):
+        places = []
+    try:
+        return Labelling(str(name), tuple(map(str, names)), places).checked(map_)  # type: ignore[arg-type]  # that is checked
+    except InvalidWorld:
+        return PLAIN
 
 
 def _a_position(vertex: Vertex, given: object) -> Position:
