@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from cmath import exp, phase, rect
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from itertools import pairwise
 from math import pi, tau
 
-from msgspec import Struct
+from msgspec import Struct, field
 
 from allworlds.maps.canonical import Mismatch, isomorphism, unrooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
 from allworlds.reports.drawing.planar import mesh, place, planar
+from allworlds.reports.drawing.regular import lattice, torus, wheel
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
@@ -111,11 +112,19 @@ class Layout(Struct, frozen=True):
         vertices: the centre of each vertex.
         ways: for each dart the points that its edge is drawn towards, from the dart's vertex to
             the other end's.  Between the middles of two successive pieces it is a parabola that
-            touches both pieces; its first half piece and its last are straight.
+            touches both pieces; its first half piece and its last are straight.  Of an edge that
+            is cut each dart has its half alone.
+        letters: where its edge is cut, for each dart of one that is.
     """
 
     vertices: tuple[complex, ...]
     ways: tuple[tuple[complex, ...], ...]
+    letters: Mapping[Dart, str] = field(default_factory=dict)
+
+    def pieces(self, dart: Dart, other: Dart) -> list[tuple[complex, ...]]:
+        """The curves of an edge, from the first dart to the other: two if it is cut, else one."""
+        whole = [self.ways[dart]]
+        return [*whole, self.ways[other][::-1]] if dart in self.letters else whole
 
     def stub(self, dart: Dart) -> complex:
         """The end of the straight beginning of the dart."""
@@ -156,10 +165,18 @@ def rim(here: complex, others: Iterable[complex], wide: float) -> float:
 def layout(map_: CombinatorialMap, root: Dart) -> Layout:
     """The drawing of a map of any genus, the root's vertex to the left.
 
-    The same map is drawn the same whatever its darts are called.  No two edges of a planar map
+    The same map is drawn the same whatever its darts are called.  Lattices, also on a torus, paths,
+    stars, rings and wheels are drawn as what they are.  No two edges of a planar map
     cross, and those of another as seldom as was found.  Only in the plain way, round a circle,
     edges cross needlessly and may run under a vertex.
     """
+    if ways := wheel(map_):
+        return _finished(map_, root, ways)
+    if ways := lattice(map_):
+        return _finished(map_, root, ways, pi / 2)
+    ways, letters = torus(map_, root)
+    if ways:
+        return _finished(map_, root, ways, pi / 2, letters)
     if 2 * map_.edge_count <= MOST_DARTS:
         same = CombinatorialMap.trusted(*unrooted_code(map_))
         if ways := _ways(same):
@@ -211,8 +228,14 @@ def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
     ]
 
 
-def _finished(map_: CombinatorialMap, root: Dart, ways: Sequence[Sequence[complex]]) -> Layout:
-    """The drawing, turned, and scaled so that the numbers of the darts fit."""
+def _finished(
+    map_: CombinatorialMap,
+    root: Dart,
+    ways: Sequence[Sequence[complex]],
+    unit: float = 1e-9,
+    letters: Mapping[Dart, str] | None = None,
+) -> Layout:
+    """The drawing, turned by a multiple of the unit, and so large that the darts' numbers fit."""
     rough = Layout(tuple(ways[v[0]][0] for v in map_.vertices), tuple(map(tuple, ways)))
     origin = ways[root][0]
     stubs = [rough.stub(d) for d in map_.darts]
@@ -224,10 +247,11 @@ def _finished(map_: CombinatorialMap, root: Dart, ways: Sequence[Sequence[comple
         max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in points_of(way)])
     )
     scale = min(max(STUB / stub, NARROWEST / size), WIDEST / size)
-    turn = far.conjugate() / abs(far) * scale
+    turn = rect(scale, -unit * round(phase(far) / unit))
     return Layout(
         tuple((point - origin) * turn for point in rough.vertices),
         tuple(tuple((point - origin) * turn for point in way) for way in rough.ways),
+        letters or {},
     )
 
 
