@@ -27,6 +27,8 @@ def points_of(way: Sequence[complex]) -> list[complex]:
 def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
     """The ends of the straight piece of the curve about each crossing."""
     # Every fifth point between the ends of the edge is where it crosses another one.
+    if len(way) % 5 != 1:
+        return []
     around = zip(way[4::5], way[5:-1:5], way[6::5], strict=False)
     return [((before + at) / 2, (at + after) / 2) for before, at, after in around]
 
@@ -190,7 +192,7 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
 def _ways(map_: CombinatorialMap) -> list[list[complex]]:
     """For each dart the points that its edge is drawn towards; empty if there are too many."""
     drawn = planar(map_)
-    if len(drawn.sigma) > MOST_DARTS:
+    if drawn.unbent > MOST_DARTS:
         return []
     net = mesh(drawn)
     points = place(net)
@@ -198,15 +200,17 @@ def _ways(map_: CombinatorialMap) -> list[list[complex]]:
     centres = {d: points[net.first_vertex + i] for i, v in enumerate(vertices) for d in v}
     towards: dict[Dart, complex] = {}
     for vertex in vertices:
-        leave = spread if vertex[0] < drawn.own else straightened
-        round_it = [points[dart] for dart in vertex]
-        towards.update(zip(vertex, leave(centres[vertex[0]], round_it), strict=True))
+        if vertex[0] < drawn.unbent:
+            leave = spread if vertex[0] < drawn.own else straightened
+            round_it = [points[dart] for dart in vertex]
+            towards.update(zip(vertex, leave(centres[vertex[0]], round_it), strict=True))
     ways = []
     for dart in range(drawn.own):
         way = [centres[dart]]
         along = drawn.way(dart)
         for near, far in zip(along[::2], along[1::2], strict=True):
-            way += [towards[near], points[near], points[far], towards[far], centres[far]]
+            way += [towards[near], points[near]] if near in towards else [points[near]]
+            way += [points[far], towards[far], centres[far]] if far in towards else [points[far]]
         ways.append(way)
     return ways
 

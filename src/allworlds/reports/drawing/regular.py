@@ -31,7 +31,7 @@ def wheel(map_: CombinatorialMap) -> Ways:
             return []
     count = len(hub or ahead)
     radius = max((0.5 if ahead else 0.25) / sin(pi / max(count, 2)), 1 if hub else 0)
-    bends = min(4, 6 // count + 1)
+    bends = min(6, 6 // count + 1)
     step, part = tau / count, tau / count / bends
     spots = [rect(radius, step * k) for k in range(count + 1)]
     ways = {dart: _straight(0j, spot) for dart, spot in zip(hub, spots, strict=False)}
