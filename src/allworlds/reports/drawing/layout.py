@@ -13,7 +13,7 @@ from msgspec import Struct, field
 from allworlds.maps.canonical import Mismatch, isomorphism, unrooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
 from allworlds.reports.drawing.planar import mesh, place, planar
-from allworlds.reports.drawing.regular import lattice, torus, wheel
+from allworlds.reports.drawing.regular import lattice, wheel
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
@@ -168,17 +168,15 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
     """The drawing of a map of any genus, the root's vertex to the left.
 
     The same map is drawn the same whatever its darts are called.  Lattices, also on a torus, paths,
-    stars, rings and wheels are drawn as what they are.  No two edges of a planar map
-    cross, and those of another as seldom as was found.  Only in the plain way, round a circle,
-    edges cross needlessly and may run under a vertex.
+    stars, rings and wheels are drawn as what they are.  No two edges of a planar map cross, and
+    those of another as seldom as was found.  Only in the plain way, round a circle, edges cross
+    needlessly and may run under a vertex.
     """
     if ways := wheel(map_):
         return _finished(map_, root, ways)
-    if ways := lattice(map_):
-        return _finished(map_, root, ways, pi / 2)
-    ways, letters = torus(map_, root)
+    ways, letters = lattice(map_, root)
     if ways:
-        return _finished(map_, root, ways, pi / 2, letters)
+        return _finished(map_, root, ways, letters)
     if 2 * map_.edge_count <= MOST_DARTS:
         same = CombinatorialMap.trusted(*unrooted_code(map_))
         if ways := _ways(same):
@@ -217,44 +215,42 @@ def _ways(map_: CombinatorialMap) -> list[list[complex]]:
 
 def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
     """The vertices on a circle, the darts round each at equal angles, the first outwards."""
-    outwards = [exp(1j * tau * i / map_.vertex_count) for i in range(map_.vertex_count)]
-    radius = map_.vertex_count + 1
-    centre, end = [], []
-    for dart in map_.darts:
-        vertex = map_.vertex_of[dart]
-        place = map_.vertices[vertex].index(dart)
-        centre.append(radius * outwards[vertex])
-        turn = exp(1j * tau * place / map_.degree_at[dart])
-        end.append(centre[-1] + outwards[vertex] * turn)
-    return [
-        [centre[dart], end[dart], end[other], centre[other]]
-        for dart, other in enumerate(map_.alpha)
+    count = map_.vertex_count
+    outwards = [exp(1j * tau * vertex / count) for vertex in map_.vertex_of]
+    first = [map_.vertices[vertex][0] for vertex in map_.vertex_of]
+    turns = [map_.offset(first[d], d) / map_.degree_at[d] for d in map_.darts]
+    centre = [(count + 1) * out for out in outwards]
+    end = [
+        c + out * exp(1j * tau * turn) for c, out, turn in zip(centre, outwards, turns, strict=True)
     ]
+    return [[centre[d], end[d], end[e], centre[e]] for d, e in enumerate(map_.alpha)]
 
 
 def _finished(
     map_: CombinatorialMap,
     root: Dart,
     ways: Sequence[Sequence[complex]],
-    unit: float = 1e-9,
     letters: Mapping[Dart, str] | None = None,
 ) -> Layout:
-    """The drawing, turned by a multiple of the unit, and so large that the darts' numbers fit."""
-    rough = Layout(tuple(ways[v[0]][0] for v in map_.vertices), tuple(map(tuple, ways)))
-    origin = ways[root][0]
-    stubs = [rough.stub(d) for d in map_.darts]
-    others = rough.vertices if map_.vertex_count > 1 else stubs
+    """The drawing, turned, and scaled so that the numbers of the darts fit.
+
+    That of a lattice, which alone has letters, empty ones included, stays upright.
+    """
+    origin, spots = ways[root][0], tuple(ways[vertex[0]][0] for vertex in map_.vertices)
+    others = spots if len(spots) > 1 else [way[1] for way in ways]
     # Rounded, for among equals the first is to be taken whatever the last bits are.
     far = max(others, key=lambda point: round(abs(point - origin), 6)) - origin
-    stub = min(abs(stubs[d] - ways[d][0]) for d in map_.darts)
+    if letters is not None:
+        far = 1j ** round(phase(far) / (pi / 2))
+    stub = min(abs(way[1] - way[0]) for way in ways) / 2
     size = max(
         max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in points_of(way)])
     )
     scale = min(max(STUB / stub, NARROWEST / size), WIDEST / size)
-    turn = rect(scale, -unit * round(phase(far) / unit))
+    turn = far.conjugate() / abs(far) * scale
     return Layout(
-        tuple((point - origin) * turn for point in rough.vertices),
-        tuple(tuple((point - origin) * turn for point in way) for way in rough.ways),
+        tuple((point - origin) * turn for point in spots),
+        tuple(tuple((point - origin) * turn for point in way) for way in ways),
         letters or {},
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from cmath import rect
+from heapq import heappop, heappush
 from math import cos, pi, sin, tau
 from string import ascii_lowercase
 from typing import TypeAlias
@@ -43,93 +44,63 @@ def wheel(map_: CombinatorialMap) -> Ways:
     return [ways[dart] for dart in map_.darts]
 
 
-QUARTERS: dict[complex, int] = {1j: 1, -1: 2, -1j: 3, 1: 4}
-"""The quarter turns clockwise from the direction 1; y is downwards."""
-
-
-def lattice(map_: CombinatorialMap) -> Ways:
-    """The drawing of a lattice in the plane, upright; else nothing.
+def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
+    """The drawing of a lattice, in the plane or on a torus, upright; else nothing.
 
     The direction of a dart follows from the other end of its edge, and from a dart beside it where
     a square lies between them, or where four darts meet.  One of two darts at a vertex leads
-    straight on from the other if nothing else decides: so paths are drawn, too, and lattices with
-    few holes.
+    straight on from the other if nothing else decides: so paths are drawn, too, and some lattices
+    with holes.  A lattice on a torus, where all vertices and faces have degree 4, is cut into rows:
+    the darts of an edge that is cut have each a way to its half alone, and a letter.
 
-    Cost: linear in the darts.
+    Cost: O(m log m).
     """
     owner, alpha, sigma = map_.vertex_of, map_.alpha, map_.sigma
     square = {dart for dart in map_.darts if map_.degree_at[dart] == 4}
-    for face in map_.faces:
-        if len(face) == 4 == len({owner[dart] for dart in face}):
-            square.update(face)
-    found: dict[Dart, tuple[complex, complex]] = {}
-    sure, perhaps = [(0, 0j, 1 + 0j)], list[tuple[Dart, complex, complex]]()
-    while sure or perhaps:
-        dart, here, ahead = (sure or perhaps).pop()
+    faces = (face for face in map_.faces if len(face) == 4 == len({owner[d] for d in face}))
+    square.update(*faces)
+    found: dict[Dart, tuple[complex, int]] = {}
+    queue: list[tuple[int, bool, int, bool, int, Dart, int]] = []
+
+    def put(late: int, at: complex, dart: Dart, turns: int) -> None:
+        # To the right before to the left, and then down: so a torus is cut into rows.
+        x, y = int(at.real), int(at.imag)
+        heappush(queue, (late, y < 0, y, x < 0, x, dart, turns % 4))
+
+    put(0, 0j, root, 0)
+    while queue:
+        _, _, y, _, x, dart, turns = heappop(queue)
         if dart in found:
             continue
-        found[dart] = here, ahead
-        sure.append((alpha[dart], here + ahead, -ahead))
+        here, _ = found[dart] = complex(x, y), turns
+        put(1, here + 1j**turns, alpha[dart], turns + 2)
         if sigma[dart] in square:
-            sure.append((sigma[dart], here, ahead * 1j))
+            put(0, here, sigma[dart], turns + 1)
         if dart in square:
-            sure.append((map_.turn(dart, -1), here, ahead * -1j))
+            put(0, here, map_.turn(dart, -1), turns + 3)
         if map_.degree_at[dart] == 2:
-            perhaps.append((sigma[dart], here, -ahead))
-    spots = {owner[dart]: here for dart, (here, _) in found.items()}
-    fits = len({*spots.values()}) == map_.vertex_count and all(
-        dart in found
-        and found[dart][0] == spots[owner[dart]]
-        and found[alpha[dart]] == (sum(found[dart]), -found[dart][1])
-        for dart in map_.darts
-    )
-    if not fits or any(
-        sum(QUARTERS[found[sigma[d]][1] / found[d][1]] for d in vertex) != 4
-        for vertex in map_.vertices
+            put(2, here, sigma[dart], turns + 2)
+    spots = {(owner[dart], here) for dart, (here, _) in found.items()}
+    own = len(spots) == len({here for _, here in spots}) == map_.vertex_count
+    if (
+        len(found) < len(sigma)
+        or not own
+        or any(
+            sum((found[sigma[d]][1] - found[d][1] - 1) % 4 + 1 for d in vertex) != 4
+            for vertex in map_.vertices
+        )
     ):
-        return []
-    return [_straight(found[dart][0], sum(found[dart])) for dart in map_.darts]
-
-
-def torus(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
-    """The drawing of a lattice on a torus, cut into rows, the root's vertex first; else nothing.
-
-    All vertices and faces have degree 4 in it, and it has more than one vertex.  The darts of an
-    edge that is cut have each a way to its half alone, and a letter.
-
-    Cost: linear in the darts.
-    """
-    cycles = (*map_.vertices, *map_.faces)
-    if map_.vertex_count == 1 or any(len(cycle) != 4 for cycle in cycles):
         return [], {}
-    rows = min(_rows(map_, root), _rows(map_, map_.turn(root, 1)))[-1]
-    ends = [map_.turn(row[0], 2) for row in rows] + [map_.turn(dart, 3) for dart in rows[0]]
-    letters = {}
+    cut = {d for d, (at, k) in found.items() if found[alpha[d]] != (at + 1j**k, (k + 2) % 4)}
+    torus = all(len(cycle) == 4 for cycle in (*map_.vertices, *map_.faces))
+    if cut and (map_.vertex_count == 1 or not torus):
+        return [], {}
+    ends = [d for side in (2, 3) for d, (_, k) in found.items() if k == side and d in cut]
+    letters: dict[Dart, str] = {}
     for k, dart in enumerate(ends):
-        letters[dart] = letters[map_.alpha[dart]] = ascii_lowercase[k % 26] * (k // 26 + 1)
-    ways = {
-        map_.turn(dart, k): _straight(complex(x, y), complex(x, y) + 1j**k)
-        for y, row in enumerate(rows)
-        for x, dart in enumerate(row)
-        for k in range(4)
-    }
-    return [ways[d][: 3 if d in letters else 4] for d in map_.darts], letters
-
-
-def _rows(map_: CombinatorialMap, root: Dart) -> tuple[bool, bool, list[list[Dart]]]:
-    """Whether columns do not close, whether there are more rows than columns, and the rows.
-
-    A row consists of the darts that lead along it to the right, the first from the root's vertex.
-    """
-    rows, first, seen = list[list[Dart]](), root, set[int]()
-    while map_.vertex_of[first] not in seen:
-        row = [first]
-        while (dart := map_.turn(map_.alpha[row[-1]], 2)) != first:
-            row.append(dart)
-        rows.append(row)
-        seen.update(map_.vertex_of[dart] for dart in row)
-        first = map_.turn(map_.alpha[map_.turn(first, 1)], 1)
-    return first != root, len(rows) > len(rows[0]), rows
+        letters[dart] = letters[alpha[dart]] = ascii_lowercase[k % 26] * (k // 26 + 1)
+    ways = [_straight(at, at + 1j**k) for at, k in map(found.__getitem__, map_.darts)]
+    return [way[: 3 if dart in letters else 4] for dart, way in enumerate(ways)], letters
 
 
 def _straight(here: complex, there: complex) -> list[complex]:
