@@ -9,7 +9,7 @@ from importlib.resources import files
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from allworlds.reports.drawing.layout import Layout
+from allworlds.reports.drawing.layout import Layout, layout
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import picture
 from allworlds.reports.markup import document, raw, record, tag
@@ -155,7 +155,9 @@ def figure(
         tabindex="0",
         aria_label=f"{title}, which can be scrolled",
     )
-    about = f", genus {genus}" + ("; edges that cross do not meet" if genus else "")
+    cut = (drawn or layout(scene.map, scene.start)).letters
+    known = "edges go on at the same letter" if cut else "edges that cross do not meet"
+    about = f", genus {genus}" + (f"; {known}" if genus else "")
     return tag(
         "figure",
         tag("figcaption", tag("b", title), about),
