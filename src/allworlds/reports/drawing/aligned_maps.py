@@ -139,4 +139,5 @@ def layout_like(
         if any(other.sigma[ties[map_.sigma[d]]] != e for d, e in ties.items()):
             return layout(map_, root)
         ways = tuple(tuple(-point.conjugate() for point in way) for way in ways)
-    return Layout(tuple(ways[vertex[0]][0] for vertex in map_.vertices), ways)
+    letters = {d: drawn.letters[e] for d, e in ties.items() if e in drawn.letters}
+    return Layout(tuple(ways[vertex[0]][0] for vertex in map_.vertices), ways, letters)

@@ -17,6 +17,9 @@ from allworlds.protocol.transcript import Transcript
 from allworlds.world.labels import Position
 from allworlds.world.world import World
 
+LONGEST = 60
+"""Characters of a name of a vertex in a legend."""
+
 
 class Names(Struct, frozen=True):
     """Names of darts and vertices in a picture, in their order."""
@@ -79,8 +82,8 @@ class Scene(Struct, frozen=True):
         return shown
 
     def cut_names(self, width: int) -> list[str]:
-        """For each name that :meth:`short_names` cuts: ``ki… kitchen``."""
-        pairs = zip(self.short_names(width), self.vertex_names, strict=True)
+        """For each name that :meth:`short_names` cuts: ``ki… kitchen``, itself cut if need be."""
+        pairs = zip(self.short_names(width), self.short_names(LONGEST), strict=True)
         return [f"{short} {name}" for short, name in pairs if short != name]
 
     @classmethod
