@@ -21,7 +21,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.mark.parametrize("notation", STREAMS)
 def test_memory_does_not_grow_with_a_hundred_thousand_worlds(notation, tmp_path):
-    assert growth(notation, tmp_path, 1000, 100_000) < 0.02
+    assert growth(notation, tmp_path, 1000, 100_000, 500) < 0.02
 
 
 @pytest.mark.parametrize("notation", ["planar_code", "sage"])
