@@ -168,6 +168,28 @@ def test_the_header_says_which_byte_is_first(tmp_path):
         read(tmp_path / "x")
 
 
+@pytest.mark.parametrize(
+    ("suffix", "content", "why"),
+    [
+        ("pl", b"\2\2\2\0\1\1\0", "byte 0: vertex 1 lists 2 twice; edge_code tells loops and p"),
+        ("pl", b"\1\1\1\0", "byte 0: vertex 1 lists 1 twice"),
+        ("pl", b"\2\2\0\1\0\3\2\0\1\3\0\1\0", "byte 5: edge \\(1, 3\\) has 1 ends"),
+        ("pl", b"\3\2\3\0\1\0\0", "byte 0: vertex 3 has an empty list"),
+        ("pl", b"\4\2\0\1\0\4\0\3\0", "byte 0: vertex 3 cannot be reached from vertex 1"),
+        ("pl", b"\2\2\0\1", "byte 0: the file ends in the middle of a world"),
+        ("ec", b"\3\0\xff\0\3\0\xff\1", "byte 4: edge 0 has 1 ends"),
+        ("ec", b"\0\x12\4\0\0\xff\0\0", "byte 0: 4 bytes are no list of numbers of 2 bytes"),
+        ("ec", b"\0\x10\4\0\0\xff\0\0", "byte 0: its numbers of edges have 0 bytes; 1 to 15"),
+        ("pl", b"", "there is no world in it"),
+    ],
+)
+def test_codes_of_no_map_are_refused_by_their_byte(suffix, content, why, tmp_path):
+    path = tmp_path / f"worlds.{suffix}"
+    path.write_bytes(content)
+    with pytest.raises(InputError, match=f"^file '.*worlds.{suffix}': .*{why}"):
+        read(path)
+
+
 def test_a_file_is_known_by_its_mark_its_suffix_or_its_beginning(tmp_path):
     content = {
         "planar_code": (PLANTRI / "tri4.pl").read_bytes(),
@@ -185,6 +207,13 @@ def test_a_file_is_known_by_its_mark_its_suffix_or_its_beginning(tmp_path):
         read(tmp_path / "plain.txt")
 
 
+def test_two_worlds_of_one_name_and_two_in_a_table_are_refused():
+    with pytest.raises(InputError, match="world 2 is not written: two worlds have one name"):
+        list(written([NAMED, NAMED], by_name("rotation")))
+    with pytest.raises(InputError, match="world 2 is not written: a table of edges tells one"):
+        list(written([Entry(NAMED.map)] * 2, by_name("edges")))
+
+
 # ---------------------------------------------------------------- JSON, and Python's literals
 
 CASES = {
@@ -199,7 +228,7 @@ CASES = {
 @pytest.mark.parametrize("text", CASES)
 def test_json_holds_worlds_alone_in_lists_and_by_names(text, tmp_path):
     path = tmp_path / "worlds.json"
-    path.write_text(text)
+    path.write_text(text, encoding="utf-8-sig")
     found = read(path)
     assert [entry.labels.name for entry in found] == CASES[text]
     assert {entry.map.edge_count for entry in found} == {1}
