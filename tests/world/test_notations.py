@@ -173,7 +173,7 @@ def test_the_header_says_which_byte_is_first(tmp_path):
     [
         ("pl", b"\2\2\2\0\1\1\0", "byte 0: vertex 1 lists 2 twice; edge_code tells loops and p"),
         ("pl", b"\1\1\1\0", "byte 0: vertex 1 lists 1 twice"),
-        ("pl", b"\2\2\0\1\0\3\2\0\1\3\0\1\0", "byte 5: edge \\(1, 3\\) has 1 ends"),
+        ("pl", b"\2\2\0\1\0\3\2\0\1\3\0\1\0", "byte 5: edge \\(2, 3\\) has 1 ends"),
         ("pl", b"\3\2\3\0\1\0\0", "byte 0: vertex 3 has an empty list"),
         ("pl", b"\4\2\0\1\0\4\0\3\0", "byte 0: vertex 3 cannot be reached from vertex 1"),
         ("pl", b"\2\2\0\1", "byte 0: the file ends in the middle of a world"),

@@ -50,7 +50,7 @@ def entry_of(given: object, name: str = "") -> Entry:
     rotation = all(isinstance(each, list) for each in given.values())
     if given.keys() & {"findings", "finding", "law"} and not rotation:
         raise InputError("this is a report or a finding, not a world; see replay and explain")
-    fat: dict[str, Any] = {CYCLES.get(key, key): value for key, value in given.items()}
+    fat: dict[str, Any] = {CYCLES.get(str(key), str(key)): value for key, value in given.items()}
     if 1 < len(fat) == len(given) and fat.keys() <= {*CYCLES.values()}:
         return Entry(_fat(fat), Labelling(name))
     return entry_of_rotation(given, name)
