@@ -27,6 +27,7 @@ PROGRAM = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 WIDE, HIGH = 640, 300
 STYLE = """\
 .edge { fill: none; stroke: #5a646d; stroke-width: 2; }
+.bridge { fill: none; stroke: #fdfdfb; stroke-width: 11; }
 .stub, .robot, .clockwise { display: none; }
 .pole { fill: none; stroke: #c26a00; stroke-width: 3; }
 .flag { fill: #c26a00; }

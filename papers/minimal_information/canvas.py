@@ -47,7 +47,8 @@ class Canvas(Struct, frozen=True):
     def edges(self, darts: Iterable[int], **style: Any) -> None:
         """Draw the edges of these darts, each from end to end."""
         for dart in darts:
-            self._path(self.layout.ways[dart], gid=self._id(f"edge-{dart}"), **style)
+            for way in self.layout.pieces(dart, self.map.alpha[dart]):
+                self._path(way, gid=self._id(f"edge-{dart}"), **style)
 
     def stubs(self, darts: Iterable[int], **style: Any) -> None:
         """Draw the beginnings of these darts."""

@@ -195,11 +195,6 @@ VERBS = (
         "Tell of the worlds of a file, and write them in another notation.",
         panel=WORLDS,
         has=(ROWS, WORLD_FILE),
-        example="plan.graphml -o plan.json",
-        help=(
-            "Tell of each world of a file: its size, genus, faces and symmetries. With -o write "
-            "them in another notation. What that cannot tell is refused, or left out by --without."
-        ),
     ),
     Verb(
         "ambiguity twins",

@@ -64,9 +64,9 @@ def test_an_empty_explorer_is_not_the_default_one(refused, words):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("{", "file 'world' is not JSON"),
+        ("{", "file 'world': not JSON"),
         ('{"alpha": [1, 0]}', "file 'world': 'sigma' is missing; a map has 'sigma' and 'alpha'"),
-        ("[]", "file 'world': a world is an object"),
+        ("[]", "file 'world': there is no world in it"),
         ('{"law": "map"}', "file 'world': this is a report or a finding"),
     ],
 )
@@ -213,7 +213,7 @@ def test_a_word_in_the_place_of_another_is_told(refused, arguments, said):
         ("thetta", "did you mean 'theta'?"),
         ("Theta", "did you mean 'theta'?"),
         ("w.json", "write '@w.json'"),
-        ("[]", "a world is an object with 'sigma' and 'alpha', not []"),
+        ("[]", "or cycles of vertices and edges, not []"),
         ("7", "world '7' is neither JSON, nor @file, nor a name"),
         (EDGE.replace("}", ', "strat": 1}'), "'strat' is no key of a world"),
         (EDGE.replace("}", ', "alpha": [1, 0]}'), "'alpha' stands twice"),

@@ -134,6 +134,18 @@ def test_the_picture_of_the_readme_is_the_finding_of_its_explorer():
     assert "docs/assets/refutation.svg" in (ROOT / "README.md").read_text(encoding="utf-8")
 
 
+def test_in_the_picture_of_the_readme_an_edge_has_a_gap_where_another_crosses_it():
+    file = (ROOT / "docs/assets/refutation.svg").read_text(encoding="utf-8")
+    assert file.count('class="bridge"') == 2
+    rules = {
+        name: (re.search(r"stroke: (#\w+)", rule), re.search(r"stroke-width: (\d+)", rule))
+        for name, rule in re.findall(r"^\.(bridge|edge) \{(.*)\}$", file, re.MULTILINE)
+    }
+    paper = re.search(r"rect\.paper \{ fill: (#\w+)", file)
+    assert rules["bridge"][0][1] == paper[1] != rules["edge"][0][1]
+    assert int(rules["bridge"][1][1]) > 3 * int(rules["edge"][1][1])
+
+
 def test_another_finding_makes_another_picture():
     refutation = beside("refutation")
     found = allworlds.check("dudek91", edges=2).findings[0]

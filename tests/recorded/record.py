@@ -23,6 +23,7 @@ from allworlds.world.corpus import own_corpus
 
 HERE = Path(__file__).parent
 FINDINGS = own_corpus().directory / "findings"
+PLANTRI = HERE.parent / "support" / "data" / "plantri"
 PAPER = HERE.parents[1] / "papers" / "minimal_information"
 RECORDS = HERE / "records"
 PATH_3 = '{"sigma":[0,2,1,3],"alpha":[1,0,3,2]}'
@@ -41,6 +42,7 @@ LEAST = {
     "compare": "algorithm1 folding --edges 1",
     "worst": "--edges 1",
     "count": "--edges 1",
+    "convert": "{plantri}/tri6.pl",
     "ambiguity twins": "k4 k4",
     "ambiguity class": "k4",
     "ambiguity census": "--edges 1",
@@ -88,6 +90,8 @@ COMMANDS = {
     "fuzz": "fuzz algorithm1 --edges 8 --runs 30 --json",
     "fuzz-wrong": "fuzz explorers.py:first_edge --edges 8 --runs 30 --seed 2 --json",
     "count": "count --edges 4 --json",
+    "convert": "convert {plantri}/tri6.pl -o tri6.ec --json",
+    "convert-text": "convert {plantri}/tri5.pl",
     "count-simple-text": "count --class simple --vertices 4",
     "count-compiled": "count --edges 7 --json",
     "worst": "worst --edges 3 --json",
@@ -149,7 +153,7 @@ def least(verb: str, tmp: str) -> list[str]:
 
 def words(command: str | list[str], tmp: str) -> list[str]:
     names = {"tmp": tmp, "python": sys.executable}
-    names |= {"findings": str(FINDINGS), "paper": str(PAPER)}
+    names |= {"findings": str(FINDINGS), "paper": str(PAPER), "plantri": str(PLANTRI)}
     given = command if isinstance(command, list) else command.split()
     if any("{run}" in word for word in given):
         names["run"] = str(run_directory(Path(tmp) / "run"))

@@ -4,6 +4,7 @@ import re
 from cmath import phase
 from importlib import import_module
 from itertools import combinations, pairwise
+from math import pi
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -246,6 +247,16 @@ def test_the_lower_edge_leaves_a_gap_where_it_is_crossed():
             at = sum(points(bridge.get("d"))) / 2
             near = sorted(min(abs(at - p) for p in curve) for curve in curves)
             assert near[0] < 12
+
+
+@pytest.mark.parametrize("name", ["loop", "two-loops-plane", "bouquet-3"])
+def test_loops_have_round_ends(name):
+    for _, way in edges(drawn(named_map(name))):
+        curve = flat(way)
+        length = sum(abs(b - a) for a, b in pairwise(curve))
+        area = abs(sum((a.conjugate() * b).imag for a, b in pairwise(curve))) / 2
+        # That of a circle is 1, of a square 0.79, and of a triangle at most 0.6.
+        assert 4 * pi * area / length**2 > 0.8
 
 
 def test_letters_names_and_a_ring_are_drawn_and_told():

@@ -41,8 +41,10 @@ def test_every_key_has_words():
 
 
 # A bound is any expression, and a motion and what is answered any integer; what a claim counts may
-# fall; a lighthouse may tell any integer.
-ANY_NUMBER = {"bound", "expected", "seen", "move", "figures", "expected_figures", "told"}
+# fall; a lighthouse may tell any integer; a position is anywhere.
+ANY_NUMBER = {
+    *("bound", "expected", "seen", "move", "figures", "expected_figures", "told", "positions"),
+}
 
 
 def test_every_number_has_a_range_unless_it_may_be_any():

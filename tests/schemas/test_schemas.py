@@ -17,6 +17,7 @@ from allworlds.outcome import Interrupted
 from allworlds.studies.ambiguity import census, class_of, search, twins
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.compare.comparison import compare
+from allworlds.studies.convert import convert
 from allworlds.studies.count import count
 from allworlds.studies.explain import explain
 from allworlds.studies.fuzz import fuzz
@@ -38,6 +39,7 @@ from schemas.validating import SCHEMAS, complaints
 pytestmark = pytest.mark.usefixtures("compiled")
 
 WRONG = {mutant.name: mutant for mutant in WRONG_EXPLORERS if mutant.name != "confirmed-too-early"}
+PLANTRI = Path(__file__).parents[1] / "support" / "data" / "plantri"
 PAPER = Path(__file__).parents[2] / "papers" / "minimal_information"
 THETA = named_map("theta")
 
@@ -142,6 +144,7 @@ DOCUMENTS = {
         lambda: fuzz(WRONG["pose-lost"].explorer(), edges=6, runs=3).to_json(),
     ),
     "count": (whole("count"), lambda: count(edges=3).to_json()),
+    "convert": (whole("convert"), lambda: convert(PLANTRI / "tri6.pl").to_json()),
     "init": (whole("init"), skeleton),
     "init of a ledger": (whole("ledgerskeleton"), begun_ledger),
     "play": (whole("play"), lambda: play("theta", player=back_and_forth()).to_json()),

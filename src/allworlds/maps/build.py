@@ -53,7 +53,7 @@ def from_rotation(
             if w not in count:
                 legal = show([*given])
                 raise InvalidMap(f"vertex {show(v)} lists {there}, but the vertices are {legal}")
-            ends_here = 2 if w == v else 1
+            ends_here = 3 - len(edge[0])  # 2 of a loop
             if count[v][edge] < ends_here:
                 raise InvalidMap(f"vertex {show(v)} lists {there} once; a loop is listed twice")
             if count[v][edge] > ends_here:

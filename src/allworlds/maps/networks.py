@@ -59,16 +59,19 @@ def from_networkx(
     import networkx as nx
 
     if order is None and _has_pointers(graph):
-        return _compared(_from_pointers(graph), list(graph), _undirected(graph))
-    plain = _undirected(graph)
+        return compared(_from_pointers(graph), list(graph), undirected(graph))
+    plain = undirected(graph)
     if order == "positions":
         return from_positions(plain, nx.get_node_attributes(plain, "pos"))
     if order == "planar":
         _refuse_loops_and_parallels(plain)
-        planar, embedding = nx.check_planarity(plain)
+        names = list(plain)
+        # With numbers for names: networkx loses edges of names such as nan.
+        planar, embedding = nx.check_planarity(nx.convert_node_labels_to_integers(plain))
         if not planar:
-            raise InvalidMap(f"the graph of node {show(next(iter(plain)))} is not planar; {LISTS}")
-        return _compared(_from_pointers(embedding), list(embedding), plain)
+            raise InvalidMap(f"the graph of node {show(names[0])} is not planar; {LISTS}")
+        around = [[names[w] for w in embedding.neighbors_cw_order(v)] for v in range(len(names))]
+        return compared(from_rotation(dict(zip(names, around, strict=True))), names, plain)
     if order is not None:
         raise InvalidMap(f"order = {show(order)}; legal is 'positions', 'planar' or None")
     if any("darts" in data for *_, data in [*plain.nodes(data=True), *plain.edges(data=True)]):
@@ -90,7 +93,7 @@ def _has_pointers(graph: nx.Graph) -> bool:
     )
 
 
-def _undirected(graph: nx.Graph) -> nx.Graph:
+def undirected(graph: nx.Graph) -> nx.Graph:
     """The graph, in which both directions of an edge are one edge.
 
     Raises:
@@ -101,6 +104,8 @@ def _undirected(graph: nx.Graph) -> nx.Graph:
 
     if not isinstance(graph, nx.Graph):
         raise InvalidMap(f"{show(graph)} is no graph of networkx; {LISTS}, maps.from_faces faces")
+    if not len(graph):
+        raise InvalidMap("the graph has no node; a map has at least one edge")
     for v in nx.isolates(graph):
         raise InvalidMap(f"node {show(v)} has no edge; a vertex has at least one")
     if not isinstance(graph, nx.DiGraph):  # an embedding says of itself that it is not directed
@@ -116,7 +121,7 @@ def _undirected(graph: nx.Graph) -> nx.Graph:
 
 def _refuse_loops_and_parallels(graph: nx.Graph) -> None:
     for (v, w), count in Counter((v, w) for v, w, *_ in graph.edges).items():
-        if v == w:
+        if len({v, w}) == 1:
             raise InvalidMap(f"node {show(v)} has an edge to itself; {LISTS}, also of loops")
         if count > 1:
             raise InvalidMap(
@@ -142,7 +147,7 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
 
     Cost: O(m log m).
     """
-    plain = _undirected(graph)
+    plain = undirected(graph)
     _refuse_loops_and_parallels(plain)
     points = {v: _point(v, pos.get(v)) for v in plain}
     rotation = {}
@@ -155,7 +160,7 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
                     f"the edges from {show(v)} to {show(w)} and to {show(x)} leave it in one "
                     f"direction; {LISTS}"
                 )
-    return _compared(from_rotation(rotation), list(plain), plain)
+    return compared(from_rotation(rotation), list(plain), plain)
 
 
 def _point(v: Hashable, position: Any) -> tuple[Fraction, Fraction]:
@@ -199,7 +204,7 @@ def embeddings(
     """
     if genus is not None and an_integer("genus", genus) < 0:
         raise InputError(f"genus = {genus}; legal is an integer of at least 0")
-    plain = _undirected(graph)
+    plain = undirected(graph)
     around: dict[Any, list[int]] = {v: [] for v in plain}
     for edge, (v, w, *_) in enumerate(plain.edges):
         around[v].append(edge)
@@ -215,7 +220,7 @@ def _turned(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
     chosen = [next(each) for each in orders]
     while True:
         pairs = zip(map_.vertices, chosen, strict=True)
-        sigma = _permutation((darts[0], *others) for darts, others in pairs)
+        sigma = permutation((darts[0], *others) for darts, others in pairs)
         yield CombinatorialMap.trusted(sigma, map_.alpha)
         for v in reversed(range(len(orders))):
             following = next(orders[v], None)
@@ -236,7 +241,7 @@ def _one_of_each_class(maps: Iterable[CombinatorialMap]) -> Iterator[Combinatori
             seen.update(rooted_code(map_.sigma, map_.alpha, root) for root in map_.darts)
 
 
-def _compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> CombinatorialMap:
+def compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> CombinatorialMap:
     """The map, whose vertices are these nodes.
 
     Raises:
@@ -277,8 +282,8 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
     if loose:
         some = ", nor ".join(f"dart {d} of node {show(v)}" for d, v in [*loose.items()][:2])
         raise InvalidMap(f"no edge has {some}; each dart belongs to an edge")
-    map_ = CombinatorialMap(_permutation(around.values()), _permutation(pairs))
-    return _compared(map_, [owner[first] for first, *_ in map_.vertices], graph)
+    map_ = CombinatorialMap(permutation(around.values()), permutation(pairs))
+    return compared(map_, [owner[first] for first, *_ in map_.vertices], graph)
 
 
 def _darts(place: str, data: Mapping[str, Any]) -> list[int]:
@@ -294,7 +299,7 @@ def _darts(place: str, data: Mapping[str, Any]) -> list[int]:
     return darts
 
 
-def _permutation(cycles: Iterable[Sequence[int]]) -> list[int]:
+def permutation(cycles: Iterable[Sequence[int]]) -> list[int]:
     """The images of the permutation with these cycles, by the numbers that are moved.
 
     Raises:

@@ -1,1 +1,11 @@
-"""Notations of embedded graphs: one reader and writer a file, found by a table."""
+"""Notations of embedded graphs: readers and writers, found by a table.
+
+``table``
+    **the** table of the notations, and files in any of them;
+``entry``
+    one world of a file, and what readers share;
+``objects``, ``worlds_as_json``, ``sage``
+    worlds as objects, in JSON and as Python's literals;
+``plantri``, ``edge_list``, ``graphs``
+    binary codes, tables of edges, graphs with positions.
+"""

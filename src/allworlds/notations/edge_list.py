@@ -1,7 +1,7 @@
 """A table of edges, in CSV: two ends, and which one clockwise the edge is at each of them.
 
-The header ``from,to,from_rank,to_rank`` must be there, ``key`` may follow: a name of the edge among
-those with the same ends.  Ranks are any numbers, and differ at one vertex.
+The header ``from,to,from_rank,to_rank`` must be there, ``key`` may follow: a word
+for the reader, since every line is an edge.  Ranks are any numbers, and differ at one vertex.
 """
 
 from __future__ import annotations
@@ -13,10 +13,9 @@ from math import isfinite
 from typing import IO
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.maps.build import from_rotation
+from allworlds.maps.build import from_cycles
 from allworlds.notations.entry import Entry, at, text_of
-from allworlds.notations.objects import distinct
-from allworlds.world.labels import Labels
+from allworlds.world.labels import Labelling
 
 COLUMNS = ["from", "to", "from_rank", "to_rank"]
 
@@ -24,8 +23,7 @@ COLUMNS = ["from", "to", "from_rank", "to_rank"]
 def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
     """The one world of a table."""
     rows = csv.reader(io.StringIO(text_of(file.read()), newline=""), strict=True)
-    ranks = dict[str, dict[float, tuple[str, int]]]()
-    keys = set[tuple[frozenset[str], str]]()
+    ranks = dict[str, dict[float, int]]()
     try:
         header = next(rows, [])
         if header not in (COLUMNS, [*COLUMNS, "key"]):
@@ -35,19 +33,15 @@ def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
             with at(f"line {rows.line_num}"):
                 if len(row) != len(header):
                     raise InputError(f"{len(row)} cells; the header has {len(header)}")
-                key = (frozenset(row[:2]), *row[4:])
-                if key in keys:
-                    raise InputError(f"a second edge with the ends and the key {show(row)}")
-                keys |= {key} if row[4:] else set()
-                for vertex, other, rank in ((*row[:2], row[2]), (*row[1::-1], row[3])):
+                for vertex, rank in zip(row[:2], row[2:4], strict=True):
                     taken, number = ranks.setdefault(vertex, {}), _rank(rank)
                     if number in taken:
                         raise InputError(f"two edges at vertex {show(vertex)} have rank {rank}")
-                    taken[number] = other, rows.line_num
+                    taken[number] = rows.line_num
     except csv.Error as error:
         raise InputError(f"line {rows.line_num}: {error}") from None
-    rotation = {v: [ends[rank] for rank in sorted(ends)] for v, ends in ranks.items()}
-    yield 0, Entry(from_rotation(rotation), Labels(vertices=distinct(ranks)))
+    cycles = {v: [edges[rank] for rank in sorted(edges)] for v, edges in ranks.items()}
+    yield 0, Entry(from_cycles(cycles), Labelling(vertices=tuple(ranks)))
 
 
 def _rank(text: str) -> float:

@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from allworlds.inputs.checks import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
-from allworlds.world.labels import PLAIN, Labels
+from allworlds.world.labels import PLAIN, Labelling
 
 
 class Entry(Struct, frozen=True):
@@ -24,7 +24,7 @@ class Entry(Struct, frozen=True):
     """
 
     map: CombinatorialMap
-    labels: Labels = PLAIN
+    labels: Labelling = PLAIN
     start: Dart | None = None
     lighthouse: Any = None
 

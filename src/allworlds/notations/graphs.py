@@ -6,9 +6,9 @@ text of two), in ``x`` and ``y``, in ``graphics`` of GML, or in the boxes of yEd
 middle is taken.  If each node has ``rotation``, a JSON list of its neighbours as in a rotation
 (:mod:`~allworlds.notations.objects`), that is the order, and positions are not read.
 
-Names are the labels, if each node has one of its own, else the ids.  A directed edge leads in one
-direction: its way back must be there, too, and the two are one edge.  In yEd, which calls every
-graph directed, those with an arrow at one end alone are such.
+Names are the labels, if each node has one of its own, else the ids.  Of directed edges both
+directions must be there, which are one edge.  yEd calls every edge directed; there an edge leads
+one way if it has an arrow at one end alone.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ from __future__ import annotations
 import io
 import re
 import warnings
-from collections import Counter
 from collections.abc import Iterator
 from typing import IO, TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
 from allworlds.inputs.checks import InputError, parse_json, show
+from allworlds.maps.networks import compared, from_positions, undirected
 from allworlds.notations.entry import Entry, text_of
-from allworlds.notations.objects import distinct, entry_of_rotation, position
-from allworlds.world.labels import Labels
+from allworlds.notations.objects import entry_of_rotation
+from allworlds.world.labels import Labelling
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -54,10 +54,9 @@ def read_yed(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
     graph, root = _read(nx.read_graphml, content), ET.fromstring(content)  # noqa: S314  # networkx has read it
     for node in root.iter(f"{PLAIN}node"):
         if (box := node.find(f".//{YED}Geometry")) is not None:
-            x, width, y, height = (box.get(key, "0") for key in ("x", "width", "y", "height"))
-            name = node.get("id", "")
-            (left, top), (right, down) = position(name, (x, y)), position(name, (width, height))
-            graph.nodes[name]["pos"] = (left + right / 2, top + down / 2)
+            keys = ("x", "width"), ("y", "height")
+            place = [float(box.get(a, "nan")) + float(box.get(b, "0")) / 2 for a, b in keys]
+            graph.nodes[node.get("id")]["pos"] = place
     both = nx.MultiGraph()
     both.add_nodes_from(graph.nodes(data=True))
     for edge in root.iter(f"{PLAIN}edge"):
@@ -66,7 +65,8 @@ def read_yed(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
         if arrows is not None and (arrows.get("source") == "none") != (
             arrows.get("target") == "none"
         ):
-            raise _one_way(*(graph.nodes[end].get("label", end) for end in ends))
+            v, w = (show(graph.nodes[end].get("label", end).strip()) for end in ends)
+            raise InputError(f"the edge from {v} to {w} has an arrow at one end: it leads one way")
         both.add_edge(*ends)
     yield 0, _entry(both)
 
@@ -93,65 +93,26 @@ def _entry(graph: nx.Graph) -> Entry:
     """The world of a graph whose nodes have positions, or rotations."""
     import networkx as nx
 
-    from allworlds.maps.networks import from_positions
-
-    labels = [str(data.get("label", "")).strip() for _, data in graph.nodes(data=True)]
-    named = all(labels) and len({*labels}) == len(labels)
-    names = distinct(labels if named else map(str, graph))
-    graph = nx.relabel_nodes(graph, dict(zip(graph, names, strict=True)))
-    if graph.is_directed():
-        graph = _both_ways(graph)
-    rotations = nx.get_node_attributes(graph, "rotation")
-    if rotations:
-        return _of_rotations(graph, rotations)
-    positions = {name: position(name, _place(name, graph.nodes[name])) for name in names}
-    map_ = from_positions(graph, positions)
-    return Entry(map_, Labels(vertices=names, positions=tuple(positions.values())))
+    labels = [" ".join(str(label).split()) for _, label in graph.nodes("label", "")]
+    names = labels if all(labels) and len({*labels}) == len(labels) else [*map(str, graph)]
+    graph = undirected(nx.relabel_nodes(graph, dict(zip(graph, names, strict=True))))
+    if any("rotation" in data for _, data in graph.nodes(data=True)):
+        texts = (str(graph.nodes[name].get("rotation", "[]")) for name in names)
+        entry = entry_of_rotation(dict(zip(names, map(parse_json, texts), strict=True)))
+        compared(entry.map, names, graph)
+        return entry
+    places = {name: _place(name, graph.nodes[name]) for name in names}
+    map_ = from_positions(graph, places)
+    return Entry(map_, Labelling("", tuple(names), tuple(places.values())))
 
 
 def _place(name: str, data: dict[str, Any]) -> Any:
-    if isinstance(pos := data.get("pos"), str):
-        return re.split(r"[\s,]+", pos.strip("()[]! "))
-    if pos is not None:
-        return pos
+    """The two coordinates of a node, wherever they stand."""
     told = data.get("graphics", data)
-    if not isinstance(told, dict) or not {"x", "y"} <= told.keys():
+    pos = data.get("pos") or [told.get("x"), told.get("y")]
+    pos = re.split(r"[\s,]+", pos.strip("()[]! ")) if isinstance(pos, str) else pos
+    try:
+        return [float(each) for each in pos]
+    except (TypeError, ValueError):
         ways = "pos, x and y, graphics [ x y ], or rotation"
-        raise InputError(f"vertex {show(name)} has no position; legal are {ways}")
-    return told["x"], told["y"]
-
-
-def _both_ways(graph: nx.Graph) -> nx.Graph:
-    """The graph in which an edge and its way back are one edge."""
-    import networkx as nx
-
-    found, open_ = nx.MultiGraph(), Counter[tuple[str, str]]()
-    found.add_nodes_from(graph.nodes(data=True))
-    for v, w in graph.edges():
-        if open_[w, v]:
-            open_[w, v] -= 1
-        else:
-            found.add_edge(v, w)
-            open_[v, w] += v != w
-    for v, w in open_.elements():
-        raise _one_way(v, w)
-    return found
-
-
-def _one_way(v: object, w: object) -> InputError:
-    back = "there is no way back; in an undirected graph each edge leads both ways"
-    return InputError(f"the edge from {show(v)} to {show(w)} leads one way: {back}")
-
-
-def _of_rotations(graph: nx.Graph, rotations: dict[str, Any]) -> Entry:
-    """The world of a graph whose nodes have rotations, which are compared with its edges."""
-    for name in graph:
-        if name not in rotations:
-            raise InputError(f"vertex {show(name)} has no rotation, but others have one")
-    entry = entry_of_rotation({v: parse_json(str(rotations[v])) for v in graph})
-    at, names = entry.map.vertex_of, entry.labels.vertices
-    made = Counter(frozenset((names[at[d]], names[at[e]])) for d, e in entry.map.edges)
-    for ends in made - (given := Counter(map(frozenset, graph.edges()))) or given - made:
-        told = " and ".join(map(show, sorted(ends)))
-        raise InputError(f"{given[ends]} edges join {told}, but {made[ends]} in rotations")
-    return entry
+        raise InputError(f"vertex {show(name)} is at {show(pos)}; legal are {ways}") from None

@@ -9,28 +9,29 @@
 ``..., "faces": ...}``                    two of the three; also as ``vp``, ``ep`` and ``fp``
 ========================================  ========================================================
 
-A face is walked from each dart across its edge and on by the next dart, clockwise.
+In a face a dart is followed by the one before its other half in the order round the vertex, as in
+``FatGraph`` of the package surface_dynamics for Sage, whose vertices are anticlockwise.
 """
 
 from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Hashable, Iterable, Mapping, Sequence
-from math import isfinite
+from collections.abc import Mapping
 from typing import Any
 
-from allworlds.inputs.checks import InputError, a_text, an_integer, show
+from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import from_rotation
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles, inverse
-from allworlds.notations.entry import Entry
-from allworlds.world.labels import Labels, Position
+from allworlds.maps.networks import permutation
+from allworlds.notations.entry import Entry, at
+from allworlds.world.labels import Labelling
+from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys
+from allworlds.world.world import a_start
 
 OWN = ("sigma", "alpha", "start", "lighthouse", "name", "names", "positions")
 CYCLES = {"vp": "vertices", "ep": "edges", "fp": "faces"}
 """Other names of the keys of a fat graph."""
-
-LEGAL = "an object with sigma and alpha, a rotation, or cycles of vertices and edges"
 
 
 def entry_of(given: object, name: str = "") -> Entry:
@@ -40,70 +41,30 @@ def entry_of(given: object, name: str = "") -> Entry:
         InputError: naming the key, the vertex or the dart.
     """
     if not isinstance(given, Mapping) or not given:
-        raise InputError(f"{show(given)} is no world, which is {LEGAL}")
+        raise InvalidWorld(
+            "a world is an object with 'sigma' and 'alpha', a rotation, or cycles of vertices and "
+            f"edges, not {show(given)}"
+        )
     if {"sigma", "alpha"} & given.keys():
         return _own(given, name)
-    if given.keys() & {"findings", "finding", "law"} and given.keys() & {"schema", "version"}:
+    rotation = all(isinstance(each, list) for each in given.values())
+    if given.keys() & {"findings", "finding", "law"} and not rotation:
         raise InputError("this is a report or a finding, not a world; see replay and explain")
-    fat = {CYCLES.get(key, key): value for key, value in given.items()}
+    fat: dict[str, Any] = {CYCLES.get(str(key), str(key)): value for key, value in given.items()}
     if 1 < len(fat) == len(given) and fat.keys() <= {*CYCLES.values()}:
-        return Entry(_fat(fat), Labels(name))
+        return Entry(_fat(fat), Labelling(name))
     return entry_of_rotation(given, name)
 
 
 def _own(given: Mapping[str, Any], name: str) -> Entry:
-    for key in given:
-        if key not in OWN:
-            raise InputError(f"a world has no {show(key)}; legal are {', '.join(OWN)}")
+    refuse_other_keys("world", given, OWN)
     if given.get("lighthouse", "") is None:
-        raise InputError("lighthouse = None is no object; without one any may stand there")
-    map_ = CombinatorialMap.from_json(given)
-    start = given.get("start")
-    if start is not None and an_integer("start", start) not in map_.darts:
-        raise InputError(f"start = {show(start)} is no dart; darts are 0..{len(map_.sigma) - 1}")
-    names = _each("names", given.get("names", ()), map_)
-    positions = _each("positions", given.get("positions", ()), map_)
-    labels = Labels(
-        a_text("name", given.get("name", name)),
-        distinct(a_text("a name", each) for each in names),
-        tuple(position(f"v{v}", each) for v, each in enumerate(positions)),
-    )
+        raise InvalidWorld("lighthouse = None is no object; without one any may stand there")
+    map_, start = CombinatorialMap.from_json(given), given.get("start")
+    names, positions = given.get("names", ()), given.get("positions", ())
+    labels = Labelling(given.get("name", name), names, positions)
+    start = None if start is None else a_start(start, map_)
     return Entry(map_, labels, start, given.get("lighthouse"))
-
-
-def _each(key: str, given: Any, map_: CombinatorialMap) -> Sequence[Any]:
-    """The list of what each vertex has; an empty one stands for none."""
-    if not isinstance(given, list | tuple) or len(given) not in (0, map_.vertex_count):
-        raise InputError(f"{key} = {show(given)} is no list of {map_.vertex_count}, one a vertex")
-    return given
-
-
-def distinct(names: Iterable[str], of: str = "vertices") -> tuple[str, ...]:
-    """The names of vertices, or of something else.
-
-    Raises:
-        InputError: if one is empty, or two have it.
-    """
-    found = tuple(names)
-    for name, count in Counter(found).items():
-        if not name or count > 1:
-            raise InputError(f"{count} {of} are called {show(name)}; each has its own name")
-    return found
-
-
-def position(name: str, given: Any) -> Position:
-    """The two coordinates of a vertex.
-
-    Raises:
-        InputError: naming the vertex, for what is no pair of finite numbers.
-    """
-    try:
-        x, y = map(float, given)
-    except (TypeError, ValueError, OverflowError):
-        x = y = float("nan")
-    if not isfinite(x) or not isfinite(y):
-        raise InputError(f"vertex {show(name)} is at {show(given)}, which is no pair of numbers")
-    return x, y
 
 
 def entry_of_rotation(given: Mapping[Any, Any], name: str = "") -> Entry:
@@ -112,100 +73,74 @@ def entry_of_rotation(given: Mapping[Any, Any], name: str = "") -> Entry:
     Raises:
         InputError: naming the vertex.
     """
-    names = distinct(map(str, given))
-    rotation = {v: _ends(v, ends) for v, ends in zip(names, given.values(), strict=True)}
-    return Entry(from_rotation(rotation), Labels(name, names))
+    if all(isinstance(vertex, str) for vertex in given):  # in JSON they are, whatever is meant
+        given = {v: [*map(_end, ends)] if type(ends) is list else ends for v, ends in given.items()}
+    return Entry(from_rotation(given), Labelling(name, tuple(map(str, given))))
 
 
-def _ends(vertex: str, given: object) -> list[Hashable]:
-    if not isinstance(given, list | tuple) or not given:
-        rule = "each vertex has one edge at least"
-        raise InvalidMap(f"vertex {show(vertex)} lists {show(given)}; legal is a list, {rule}")
-    return [
-        (str(end[0]), str(end[1])) if isinstance(end, list) and len(end) == 2 else str(end)
-        for end in given
-    ]
+def _end(given: Any) -> Any:
+    return [str(given[0]), *given[1:]] if type(given) is list and given else str(given)
 
 
 def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
     """The rotation of a world, by names; edges that are parallel, and loops, have keys."""
-    map_, at = entry.map, entry.map.vertex_of
-    ends = {d: (min(at[d], at[e]), max(at[d], at[e])) for d, e in enumerate(map_.alpha)}
+    map_, at_ = entry.map, entry.map.vertex_of
+    ends = {d: (min(at_[d], at_[e]), max(at_[d], at_[e])) for d, e in enumerate(map_.alpha)}
     seen, keys = Counter[tuple[int, int]](), dict[int, int]()
     for d, e in map_.edges:
         keys[d] = keys[e] = seen[ends[d]]
         seen[ends[d]] += 1
 
     def end(dart: int) -> str | list[str | int]:
-        name = entry.labels.vertex(at[map_.alpha[dart]])
-        alone = seen[ends[dart]] == 1 and len({*ends[dart]}) == 2
-        return name if alone else [name, keys[dart]]
+        name = entry.labels.vertex(at_[map_.alpha[dart]])
+        return name if seen[ends[dart]] == 1 else [name, keys[dart]]
 
     return {entry.labels.vertex(v): [*map(end, ds)] for v, ds in enumerate(map_.vertices)}
 
 
 def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
-    """The map of two or three of the permutations; vertices clockwise."""
-    told = {key: _cycles(key, value) for key, value in given.items()}
-    names = list(dict.fromkeys(dart for each in told.values() for cycle in each for dart in cycle))
-    number = {dart: i for i, dart in enumerate(names)}
+    """The map of two or three of the permutations."""
     images = dict[str, list[int]]()
-    for key, found in told.items():
-        times = Counter(dart for cycle in found for dart in cycle)
-        for dart in names:
-            if times[dart] != 1:
-                raise InvalidMap(f"dart {show(dart)} stands {times[dart]} times in {key}, not once")
-        image = {a: b for cycle in found for a, b in zip(cycle, cycle[1:] + cycle[:1], strict=True)}
-        images[key] = [number[image[dart]] for dart in names]
+    for key, value in given.items():
+        with at(key):
+            images[key] = permutation(_cycles(value))
+    if len({*map(len, images.values())}) > 1:
+        raise InvalidMap(f"{' and '.join(images)} do not have the same darts")
     sigma, alpha, phi = map(images.get, ("vertices", "edges", "faces"))
-    # phi = sigma . alpha: first alpha, then sigma.
     if alpha is None:
-        assert sigma is not None
-        assert phi is not None
-        alpha = [inverse(sigma)[d] for d in phi]
-    elif sigma is None:
-        assert phi is not None
-        sigma = [phi[d] for d in inverse(alpha)]
-    map_ = CombinatorialMap(sigma, alpha)
-    for dart, face in enumerate(phi or ()):
-        if (after := sigma[alpha[dart]]) != face:
-            told_, made = show(names[face]), show(names[after])
-            raise InvalidMap(f"faces go on from {show(names[dart])} with {told_}; right is {made}")
+        alpha = [images["vertices"][dart] for dart in images["faces"]]
+    if sigma is None:
+        sigma = [alpha[dart] for dart in inverse(images["faces"])]
+    map_, back = CombinatorialMap(sigma, alpha), inverse(sigma)
+    for dart, after in enumerate(phi or ()):
+        if (right := back[alpha[dart]]) != after:
+            rest = f"by {right}, as vertices and edges say"
+            raise InvalidMap(f"in faces dart {dart} is followed by {after}; legal is {rest}")
     return map_
 
 
-def _cycles(key: str, given: object) -> list[list[Hashable]]:
+def _cycles(given: object) -> list[list[Any]]:
     """The cycles of a permutation, of lists or of a text."""
-    if isinstance(given, str) and re.fullmatch(r"(\(\d+(,\d+)*\))+", given.replace(" ", "")):
-        return [[*map(int, each.split(","))] for each in re.findall(r"[\d,]+", given)]
-    good = isinstance(given, list | tuple) and all(
-        isinstance(cycle, list | tuple)
-        and all(isinstance(dart, int | str) for dart in cycle)
-        and cycle
-        for cycle in given
+    if isinstance(given, str) and re.fullmatch(r"(\([0-9]+(, ?[0-9]+)*\) ?)+", given):
+        return [[*map(int, each.split(","))] for each in re.findall(r"\(([^)]*)", given)]
+    lists = isinstance(given, list | tuple) and all(
+        isinstance(each, list | tuple) for each in given
     )
-    if not good:
-        raise InputError(f"{key} = {show(given)} is no list of cycles such as [[0, 1], [2]]")
-    return [[*cycle] for cycle in given]  # type: ignore[attr-defined]  # it is a list of lists
+    if lists and {type(dart) for each in given for dart in each} == {int}:  # type: ignore[attr-defined]
+        return [[*each] for each in given]  # type: ignore[attr-defined]  # of lists
+    raise InvalidMap(f"{show(given)} is no list of cycles of darts such as [[0, 1], [2]]")
 
 
 def fat_of(entry: Entry) -> dict[str, list[list[int]]]:
     """The fat graph of a world."""
-    map_ = entry.map
-    parts = {"vertices": map_.vertices, "edges": cycles(map_.alpha), "faces": map_.faces}
+    map_, faces = entry.map, entry.map.mirrored().faces
+    parts = {"vertices": map_.vertices, "edges": cycles(map_.alpha), "faces": faces}
     return {key: [[*cycle] for cycle in found] for key, found in parts.items()}
 
 
 def own_of(entry: Entry) -> dict[str, Any]:
     """The object of a world in our notation."""
-    labels = entry.labels
-    told = {
-        "name": labels.name,
-        "sigma": [*entry.map.sigma],
-        "alpha": [*entry.map.alpha],
-        "start": entry.start,
-        "lighthouse": entry.lighthouse,
-        "names": [*labels.vertices],
-        "positions": [*map(list, labels.positions)],
-    }
-    return {key: value for key, value in told.items() if value not in ("", None, [])}
+    labels, map_ = entry.labels, entry.map
+    values = map_.sigma, map_.alpha, entry.start, entry.lighthouse
+    told = zip(OWN, (*values, labels.name, labels.vertices, labels.positions), strict=True)
+    return {key: value for key, value in told if value not in ("", None, ())}

@@ -17,7 +17,7 @@ from collections.abc import Iterable, Iterator
 from typing import IO, Literal
 
 from allworlds.inputs.checks import InputError
-from allworlds.maps.build import from_cycles, from_rotation
+from allworlds.maps.build import from_cycles
 from allworlds.notations.entry import Entry, at, neighbours
 
 PLANAR, EDGE = b">>planar_code", b">>edge_code"
@@ -56,17 +56,16 @@ def read_planar_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
         with at(f"the world at byte {offset}"):
             size = 1 if first[0] else 2
             count = first[0] or _number(file, 2, order)
-            rotation = dict[int, list[int]]()
+            edges = dict[int, dict[tuple[int, int], None]]()
             for vertex in range(1, count + 1):
-                rotation[vertex] = []
-                while neighbour := _number(file, size, order):
-                    rotation[vertex].append(neighbour)
-                    if len(rotation[vertex]) > count:
-                        raise InputError(
-                            f"vertex {vertex} has more neighbours than there are vertices; "
-                            "edge_code tells parallel edges"
-                        )
-            entry = Entry(from_rotation(rotation))
+                edges[vertex] = {}
+                while end := _number(file, size, order):
+                    edge = (min(vertex, end), max(vertex, end))
+                    if edge in edges[vertex]:
+                        rest = "edge_code tells loops and parallel edges"
+                        raise InputError(f"vertex {vertex} lists {end} twice; {rest}")
+                    edges[vertex][edge] = None
+            entry = Entry(from_cycles({vertex: [*ends] for vertex, ends in edges.items()}))
         yield offset, entry
         offset = file.tell()
 

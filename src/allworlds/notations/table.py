@@ -6,7 +6,7 @@ import io
 from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from pathlib import Path
-from typing import IO, Any, Literal, TypeAlias, get_args
+from typing import IO, Literal, TypeAlias, get_args
 
 from msgspec import Struct
 
@@ -14,7 +14,7 @@ from allworlds.inputs.checks import InputError, a_path, in_file, one_of, read_te
 from allworlds.notations.edge_list import read_edge_list, write_edge_list
 from allworlds.notations.entry import Entry
 from allworlds.notations.graphs import read_gml, read_graphml, read_yed
-from allworlds.notations.objects import fat_of, own_of
+from allworlds.notations.objects import entry_of, fat_of, own_of
 from allworlds.notations.plantri import (
     EDGE,
     PLANAR,
@@ -31,7 +31,7 @@ from allworlds.notations.worlds_as_json import (
     write_lines,
     write_rotations,
 )
-from allworlds.world.labels import Labels
+from allworlds.world.labels import Labelling
 
 Order: TypeAlias = Literal["clockwise", "anticlockwise"]
 """In which order a file lists the edges round a vertex."""
@@ -72,7 +72,7 @@ class Notation(Struct, frozen=True):
 
 NOTATIONS = (
     Notation("worlds", (".json",), read_json, write_json(own_of), PARTS),
-    Notation("lines", (".jsonl", ".ndjson"), read_lines, write_lines(own_of), PARTS, streams=True),
+    Notation("lines", (".jsonl", ".ndjson"), read_lines, write_lines, PARTS, streams=True),
     Notation("rotation", (".rot.json",), read_json, write_rotations, ("name", "names")),
     Notation("fat", (".fat.json",), read_json, write_json(fat_of)),
     Notation("graphml", (".graphml",), read_graphml, positions=True),
@@ -172,28 +172,27 @@ def entries(
 
 
 def _check(notation: Notation, order: str, y: str | None) -> None:
-    for name, given, known in (("order", order, Order), ("y", y or "up", YAxis)):
-        if given not in get_args(known):
-            raise InputError(f"{name} = {show(given)} is neither {' nor '.join(get_args(known))}")
+    for name, given, known in (("order", order, Order), ("y", y, YAxis)):
+        if given is not None and given not in get_args(known):
+            raise InputError(f"{name} {show(given)} is neither {' nor '.join(get_args(known))}")
     if y and not notation.positions:
         raise InputError(f"y {y} has no effect on {notation.name}, where positions decide nothing")
 
 
 def _turned(entry: Entry, notation: Notation, order: Order, y: YAxis | None) -> Entry:
     """The entry as it is meant, which was read clockwise and with the y axis upward."""
-    labels = entry.labels
+    labels = entry.labels.checked(entry.map)
     if notation.positions and labels.positions:
         if order != "clockwise":
             raise InputError(f"order {order} has no effect on positions; y up or y down has")
-        if (y or notation.y) == "up":
-            return entry
-        upward = tuple((right, -down) for right, down in labels.positions)
-        turned = Labels(labels.name, labels.vertices, upward)
-    elif order == "clockwise":
-        return entry
+        turn = (y or notation.y) == "down"
+        upward = tuple((right, 0.0 - up) for right, up in labels.positions)
+        mirror = Labelling(labels.name, labels.vertices, upward)
     else:
-        turned = labels.mirrored()
-    return Entry(entry.map.mirrored(), turned, entry.start, entry.lighthouse)
+        turn, mirror = order == "anticlockwise", labels.mirrored()
+    if not turn:
+        return Entry(entry.map, labels, entry.start, entry.lighthouse)
+    return Entry(entry.map.mirrored(), mirror, entry.start, entry.lighthouse)
 
 
 def entry_at(
@@ -286,32 +285,22 @@ def written(
     """
     left, number = {*without}, 0
     if wrong := left - {*PARTS}:
-        raise InputError(f"without {min(wrong)}: legal are {', '.join(PARTS)}")
+        raise InputError(f"without {show(min(wrong))}: legal are {', '.join(PARTS)}")
 
     def kept() -> Iterator[Entry]:
         nonlocal number
         for entry in worlds:
             number += 1
-            told = {part: value for part, value in _parts(entry).items() if part not in left}
-            for part, value in told.items():
-                if value not in ("", (), None) and part not in notation.keeps:
+            told = own_of(entry)
+            for part in PARTS:
+                if part in told and part not in left and part not in notation.keeps:
                     advice = f"without {part} leaves it out"
                     raise InputError(f"{notation.name} has no place for its {part}; {advice}")
-            labels = Labels(*(told.get(part, nothing) for part, nothing in _LABELS.items()))
-            yield Entry(entry.map, labels, told.get("start"), told.get("lighthouse"))
+            rest = {key: value for key, value in told.items() if key not in left}
+            yield entry_of(rest) if left else entry
 
     assert notation.write
     try:
         yield from notation.write(kept())
     except InputError as error:
         raise type(error)(f"world {number} is not written: {error}") from None
-
-
-_LABELS: dict[str, Any] = {"name": "", "names": (), "positions": ()}
-
-
-def _parts(entry: Entry) -> dict[str, Any]:
-    """All of an entry but its map, by the names of :data:`PARTS`."""
-    labels = entry.labels
-    parts = labels.name, labels.vertices, labels.positions, entry.start, entry.lighthouse
-    return dict(zip(PARTS, parts, strict=True))

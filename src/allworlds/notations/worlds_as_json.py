@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import nullcontext
 from typing import IO, Any
 
-from allworlds.inputs.checks import parse_json, show
+from allworlds.inputs.checks import InputError, parse_json, show
 from allworlds.notations.entry import Entry, at, lines_of, text_of
-from allworlds.notations.objects import distinct, entry_of, rotation_of
+from allworlds.notations.objects import entry_of, own_of, rotation_of
 
 Objects = Iterator[tuple[int, Entry]]
 
@@ -17,7 +18,8 @@ def read_json(file: IO[bytes]) -> Objects:
     """The worlds of one document: an object, a list of them, or an object of them by names."""
     worlds = _worlds(parse_json(text_of(file.read())))
     for number, (name, given) in enumerate(worlds):
-        with at(f"world {show(name) if name else number + 1}"):
+        place = f"world {show(name) if name else number + 1}"
+        with at(place) if len(worlds) > 1 or name else nullcontext():
             entry = entry_of(given, name)
         yield number, entry
 
@@ -44,36 +46,30 @@ def write_json(of: Callable[[Entry], Any]) -> Callable[[Iterable[Entry]], Iterat
     """A writer of one object, or of a list, of what each entry becomes."""
 
     def write(entries: Iterable[Entry]) -> Iterator[bytes]:
-        told = (json.dumps(of(entry), ensure_ascii=False) for entry in entries)
-        first, second = next(told, None), next(told, None)
-        if second is None:
-            yield f"{first}\n".encode() if first else b"[]\n"
-            return
-        yield f"[\n{first},\n{second}".encode()
-        for each in told:
-            yield f",\n{each}".encode()
-        yield b"\n]\n"
+        objects = [_text(of(entry)) for entry in entries]
+        rest = ",\n".join(objects)
+        yield f"{rest if len(objects) == 1 else f'[{rest}]'}\n".encode()
 
     return write
 
 
-def write_lines(of: Callable[[Entry], Any]) -> Callable[[Iterable[Entry]], Iterator[bytes]]:
-    """A writer of one object a line."""
+def _text(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False)
 
-    def write(entries: Iterable[Entry]) -> Iterator[bytes]:
-        for entry in entries:
-            yield f"{json.dumps(of(entry), ensure_ascii=False)}\n".encode()
 
-    return write
+def write_lines(entries: Iterable[Entry]) -> Iterator[bytes]:
+    """Worlds, one a line."""
+    for entry in entries:
+        yield f"{_text(own_of(entry))}\n".encode()
 
 
 def write_rotations(entries: Iterable[Entry]) -> Iterator[bytes]:
-    """A writer of rotations: one, a list of them, or an object of them if they have names."""
-    entries = [*entries]
-    names = [entry.labels.name for entry in entries]
-    if any(names):
-        rotations = map(rotation_of, entries)
-        told = dict(zip(distinct(names, "worlds"), rotations, strict=True))
-        yield f"{json.dumps(told, ensure_ascii=False)}\n".encode()
-    else:
-        yield from write_json(rotation_of)(entries)
+    """Rotations: one, a list of them, or an object of them if they have names."""
+    every = [*entries]
+    rotations = {entry.labels.name: rotation_of(entry) for entry in every}
+    if "" in rotations:
+        yield from write_json(rotation_of)(every)
+        return
+    if len(rotations) < len(every):
+        raise InputError("two worlds have one name")
+    yield f"{_text(rotations)}\n".encode()

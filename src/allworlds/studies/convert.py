@@ -58,13 +58,13 @@ class ConvertRequest(FileOrder, kw_only=False):
         f"where the worlds are written, by its suffix: {legal(written=True)}, or NOTATION:FILE",
     ] = None
     without: Annotated[
-        str,
+        str | None,
         Option(
             OUTPUT,
             "WHAT",
             f"Leave out of the worlds that are written any of {', '.join(PARTS)}, with commas.",
         ),
-    ] = ""
+    ] = None
 
 
 class ConvertRow(Document):
@@ -79,7 +79,7 @@ class ConvertRow(Document):
     automorphisms: Annotated[Positive, about("those that keep the orientation")]
 
 
-class Conversion(Report, kw_only=True):
+class Convert(Report, kw_only=True):
     """Report of 'convert'.
 
     The worlds of a file.
@@ -91,7 +91,7 @@ class Conversion(Report, kw_only=True):
 
 
 @answers(ConvertRequest)
-def convert(request: ConvertRequest) -> Conversion:
+def convert(request: ConvertRequest) -> Convert:
     """Tell of the worlds of a file, and write them in another notation if ``output`` is given.
 
     Raises:
@@ -104,22 +104,31 @@ def convert(request: ConvertRequest) -> Conversion:
     def told() -> Iterator[Entry]:
         for number, (_, entry) in enumerate(entries(request.file, request.order, request.y), 1):
             map_ = entry.map
-            found = map_.vertex_count, map_.edge_count, map_.genus, len(map_.faces)
-            rows.append(ConvertRow(number, entry.labels.name, *found, automorphisms(map_)))
+            rows.append(
+                ConvertRow(
+                    number=number,
+                    name=entry.labels.name,
+                    vertices=map_.vertex_count,
+                    edges=map_.edge_count,
+                    genus=map_.genus,
+                    faces=len(map_.faces),
+                    automorphisms=automorphisms(map_),
+                )
+            )
             yield entry
 
     if request.output is None:
-        if request.without:
+        if request.without is not None:
             raise InputError(f"without {request.without} has no effect where nothing is written")
         path = None
         for _ in told():
             pass
     else:
         notation, path = to_write(str(request.output))
-        without = filter(None, request.without.split(","))
+        without = () if request.without is None else request.without.split(",")
         _write(a_path("output", path), written(told(), notation, without))
     name = notation_of(request.file).name
-    return Conversion(notation=name, written=path, rows=tuple(rows))
+    return Convert(notation=name, written=path, rows=tuple(rows))
 
 
 def _write(path: Path, content: Iterable[bytes]) -> None:

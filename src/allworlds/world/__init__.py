@@ -5,6 +5,8 @@
     changes: the places of the robot and of its markers;
 ``world``
     map, lighthouse and start together, and the effect of a step;
+``labels``
+    what a user calls a world and its vertices, and where they are drawn;
 ``named``
     the forms of a WORLD on the command line and in Python;
 ``selection``
@@ -22,6 +24,7 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.protocol.faults import IllegalAction as IllegalAction
+    from allworlds.world.labels import Labelling as Labelling
     from allworlds.world.lighthouses.base import (
         Lighthouse as Lighthouse,
         Sensing as Sensing,

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TypeAlias
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 
@@ -19,7 +19,7 @@ FARTHEST = 1e300
 
 
 class Labelling(Struct, frozen=True):
-    """What a user calls a world and its vertices; nothing of it is sensed, or decides anything.
+    """Names of a world and of its vertices; nothing of it is sensed, or decides anything.
 
     Attributes:
         name: of the world, in its file; empty if it has none.
@@ -54,7 +54,9 @@ class Labelling(Struct, frozen=True):
             if not isinstance(name, str) or not name.strip() or not name.isprintable():
                 raise InvalidWorld(f"names[{vertex}] = {show(name)} is no printable text")
             if first.setdefault(name, vertex) != vertex:
-                raise InvalidWorld(f"names[{vertex}] = {show(name)} is names[{first[name]}], too")
+                raise InvalidWorld(
+                    f"names[{vertex}] = {show(name)} is names[{first[name]}], too: they differ"
+                )
         places = tuple(_a_position(v, place) for v, place in enumerate(self.positions))
         return Labelling(self.name, tuple(self.vertices), places)
 
@@ -80,6 +82,23 @@ PLAIN = Labelling()
 """No labels."""
 
 Labels = Labelling
+
+
+def labels_of_nodes(
+    name: object, nodes: Sequence[tuple[object, Mapping[str, Any]]], map_: CombinatorialMap
+) -> Labelling:
+    """The labels that nodes, in the order of vertices, and their attributes make; else none."""
+    names = [data.get("name", node) for node, data in nodes]
+    if names == [*range(map_.vertex_count)]:
+        names = []
+    try:
+        places = [tuple(map(float, data["pos"])) for _, data in nodes]
+    except (KeyError, TypeError, ValueError):
+        places = []
+    try:
+        return Labelling(str(name), tuple(map(str, names)), places).checked(map_)  # type: ignore[arg-type]  # that is checked
+    except InvalidWorld:
+        return PLAIN
 
 
 def _a_position(vertex: Vertex, given: object) -> Position:

@@ -184,7 +184,7 @@ def world_of_entry(entry: Entry, kind: GivenLighthouse = Directional.kind) -> Wo
     """The world of a file, with a lighthouse of this kind if the file has none for it."""
     start = entry.start or 0
     lighthouse = lighthouse_from_json(entry.lighthouse, entry.map, start, kind)
-    return World(entry.map, lighthouse, start)
+    return World(entry.map, lighthouse, start, labels=entry.labels)
 
 
 def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:

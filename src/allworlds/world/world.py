@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Annotated, Any, Literal
 
 from allworlds.document.report import Pictured
-from allworlds.document.struct import Document, IfAny, about
+from allworlds.document.struct import Document, IfAny, Pair, about
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.maps.networks import from_networkx, to_networkx
@@ -16,7 +16,7 @@ from allworlds.protocol.actions import Action, Move, Percept
 from allworlds.protocol.faults import IllegalAction
 from allworlds.protocol.player import Told
 from allworlds.words import size
-from allworlds.world.labels import PLAIN, Labelling, Position
+from allworlds.world.labels import PLAIN, Labelling, labels_of_nodes
 from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional
@@ -41,7 +41,8 @@ class WorldDocument(Document):
         about("of the vertices, which are the cycles of sigma by least dart"),
     ] = ()
     positions: Annotated[
-        IfAny[tuple[Position, ...]], about("of the same vertices in pictures: to the right, and up")
+        IfAny[tuple[Pair[float], ...]],
+        about("of the same vertices in pictures: to the right, and up"),
     ] = ()
 
 
@@ -76,7 +77,7 @@ class World(Pictured):
     ) -> None:
         if not isinstance(map, CombinatorialMap):
             raise InvalidWorld(f"map = {show(map)} is no CombinatorialMap; maps.family makes one")
-        start = _a_start(start, map)
+        start = a_start(start, map)
         if not isinstance(lighthouse, Lighthouse):
             kind = Directional.kind if lighthouse is None else lighthouse
             lighthouse = lighthouse_from_json(None, map, start, kind)
@@ -159,11 +160,16 @@ class World(Pictured):
     def to_networkx(self) -> Any:
         """The graph of the map, of networkx; see :func:`allworlds.maps.networks.to_networkx`.
 
-        Its attributes ``start`` and ``lighthouse`` are those of the world's document, and
+        Its attributes ``start`` and ``lighthouse`` are those of the world's document; ``name`` and
+        ``pos`` of its nodes, and its own ``name``, are the labels, where there are any.
         :meth:`from_networkx` takes them back.
         """
-        graph = to_networkx(self.map)
+        graph, labels = to_networkx(self.map), self.labels
         graph.graph.update(start=self.start, lighthouse=self.lighthouse.to_json())
+        graph.graph.update({"name": labels.name} if labels.name else {})
+        for key, values in (("name", labels.vertices), ("pos", labels.positions)):
+            for vertex, value in enumerate(values):
+                graph.nodes[vertex][key] = value
         return graph
 
     @classmethod
@@ -182,14 +188,21 @@ class World(Pictured):
             start: likewise.
             order: as there; only ``darts`` fix the numbers of darts that these two name.
 
+        The nodes' attributes ``name``, or the nodes themselves unless they are 0, 1, ..., and the
+        attributes ``pos`` are the labels, if they can be.
+
         Raises:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
         """
         map_, told = from_networkx(graph, order), graph.graph
-        begin = _a_start(told.get("start", start), map_)
+        begin = a_start(told.get("start", start), map_)
         if "lighthouse" in told:
             lighthouse = lighthouse_from_json(told["lighthouse"], map_, begin)
-        return cls(map_, lighthouse, begin)
+        nodes = [*graph.nodes(data=True)]
+        if order is None and "darts" in nodes[0][1]:
+            nodes.sort(key=lambda node: map_.vertex_of[node[1]["darts"][0]])
+        labels = labels_of_nodes(told.get("name", ""), nodes, map_)
+        return cls(map_, lighthouse, begin, labels=labels)
 
     def to_json(self) -> dict[str, Any]:
         """The document :class:`WorldDocument`."""
@@ -226,7 +239,7 @@ class World(Pictured):
             raise InvalidWorld(f"lighthouse = None is no object; without one it is {missing}")
         map_ = CombinatorialMap.from_json(document)
         # A lighthouse looks for its place from the start, which must be one then.
-        start = _a_start(document.get("start", 0), map_)
+        start = a_start(document.get("start", 0), map_)
         lighthouse = lighthouse_from_json(document.get("lighthouse"), map_, start, missing)
         given = (document.get("name", ""), document.get("names", ()), document.get("positions", ()))
         return cls(map_, lighthouse, start, labels=Labelling(*given))
@@ -247,7 +260,7 @@ def at_place(world: World, number: int) -> World:
     return World(world.map, places[number], world.start, labels=world.labels)
 
 
-def _a_start(given: object, map_: CombinatorialMap) -> Dart:
+def a_start(given: object, map_: CombinatorialMap) -> Dart:
     """The start; raise InvalidWorld unless it is a dart of the map."""
     start = the_integer("start", given)
     if start not in map_.darts:

@@ -79,12 +79,14 @@ def twins_content(comparison: ComparedWorlds) -> ReportContent:
 
 def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> CsvRows:
     """A row for each dart of each world: darts of one class are not to be told apart."""
+    named = any(world.labels.vertices for world in worlds)
     rows = [
-        [number, dart, world.map.vertex_of[dart], of_world[dart]]
+        [number, dart, v, of_world[dart], *([world.labels.vertex(v)] if named else [])]
         for number, (world, of_world) in enumerate(zip(worlds, classes, strict=True), 1)
-        for dart in world.map.darts
+        for dart, v in enumerate(world.map.vertex_of)
     ]
-    return CsvRows({"world": int, "dart": int, "vertex": int, "class": int}, rows)
+    columns: dict[str, type] = {"world": int, "dart": int, "vertex": int, "class": int}
+    return CsvRows(columns | ({"name": str} if named else {}), rows)
 
 
 def _answer(comparison: ComparedWorlds) -> Headline:

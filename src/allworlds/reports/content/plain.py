@@ -47,7 +47,8 @@ def plain_content(report: Report) -> ReportContent:
     verdict = str(getattr(report, "verdict", ""))
     headline = Headline(verdict.upper(), "", verdict) if verdict else None
     section = Section("seen", "", [*tables, *([FactList(facts)] if facts else [])])
-    return ReportContent(type(report).__name__, "", report, headline, [section], rows=lambda: rows)
+    verb = f"allworlds {type(report).__name__.lower()}"
+    return ReportContent(verb, "", report, headline, [section], rows=lambda: rows)
 
 
 def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> CsvRows:

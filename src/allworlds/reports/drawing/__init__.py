@@ -10,6 +10,8 @@
 ``layout``, ``planar``
     the drawing in pixels; the edges that have to cross, and a triangulation that gives every dart
     room;
+``positions``
+    the drawing where the vertices have positions, if these fit the map;
 ``aligned_maps``
     a map drawn and named like another one, as far as the two agree.
 """

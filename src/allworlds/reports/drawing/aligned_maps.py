@@ -99,7 +99,7 @@ def names_like(
         if known is None or known in taken:
             known = next(new)
         taken.add(known)
-        fresh_name = f"new {known}" if called else f"v{known}"
+        fresh_name = f"new {known - other.vertex_count + 1}" if called else f"v{known}"
         vertices.append(own.get(known, fresh_name))
     return Names(darts, tuple(vertices))
 
@@ -139,4 +139,5 @@ def layout_like(
         if any(other.sigma[ties[map_.sigma[d]]] != e for d, e in ties.items()):
             return layout(map_, root)
         ways = tuple(tuple(-point.conjugate() for point in way) for way in ways)
-    return Layout(tuple(ways[vertex[0]][0] for vertex in map_.vertices), ways)
+    letters = {d: drawn.letters[e] for d, e in ties.items() if e in drawn.letters}
+    return Layout(tuple(ways[vertex[0]][0] for vertex in map_.vertices), ways, letters)

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from cmath import exp, phase, rect
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from itertools import pairwise
 from math import pi, tau
 
-from msgspec import Struct
+from msgspec import Struct, field
 
 from allworlds.maps.canonical import Mismatch, isomorphism, unrooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
 from allworlds.reports.drawing.planar import mesh, place, planar
+from allworlds.reports.drawing.regular import lattice, wheel
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
@@ -26,6 +27,8 @@ def points_of(way: Sequence[complex]) -> list[complex]:
 def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
     """The ends of the straight piece of the curve about each crossing."""
     # Every fifth point between the ends of the edge is where it crosses another one.
+    if len(way) % 5 != 1:
+        return []
     around = zip(way[4::5], way[5:-1:5], way[6::5], strict=False)
     return [((before + at) / 2, (at + after) / 2) for before, at, after in around]
 
@@ -111,11 +114,19 @@ class Layout(Struct, frozen=True):
         vertices: the centre of each vertex.
         ways: for each dart the points that its edge is drawn towards, from the dart's vertex to
             the other end's.  Between the middles of two successive pieces it is a parabola that
-            touches both pieces; its first half piece and its last are straight.
+            touches both pieces; its first half piece and its last are straight.  Of an edge that
+            is cut each dart has its half alone.
+        letters: where its edge is cut, for each dart of one that is.
     """
 
     vertices: tuple[complex, ...]
     ways: tuple[tuple[complex, ...], ...]
+    letters: Mapping[Dart, str] = field(default_factory=dict)
+
+    def pieces(self, dart: Dart, other: Dart) -> list[tuple[complex, ...]]:
+        """The curves of an edge, from the first dart to the other: two if it is cut, else one."""
+        whole = [self.ways[dart]]
+        return [*whole, self.ways[other][::-1]] if dart in self.letters else whole
 
     def stub(self, dart: Dart) -> complex:
         """The end of the straight beginning of the dart."""
@@ -156,10 +167,16 @@ def rim(here: complex, others: Iterable[complex], wide: float) -> float:
 def layout(map_: CombinatorialMap, root: Dart) -> Layout:
     """The drawing of a map of any genus, the root's vertex to the left.
 
-    The same map is drawn the same whatever its darts are called.  No two edges of a planar map
-    cross, and those of another as seldom as was found.  Only in the plain way, round a circle,
-    edges cross needlessly and may run under a vertex.
+    The same map is drawn the same whatever its darts are called.  Lattices, also on a torus, paths,
+    stars, rings and wheels are drawn as what they are.  No two edges of a planar map cross, and
+    those of another as seldom as was found.  Only in the plain way, round a circle, edges cross
+    needlessly and may run under a vertex.
     """
+    if ways := wheel(map_):
+        return _finished(map_, root, ways)
+    ways, letters = lattice(map_, root)
+    if ways:
+        return _finished(map_, root, ways, letters)
     if 2 * map_.edge_count <= MOST_DARTS:
         same = CombinatorialMap.trusted(*unrooted_code(map_))
         if ways := _ways(same):
@@ -173,7 +190,7 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
 def _ways(map_: CombinatorialMap) -> list[list[complex]]:
     """For each dart the points that its edge is drawn towards; empty if there are too many."""
     drawn = planar(map_)
-    if len(drawn.sigma) > MOST_DARTS:
+    if drawn.unbent > MOST_DARTS:
         return []
     net = mesh(drawn)
     points = place(net)
@@ -181,53 +198,60 @@ def _ways(map_: CombinatorialMap) -> list[list[complex]]:
     centres = {d: points[net.first_vertex + i] for i, v in enumerate(vertices) for d in v}
     towards: dict[Dart, complex] = {}
     for vertex in vertices:
-        leave = spread if vertex[0] < drawn.own else straightened
-        round_it = [points[dart] for dart in vertex]
-        towards.update(zip(vertex, leave(centres[vertex[0]], round_it), strict=True))
+        if vertex[0] < drawn.unbent:
+            leave = spread if vertex[0] < drawn.own else straightened
+            round_it = [points[dart] for dart in vertex]
+            towards.update(zip(vertex, leave(centres[vertex[0]], round_it), strict=True))
     ways = []
     for dart in range(drawn.own):
         way = [centres[dart]]
         along = drawn.way(dart)
         for near, far in zip(along[::2], along[1::2], strict=True):
-            way += [towards[near], points[near], points[far], towards[far], centres[far]]
+            way += [towards[near], points[near]] if near in towards else [points[near]]
+            way += [points[far], towards[far], centres[far]] if far in towards else [points[far]]
         ways.append(way)
     return ways
 
 
 def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
     """The vertices on a circle, the darts round each at equal angles, the first outwards."""
-    outwards = [exp(1j * tau * i / map_.vertex_count) for i in range(map_.vertex_count)]
-    radius = map_.vertex_count + 1
-    centre, end = [], []
-    for dart in map_.darts:
-        vertex = map_.vertex_of[dart]
-        place = map_.vertices[vertex].index(dart)
-        centre.append(radius * outwards[vertex])
-        turn = exp(1j * tau * place / map_.degree_at[dart])
-        end.append(centre[-1] + outwards[vertex] * turn)
-    return [
-        [centre[dart], end[dart], end[other], centre[other]]
-        for dart, other in enumerate(map_.alpha)
+    count = map_.vertex_count
+    outwards = [exp(1j * tau * vertex / count) for vertex in map_.vertex_of]
+    first = [map_.vertices[vertex][0] for vertex in map_.vertex_of]
+    turns = [map_.offset(first[d], d) / map_.degree_at[d] for d in map_.darts]
+    centre = [(count + 1) * out for out in outwards]
+    end = [
+        c + out * exp(1j * tau * turn) for c, out, turn in zip(centre, outwards, turns, strict=True)
     ]
+    return [[centre[d], end[d], end[e], centre[e]] for d, e in enumerate(map_.alpha)]
 
 
-def _finished(map_: CombinatorialMap, root: Dart, ways: Sequence[Sequence[complex]]) -> Layout:
-    """The drawing, turned, and scaled so that the numbers of the darts fit."""
-    rough = Layout(tuple(ways[v[0]][0] for v in map_.vertices), tuple(map(tuple, ways)))
-    origin = ways[root][0]
-    stubs = [rough.stub(d) for d in map_.darts]
-    others = rough.vertices if map_.vertex_count > 1 else stubs
+def _finished(
+    map_: CombinatorialMap,
+    root: Dart,
+    ways: Sequence[Sequence[complex]],
+    letters: Mapping[Dart, str] | None = None,
+) -> Layout:
+    """The drawing, turned, and scaled so that the numbers of the darts fit.
+
+    That of a lattice, which alone has letters, empty ones included, stays upright.
+    """
+    origin, spots = ways[root][0], tuple(ways[vertex[0]][0] for vertex in map_.vertices)
+    others = spots if len(spots) > 1 else [way[1] for way in ways]
     # Rounded, for among equals the first is to be taken whatever the last bits are.
     far = max(others, key=lambda point: round(abs(point - origin), 6)) - origin
-    stub = min(abs(stubs[d] - ways[d][0]) for d in map_.darts)
+    if letters is not None:
+        far = 1j ** round(phase(far) / (pi / 2))
+    stub = min(abs(way[1] - way[0]) for way in ways) / 2
     size = max(
         max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in points_of(way)])
     )
     scale = min(max(STUB / stub, NARROWEST / size), WIDEST / size)
     turn = far.conjugate() / abs(far) * scale
     return Layout(
-        tuple((point - origin) * turn for point in rough.vertices),
-        tuple(tuple((point - origin) * turn for point in way) for way in rough.ways),
+        tuple((point - origin) * turn for point in spots),
+        tuple(tuple((point - origin) * turn for point in way) for way in ways),
+        letters or {},
     )
 
 

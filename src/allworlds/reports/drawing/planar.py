@@ -21,24 +21,28 @@ class PlanarMap(Struct, frozen=True):
     Attributes:
         sigma, alpha: the permutations.  The darts of the drawn map come first and keep their
             names; round its vertices sigma is as it was.  The others come in fours, clockwise
-            round a crossing, so each stands opposite to the one after the next.
+            round a crossing, so each stands opposite to the one after the next; then in pairs at
+            bends, one in each loop that crosses nothing, which is rounder so.
         own: the number of darts of the drawn map.
+        unbent: the number of all darts but those at bends.
     """
 
     sigma: tuple[Dart, ...]
     alpha: tuple[Dart, ...]
     own: int
+    unbent: int
 
     @property
     def crossings(self) -> int:
         """The number of crossings of edges."""
-        return (len(self.sigma) - self.own) // 4
+        return (self.unbent - self.own) // 4
 
     def way(self, dart: Dart) -> list[Dart]:
         """The darts along the edge that begins with the dart, both ends of each piece."""
         way = [dart, self.alpha[dart]]
         while way[-1] >= self.own:
-            opposite = self.sigma[self.sigma[way[-1]]]
+            after = self.sigma[way[-1]]
+            opposite = after if self.sigma[after] == way[-1] else self.sigma[after]
             way += [opposite, self.alpha[opposite]]
         return way
 
@@ -68,9 +72,13 @@ def _drawn(map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]) -> Planar
             plane.join(a, b, [])
     for a, b in crossing:
         plane.join(a, b, plane.route(a, b))
+    unbent = len(plane.sigma)
+    for a, b in order:
+        if map_.vertex_of[a] == map_.vertex_of[b] and plane.alpha[a] == b:
+            plane.bend(a, b)
     darts = range(len(plane.sigma))
     sigma = tuple(plane.sigma[d] for d in darts)
-    return PlanarMap(sigma, tuple(plane.alpha[d] for d in darts), len(map_.sigma))
+    return PlanarMap(sigma, tuple(plane.alpha[d] for d in darts), len(map_.sigma), unbent)
 
 
 def _spanning_tree(
@@ -128,6 +136,14 @@ class _Plane:
             end = right
         self._put(b)
         self._link(end, b)
+
+    def bend(self, a: Dart, b: Dart) -> None:
+        """Put a vertex in the middle of an edge."""
+        near, far = self.next, self.next + 1
+        self.next += 2
+        self.sigma |= {near: far, far: near}
+        self._link(a, near)
+        self._link(far, b)
 
     def _link(self, a: Dart, b: Dart) -> None:
         self.alpha[a], self.alpha[b] = b, a
@@ -206,7 +222,9 @@ def mesh(drawn: PlanarMap) -> Mesh:
     vertices = cycles(sigma)
     after, before, left, first_vertex = size, 2 * size, 3 * size, 4 * size
     vertex_of = {d: first_vertex + i for i, vertex in enumerate(vertices) for d in vertex}
-    faces = sorted(cycles([sigma[e] for e in alpha]), key=len)
+    faces = sorted(
+        cycles([sigma[e] for e in alpha]), key=lambda face: sum(d < drawn.unbent for d in face)
+    )
     first_face = first_vertex + len(vertices)
     face_of = {d: first_face + i for i, face in enumerate(faces) for d in face}
     previous = {e: d for d, e in enumerate(sigma)}

@@ -19,7 +19,7 @@ SHORTEST = 3 * STUB
 APART = 0.5
 """The angle between parallel edges, at most."""
 
-WIDE = 0.4 * tau
+WIDE = 0.35 * tau
 """The angle between the ends of a loop, at most: a wider one would run over its vertex."""
 
 
@@ -107,7 +107,9 @@ def _angles(
     turns = [*groups]
     gaps = [after - before for before, after in pairwise([turns[-1] - tau, *turns, tau])]
     for (turn, darts), before, after in zip(groups.items(), gaps, gaps[1:], strict=False):
-        apart = min(APART, 0.8 * min(before, after) / len(darts))
-        middle = (sum(dart in towards for dart in darts) - 1) / 2
+        straight = [i for i, dart in enumerate(darts) if dart in towards]
+        middle = (straight[0] + straight[-1]) / 2
+        outermost = max(middle, len(darts) - 1 - middle, 0.5)
+        apart = min(APART, 0.4 * min(before, after) / outermost)
         for i, dart in enumerate(darts):
             yield dart, phase(towards[first]) + turn + apart * (i - middle)

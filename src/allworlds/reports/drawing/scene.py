@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from itertools import chain, count
+from collections import Counter, defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import count
 
 from msgspec import Struct, field
 
@@ -16,6 +16,9 @@ from allworlds.protocol.answers import Estimate
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.labels import Position
 from allworlds.world.world import World
+
+LONGEST = 60
+"""Characters of a name of a vertex in a legend."""
 
 
 class Names(Struct, frozen=True):
@@ -67,17 +70,20 @@ class Scene(Struct, frozen=True):
 
     def short_names(self, width: int) -> Sequence[str]:
         """The names of the vertices; longer ones are cut, and no two become one."""
+        if self.names is None:
+            return self.vertex_names
         taken, shown = {name for name in self.vertex_names if len(name) <= width}, list[str]()
+        numbers = defaultdict[str, Iterator[int]](lambda: count(1))
         for name in self.vertex_names:
-            ends = chain([""], map(str, count(2)))
+            ends = ("" if k == 1 else str(k) for k in numbers[name[: width - 1]])
             cuts = (f"{name[: max(width - 1 - len(end), 0)]}…{end}" for end in ends)
             shown.append(name if name in taken else next(cut for cut in cuts if cut not in taken))
             taken.add(shown[-1])
         return shown
 
     def cut_names(self, width: int) -> list[str]:
-        """For each name that :meth:`short_names` cuts: ``ki… kitchen``."""
-        pairs = zip(self.short_names(width), self.vertex_names, strict=True)
+        """For each name that :meth:`short_names` cuts: ``ki… kitchen``, itself cut if need be."""
+        pairs = zip(self.short_names(width), self.short_names(LONGEST), strict=True)
         return [f"{short} {name}" for short, name in pairs if short != name]
 
     @classmethod

@@ -41,6 +41,9 @@ def rounded(value: float) -> str:
     return f"{round(value, 1) + 0.0:.1f}"
 
 
+LETTER = 9.0
+"""From the end of an edge that is cut to the middle of its letter, in pixels."""
+
 MARGIN = 30.0
 """The free room round the drawing, in pixels."""
 
@@ -105,17 +108,23 @@ def in_words(scene: Scene) -> str:
 
 def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
     """The edge, and before it the gaps that it leaves in the edges below."""
-    way, other = drawn.ways[dart], scene.map.alpha[dart]
-    for start, end in bridges_of(way):
-        yield tag("path", class_="bridge", d=f"M{at(start)} L{at(end)}")
+    other = scene.map.alpha[dart]
     walked = dart in scene.walked or other in scene.walked
-    # Straight, then a parabola for each point between.
-    path = f"M{at(way[0])} L{at((way[0] + way[1]) / 2)}"
-    for towards, after in pairwise(way[1:]):
-        path += f" Q{at(towards)} {at((towards + after) / 2)}"
-    path += f" L{at(way[-1])}"
-    kind = "edge walked" if walked else "edge"
-    yield tag("path", class_=kind, data_darts=f"{dart} {other}", d=path)
+    kind, darts = "edge walked" if walked else "edge", f"{dart} {other}"
+    pieces = drawn.pieces(dart, other)
+    for way in pieces:
+        for start, end in bridges_of(way):
+            yield tag("path", class_="bridge", d=f"M{at(start)} L{at(end)}")
+        # Straight, then a parabola for each point between.
+        path = f"M{at(way[0])} L{at((way[0] + way[1]) / 2)}"
+        for towards, after in pairwise(way[1:]):
+            path += f" Q{at(towards)} {at((towards + after) / 2)}"
+        yield tag("path", class_=kind, data_darts=darts, d=f"{path} L{at(way[-1])}")
+    if len(pieces) > 1:
+        for end in (dart, other):
+            spot = drawn.ways[end][-1] + LETTER * drawn.along(end)
+            letter = tag("text", drawn.letters[end], class_="cut fixed")
+            yield tag("g", letter, data_cut=darts, transform=f"translate({at(spot)})")
 
 
 def _vertex(scene: Scene, drawn: Layout, vertex: int, name: str) -> ET.Element:
@@ -130,7 +139,7 @@ def _vertex(scene: Scene, drawn: Layout, vertex: int, name: str) -> ET.Element:
     parts += [_flag(along[dart], rims[dart]) for dart in along if dart in scene.pointed]
     parts.append(tag("circle", class_="disc", r=DISC))
     # In whatever font: a longer name is as wide as the disc.
-    fit = None if len(name) < SHORT else 2 * DISC
+    fit = 2 * DISC if len(name) > 3 else None
     parts.append(
         tag("text", name, class_="name", textLength=fit, lengthAdjust=fit and "spacingAndGlyphs")
     )
@@ -208,23 +217,21 @@ def _clockwise(along: Sequence[complex]) -> ET.Element:
     )
 
 
-SHORT, LONG = 4, 60
-"""The characters of a vertex's name that are as wide as its disc; a legend has longer names, up to
-so many characters."""
+SHORT = 5
+"""The characters of a vertex's name for which its disc has room; a legend has longer names."""
 
-LINE, LETTER = 18, 8
-"""In pixels, the height of a line of a legend and the width of a letter."""
+LINE, WIDE = 18, 8
+"""In pixels, the height of a line of a legend and the width of a character."""
 
 
 def _add_legend(root: ET.Element, scene: Scene) -> None:
     """Write the names of vertices that are cut below the picture, a line for each."""
-    pairs = zip(scene.short_names(SHORT), scene.short_names(LONG), strict=True)
-    lines = [f"{short} {name}" for short, name in pairs if short != name]
+    lines = scene.cut_names(SHORT)
     left, top, width, height = map(int, root.get("viewBox", "").split())
     for i, line in enumerate(lines):
         y = top + height + i * LINE
         root.append(tag("text", line, class_="legend", x=left + LINE, y=y))
-    width = max(width, *(LETTER * len(line) + 2 * LINE for line in lines)) if lines else width
+    width = max(width, *(WIDE * len(line) + 2 * LINE for line in lines)) if lines else width
     height += LINE * len(lines)
     root.attrib.update(width=f"{width}", height=f"{height}")
     root.set("viewBox", f"{left} {top} {width} {height}")

@@ -25,7 +25,7 @@ LONGEST_ROW = 40
 """Of more vertices in a table, and of more darts of a vertex, both ends are shown."""
 
 LONGEST_NAME = 16
-"""Characters of the name of a vertex; the legend has the whole of longer ones."""
+"""Characters of the name of a vertex; the legend has longer ones."""
 
 _LEGEND = {
     "(": "( ) vertex with its darts clockwise",

@@ -10,6 +10,7 @@ from typing import Any
 from xml.etree import ElementTree as ET
 
 from allworlds.reports.drawing.layout import Layout
+from allworlds.reports.drawing.positions import laid_out
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import SHORT, picture
 from allworlds.reports.markup import document, raw, record, tag
@@ -155,8 +156,9 @@ def figure(
         tabindex="0",
         aria_label=f"{title}, which can be scrolled",
     )
-    cut = scene.cut_names(SHORT)
-    about = f", genus {genus}" + ("; edges that cross do not meet" if genus else "")
+    cut, lettered = scene.cut_names(SHORT), (drawn or laid_out(scene)).letters
+    known = "edges go on at the same letter" if lettered else "edges that cross do not meet"
+    about = f", genus {genus}" + (f"; {known}" if genus else "")
     return tag(
         "figure",
         tag("figcaption", tag("b", title), about),

@@ -33,7 +33,7 @@ NEVER = 10**9
 def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
     """Add to a figure the step at which each part appears, and a legend of the styles."""
     for part in drawn.iter():
-        if (darts := part.get("data-darts")) is not None:
+        if (darts := part.get("data-darts", part.get("data-cut"))) is not None:
             part.set("data-since", str(seen.edges.get(int(darts.split()[0]), NEVER)))
         elif (vertex := part.get("data-vertex")) is not None:
             first = map_.vertices[int(vertex)][0]

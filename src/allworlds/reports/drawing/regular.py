@@ -1,0 +1,108 @@
+"""Maps that are drawn as what they are: lattices, in the plane and on a torus, wheels and rings."""
+
+from __future__ import annotations
+
+from cmath import rect
+from heapq import heappop, heappush
+from math import cos, pi, sin, tau
+from string import ascii_lowercase
+from typing import TypeAlias
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+
+Ways: TypeAlias = list[list[complex]]
+"""For each dart the points that its edge is drawn towards; edges are about 1 long."""
+
+
+def wheel(map_: CombinatorialMap) -> Ways:
+    """The drawing of a star, or of a ring, with or without a hub in its middle; else nothing.
+
+    Cost: O(m log m).
+    """
+    alpha, (*others, most) = map_.alpha, sorted(map_.degrees)
+    hub, ahead = max(map_.vertices, key=len), list[Dart]()
+    if {most, *others} == {2}:
+        hub, ahead = (), [*map_.faces[0]]
+    elif most != len(others) or {*others} not in ({1}, {3}):
+        return []
+    elif others[0] == 3:
+        ahead = [map_.turn(alpha[dart], -1) for dart in hub]
+        behind = [map_.turn(alpha[dart], 1) for dart in (*hub[1:], hub[0])]
+        if [alpha[dart] for dart in ahead] != behind:
+            return []
+    count = len(hub or ahead)
+    radius = max((0.5 if ahead else 0.25) / sin(pi / max(count, 2)), 1 if hub else 0)
+    bends = min(6, 6 // count + 1)
+    step, part = tau / count, tau / count / bends
+    spots = [rect(radius, step * k) for k in range(count + 1)]
+    ways = {dart: _straight(0j, spot) for dart, spot in zip(hub, spots, strict=False)}
+    for k, dart in enumerate(ahead):
+        outside = [step * k + part * (bend + 0.5) for bend in range(bends)]
+        arc = [rect(radius / cos(part / 2), angle) for angle in outside]
+        ways[dart] = [spots[k], *arc, spots[(k + 1) % count]]
+    ways |= {alpha[dart]: way[::-1] for dart, way in ways.items()}
+    return [ways[dart] for dart in map_.darts]
+
+
+def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
+    """The drawing of a lattice, in the plane or on a torus, upright; else nothing.
+
+    The direction of a dart follows from the other end of its edge, and from a dart beside it where
+    a square lies between them, or where four darts meet.  One of two darts at a vertex leads
+    straight on from the other if nothing else decides: so paths are drawn, too, and some lattices
+    with holes.  A lattice on a torus, where all vertices and faces have degree 4, is cut into rows:
+    the darts of an edge that is cut have each a way to its half alone, and a letter.
+
+    Cost: O(m log m).
+    """
+    owner, alpha, sigma = map_.vertex_of, map_.alpha, map_.sigma
+    square = {dart for dart in map_.darts if map_.degree_at[dart] == 4}
+    faces = (face for face in map_.faces if len(face) == 4 == len({owner[d] for d in face}))
+    square.update(*faces)
+    found: dict[Dart, tuple[complex, int]] = {}
+    queue: list[tuple[int, bool, int, bool, int, Dart, int]] = []
+
+    def put(late: int, at: complex, dart: Dart, turns: int) -> None:
+        # To the right before to the left, and then down: so a torus is cut into rows.
+        x, y = int(at.real), int(at.imag)
+        heappush(queue, (late, y < 0, y, x < 0, x, dart, turns % 4))
+
+    put(0, 0j, root, 0)
+    while queue:
+        _, _, y, _, x, dart, turns = heappop(queue)
+        if dart in found:
+            continue
+        here, _ = found[dart] = complex(x, y), turns
+        put(1, here + 1j**turns, alpha[dart], turns + 2)
+        if sigma[dart] in square:
+            put(0, here, sigma[dart], turns + 1)
+        if dart in square:
+            put(0, here, map_.turn(dart, -1), turns + 3)
+        if map_.degree_at[dart] == 2:
+            put(2, here, sigma[dart], turns + 2)
+    spots = {(owner[dart], here) for dart, (here, _) in found.items()}
+    own = len(spots) == len({here for _, here in spots}) == map_.vertex_count
+    if (
+        len(found) < len(sigma)
+        or not own
+        or any(
+            sum((found[sigma[d]][1] - found[d][1] - 1) % 4 + 1 for d in vertex) != 4
+            for vertex in map_.vertices
+        )
+    ):
+        return [], {}
+    cut = {d for d, (at, k) in found.items() if found[alpha[d]] != (at + 1j**k, (k + 2) % 4)}
+    torus = all(len(cycle) == 4 for cycle in (*map_.vertices, *map_.faces))
+    if cut and (map_.vertex_count == 1 or not torus):
+        return [], {}
+    ends = [d for side in (2, 3) for d, (_, k) in found.items() if k == side and d in cut]
+    letters: dict[Dart, str] = {}
+    for k, dart in enumerate(ends):
+        letters[dart] = letters[alpha[dart]] = ascii_lowercase[k % 26] * (k // 26 + 1)
+    ways = [_straight(at, at + 1j**k) for at, k in map(found.__getitem__, map_.darts)]
+    return [way[: 3 if dart in letters else 4] for dart, way in enumerate(ways)], letters
+
+
+def _straight(here: complex, there: complex) -> list[complex]:
+    first = 0.4 * (there - here) / abs(there - here)
+    return [here, here + first, there - first, there]

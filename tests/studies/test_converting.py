@@ -1,0 +1,122 @@
+"""Worlds of files on the command line: told of, written in another notation, one of them run."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+from allworlds import World, convert
+from allworlds.inputs.checks import InputError
+from allworlds.maps import family, named_map, unrooted_code
+from allworlds.notations.table import NOTATIONS, entries
+from allworlds.world.named import world_named
+
+PLANTRI = Path(__file__).parents[1] / "support" / "data" / "plantri"
+PLAN = {"hall": ["bath", "attic"], "bath": ["hall"], "attic": ["hall"]}
+
+
+def plans(tmp_path, text=None):
+    """A file of two plans."""
+    path = tmp_path / "plans.json"
+    path.write_text(text or json.dumps({"house": PLAN, "barn": {"in": ["out"], "out": ["in"]}}))
+    return path
+
+
+def test_each_world_of_a_file_is_told_of(cli, tmp_path):
+    code, out, _ = cli("convert", plans(tmp_path), "--json", "-o", f"csv:{tmp_path / 'rows'}")
+    told = json.loads(out)
+    assert (code, told["notation"], told["written"]) == (0, "worlds", None)
+    house = {"number": 1, "name": "house", "vertices": 3, "edges": 2, "genus": 0, "faces": 1}
+    assert told["rows"][0] == house | {"automorphisms": 2}
+    rows = csv.DictReader(io.StringIO((tmp_path / "rows").read_text()))
+    assert [{key: str(value) for key, value in row.items()} for row in told["rows"]] == [*rows]
+
+
+def test_worlds_are_written_in_the_notation_of_the_suffix(cli, tmp_path):
+    for notation in NOTATIONS:
+        for suffix in notation.suffixes if notation.write else ():
+            written = tmp_path / f"tri5{suffix}"
+            assert cli("convert", PLANTRI / "tri5.pl", "-o", written)[0] == 0
+            ((_, entry),) = entries(written)
+            assert unrooted_code(entry.map) == unrooted_code(world_named(f"@{written}").map)
+    named = f"edge_code:{tmp_path / 'x'}"
+    report = tmp_path / "x.html"
+    assert cli("convert", PLANTRI / "tri6.pl", "-o", named, "-o", report)[0] == 0
+    assert len([*entries(tmp_path / "x")]) == 2
+    assert "allworlds convert" in report.read_text()
+
+
+def test_what_is_not_written_leaves_the_old_file(refused, tmp_path):
+    old = tmp_path / "old.pl"
+    old.write_bytes(b"old")
+    assert "world 1 is not written: planar_code has no place for its name; without name leaves" in (
+        refused("convert", plans(tmp_path), "-o", old)
+    )
+    refused("convert", plans(tmp_path), "-o", old, "--without", "name")
+    assert old.read_bytes() == b"old"
+    assert [*tmp_path.glob("*.part")] == []
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (["--without", "names"], "without names has no effect where nothing is written"),
+        (["-o", "x.pl", "--without", "rooms"], "without 'rooms': legal are name, names, positions"),
+        (["-o", "x.pl", "-o", "x.ec"], "-o 'x.ec' is a second file of worlds; one is written"),
+        (["-o", "x.graphml"], "worlds cannot be written as 'x.graphml'; legal are .json, "),
+        (["-o", "x.odd"], "-o 'x.odd' is no file that convert writes: .json, "),
+        (["--order", "left"], "order 'left' is neither clockwise nor anticlockwise"),
+        (["--y", ""], "y '' is neither up nor down"),
+    ],
+)
+def test_options_without_a_meaning_are_refused(words, why, refused, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert why in refused("convert", plans(tmp_path), *words)
+    assert [*tmp_path.iterdir()] == [tmp_path / "plans.json"]
+
+
+def test_all_but_the_map_is_left_out_where_that_is_asked(tmp_path):
+    told = convert(plans(tmp_path), output=tmp_path / "x.pl", without="name,names")
+    assert (told.written, len(told.rows)) == (str(tmp_path / "x.pl"), 2)
+    assert [entry.labels.vertices for _, entry in entries(tmp_path / "x.pl")] == [(), ()]
+
+
+# ---------------------------------------------------------------- WORLD
+
+
+def test_a_world_is_one_of_a_file_by_its_name_or_number(tmp_path):
+    path = plans(tmp_path)
+    assert world_named(f"@{path}:house").map.edge_count == 2
+    assert world_named(f"@{path}:2").labels.vertices == ("in", "out")
+    assert world_named(f"@{PLANTRI / 'tri5.pl'}").map.edge_count == 9
+    colons = path.rename(tmp_path / "a:1.json")
+    assert world_named(f"@{colons}:house").map.edge_count == 2
+    with pytest.raises(
+        InputError, match="more than one world; @FILE:NAME names one of 'house', 'b"
+    ):
+        world_named(f"@{colons}")
+
+
+def test_start_and_lighthouse_are_as_the_file_fixes_them(tmp_path):
+    world = World(named_map("k4"), "position", 5)
+    assert world_named(f"@{plans(tmp_path, json.dumps(world.to_json()))}") == world
+    free = plans(tmp_path, json.dumps({"sigma": world.map.sigma, "alpha": world.map.alpha}))
+    assert world_named(f"@{free}", "compass") == World(world.map, "compass", 0)
+    wrong = world.to_json() | {"lighthouse": {"kind": "beacon"}}
+    with pytest.raises(InputError, match=r"^file .*plans\.json.*beacon"):
+        world_named(f"@{plans(tmp_path, json.dumps(wrong))}")
+
+
+def test_a_rotation_may_stand_on_the_command_line(cli):
+    code, out, _ = cli("run", "algorithm1", json.dumps(PLAN), "--json")
+    assert (code, json.loads(out)["world"]["names"]) == (0, ["hall", "bath", "attic"])
+
+
+def test_a_torus_is_told_by_its_genus(tmp_path):
+    path = tmp_path / "torus.jsonl"
+    map_ = family("torus:3x3")
+    path.write_text(json.dumps({"sigma": map_.sigma, "alpha": map_.alpha}))
+    (row,) = convert(path).rows
+    assert (row.genus, row.faces, row.automorphisms) == (1, 9, 36)
