@@ -91,7 +91,7 @@ def test_a_document_holds_them_and_is_read_again():
         ("names", ["a", " ", "c"], "names[1] = ' ' is no printable text"),
         ("names", ["a", "b", 3], "names[2] = 3 is no printable text"),
         ("names", ["a", "b\u202e", "c"], "names[1] = 'b\\u202e' is no printable text"),
-        ("names", ["a", "b", "a"], "names[2] = 'a' is names[0], too: they differ"),
+        ("names", ["a", "b", "a"], "names[2] = 'a' is names[0], too; names differ"),
         ("positions", None, "positions = None is no list of 3, one for each vertex of the map"),
         ("positions", [[0, 0]] * 2, "is no list of 3"),
         ("positions", [[0, 0], [1, 2, 3], [1, 1]], "positions[1] = [1, 2, 3] is no pair of"),

@@ -55,7 +55,7 @@ class Labelling(Struct, frozen=True):
                 raise InvalidWorld(f"names[{vertex}] = {show(name)} is no printable text")
             if first.setdefault(name, vertex) != vertex:
                 raise InvalidWorld(
-                    f"names[{vertex}] = {show(name)} is names[{first[name]}], too: they differ"
+                    f"names[{vertex}] = {show(name)} is names[{first[name]}], too; names differ"
                 )
         places = tuple(_a_position(v, place) for v, place in enumerate(self.positions))
         return Labelling(self.name, tuple(self.vertices), places)

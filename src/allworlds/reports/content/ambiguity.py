@@ -28,6 +28,7 @@ from allworlds.reports.parts import (
     Section,
     ShownWalk,
     Table,
+    Value,
     View,
     fact,
     so_far,
@@ -80,7 +81,7 @@ def twins_content(comparison: ComparedWorlds) -> ReportContent:
 def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> CsvRows:
     """A row for each dart of each world: darts of one class are not to be told apart."""
     named = any(world.labels.vertices for world in worlds)
-    rows = [
+    rows: list[list[Value]] = [
         [number, dart, v, of_world[dart], *([world.labels.vertex(v)] if named else [])]
         for number, (world, of_world) in enumerate(zip(worlds, classes, strict=True), 1)
         for dart, v in enumerate(world.map.vertex_of)
