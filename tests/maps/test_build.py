@@ -132,6 +132,8 @@ def test_keys_tell_loops_and_parallel_edges():
     map_ = from_rotation({"hall": hall, "a": [["hall", 0], ["hall", 1]]})
     assert map_ == from_cycles(["01xyxy", "01"])
     assert from_rotation([[0, 0, 1], [0]]) == from_cycles(["aab", "b"])
+    nan = float("nan")  # a name that is not equal to itself
+    assert from_rotation({nan: [nan, nan]}) == named_map("loop")
     # The same neighbours, with the keys the other way round: another surface.
     crossed = {v: [["b" if v == "a" else "a", k] for k in (0, 1, 2)] for v in "ab"}
     assert from_rotation(crossed) == named_map("theta-torus")
