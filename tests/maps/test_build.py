@@ -135,6 +135,8 @@ def test_keys_tell_loops_and_parallel_edges():
     map_ = from_rotation({"hall": hall, "a": [["hall", 0], ["hall", 1]]})
     assert map_ == from_cycles(["01xyxy", "01"])
     assert from_rotation([[0, 0, 1], [0]]) == from_cycles(["aab", "b"])
+    nan = float("nan")  # a name that is not equal to itself
+    assert from_rotation({nan: [nan, nan]}) == named_map("loop")
     # The same neighbours, with the keys the other way round: another surface.
     crossed = {v: [["b" if v == "a" else "a", k] for k in (0, 1, 2)] for v in "ab"}
     assert from_rotation(crossed) == named_map("theta-torus")
@@ -181,7 +183,7 @@ def test_every_map_can_be_written_with_edge_names():
     [
         ([[1, 1], [0, 0]], ["vertex 0 lists 1 too often", "keys, as in [1, 0]", "from_cycles"]),
         ([[0, 0, 0, 0]], ["vertex 0 lists 0 too often", "keys, as in [0, 0]", "from_cycles"]),
-        ([[0]], ["vertex 0 lists 0 once; a loop is listed twice"]),
+        ([[0]], ["vertex 0 lists 0 once; a loop stands twice"]),
         ({"a": [["b", 0]], "b": ["a"]}, ["lists ['b', 0], but 'b' does not list ['a', 0]"]),
         ({"a": [["b", 0]], "b": [["a", 1]]}, ["lists ['b', 0], but 'b' does not list ['a', 0]"]),
         ({"a": [["b", 0, 1]], "b": ["a"]}, ["'a' lists ['b', 0, 1]; legal is a neighbour, or ["]),
@@ -190,7 +192,7 @@ def test_every_map_can_be_written_with_edge_names():
         ([[1, 2], [0], [1]], ["vertex 0 lists 1", "vertex 0 lists 2"]),
         ({"a": ["b"], "b": ["a", "c"], "c": []}, ["vertex 'c' has an empty list"]),
         ({"a": ["b"], "b": ["d"]}, ["vertex 'a' lists 'b', but 'b' does not list 'a'"]),
-        ({"a": ["d"], "b": ["a"]}, ["vertex 'a' lists 'd', but the vertices are ['a', 'b']"]),
+        ({"a": ["d"], "b": ["a"]}, ["vertex 'a' lists 'd'; the vertices are ['a', 'b']"]),
         ([[1], [0], [3], [2]], ["vertex 2 cannot be reached from vertex 0"]),
         ({0: {1}, 1: {0}}, ["vertex 0 must have a clockwise list, not {1}"]),
         ([1, 0], ["vertex 0 must have a clockwise list, not 1"]),

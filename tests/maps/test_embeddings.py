@@ -12,6 +12,7 @@ from allworlds.maps import (
     InvalidMap,
     automorphisms,
     embeddings,
+    from_cycles,
     isomorphism,
     rooted_code,
     to_networkx,
@@ -138,6 +139,11 @@ def test_an_embedding_has_the_graph_and_its_nodes_in_their_order(name):
     for map_ in islice(embeddings(graph, up_to_isomorphism=False), 50):
         at = [nodes[v] for v in map_.vertex_of]
         assert Counter(frozenset((at[d], at[e])) for d, e in map_.edges) == wanted
+
+
+def test_the_first_embedding_has_the_edges_in_their_order():
+    assert next(embeddings(GRAPHS["loops"])) == from_cycles(["aabbc", "c"])
+    assert next(embeddings(nx.Graph(["xy", "yz", "zx"]))) == from_cycles(["ab", "ac", "bc"])
 
 
 def test_one_genus_alone_is_that_part():

@@ -131,6 +131,8 @@ def test_a_map_and_a_world_are_made_by_their_classes():
     map_ = CombinatorialMap.from_faces(faces)
     assert map_ == from_faces(faces)
     assert CombinatorialMap.from_networkx(map_.to_networkx()) == map_
+    planar = CombinatorialMap.from_networkx(nx.Graph(map_.to_networkx().edges()), "planar")
+    assert planar.genus == 0
 
 
 def test_a_planar_graph_is_embedded_in_the_plane():
@@ -181,6 +183,17 @@ def test_a_graph_that_an_order_does_not_fit_is_refused_by_its_place(graph, said,
     with pytest.raises(InvalidMap) as refused:
         from_networkx(graph, order)
     assert said in str(refused.value)
+
+
+def test_an_order_that_is_asked_for_goes_before_that_of_the_graph():
+    embedding = torus_of_four()
+    nx.set_node_attributes(embedding, {0: (0, 0), 1: (0, 3), 2: (-3, -3), 3: (3, -3)}, "pos")
+    inside = from_rotation([[1, 3, 2], [3, 0, 2], [1, 0, 3], [0, 1, 2]])
+    assert isomorphism(from_networkx(embedding, "positions"), inside)
+    assert from_networkx(embedding, "planar").genus == 0
+    darts = to_networkx(named_map("k4-torus"))
+    nx.set_node_attributes(darts, dict(embedding.nodes(data="pos")), "pos")
+    assert isomorphism(from_networkx(darts, "positions"), inside)
 
 
 def test_no_order_but_these_is_legal():

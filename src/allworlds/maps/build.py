@@ -47,23 +47,23 @@ def from_rotation(
     listed = {v: [_neighbour(v, entry) for entry in _around(v, given[v])] for v in given}
     edges = {v: [(frozenset((v, w)), *key) for w, *key in listed[v]] for v in listed}
     count = {v: Counter(edges[v]) for v in edges}
-    for v, around in listed.items():
-        for (w, *key), edge in zip(around, edges[v], strict=True):
-            there, back = (show([end, *key] if key else end) for end in (w, v))
+    for v, around in edges.items():
+        for entry, (w, *key), edge in zip(given[v], listed[v], around, strict=True):
+            ends_here = 3 - len(edge[0])  # 2 of a loop
             if w not in count:
                 legal = show([*given])
-                raise InvalidMap(f"vertex {show(v)} lists {there}, but the vertices are {legal}")
-            ends_here = 3 - len(edge[0])  # 2 of a loop
+                raise InvalidMap(f"vertex {show(v)} lists {show(entry)}; the vertices are {legal}")
             if count[v][edge] < ends_here:
-                raise InvalidMap(f"vertex {show(v)} lists {there} once; a loop is listed twice")
+                raise InvalidMap(f"vertex {show(v)} lists {show(entry)} once; a loop stands twice")
             if count[v][edge] > ends_here:
                 raise InvalidMap(
-                    f"vertex {show(v)} lists {there} too often; parallel edges have keys, as in "
-                    f"{show([w, 0])} and {show([w, 1])}, or names with from_cycles"
+                    f"vertex {show(v)} lists {show(entry)} too often; parallel edges have keys, as "
+                    f"in {show([w, 0])} and {show([w, 1])}, or names with from_cycles"
                 )
-            if not count[w][edge]:
+            if edge not in count[w]:
+                back = show([v, *key] if key else v)
                 raise InvalidMap(
-                    f"vertex {show(v)} lists {there}, but {show(w)} does not list {back}; "
+                    f"vertex {show(v)} lists {show(entry)}, but {show(w)} does not list {back}; "
                     "an edge is listed at both its ends"
                 )
     return _assembled(edges)
