@@ -8,6 +8,7 @@ import allworlds
 from allworlds import World
 from allworlds.inputs.checks import InputError
 from allworlds.maps.build import from_cycles, named_map
+from allworlds.maps.canonical import rooted_code, unrooted_code
 from allworlds.maps.enumeration import history, rooted_maps
 from allworlds.notations.given import files_of, worlds_of_files
 from allworlds.reports.formats import file_of, text
@@ -135,6 +136,21 @@ def test_findings_are_told_in_the_names_of_the_file(tmp_path, monkeypatch):
     compared = allworlds.compare("folding", "algorithm1", worlds=["lodge.json"])
     if compared.differ_most:
         assert compared.differ_most.world.labels.name == "lodge"
+
+
+def test_the_order_of_a_file_is_told_and_turns_it(tmp_path):
+    chiral = next(m for m in rooted_maps(4) if unrooted_code(m) != unrooted_code(m.mirrored()))
+    file = write(tmp_path / "a.jsonl", {"sigma": [*chiral.sigma], "alpha": [*chiral.alpha]})
+    for order, meant in (("clockwise", chiral), ("anticlockwise", chiral.mirrored())):
+        (given,) = worlds_of_files(files_of(file), order, None).piece(4, 0)
+        assert unrooted_code(given.map) == unrooted_code(meant)
+        report = allworlds.check("folding", worlds=file, order=order)
+        assert report.to_json()["scope"]["order"] == order
+        assert f"--order {order}" in text(report, 1000)
+        run = next(iter(report.tally.rows.values())).most_expensive
+        assert (run.sigma, run.alpha) in {
+            rooted_code(meant.sigma, meant.alpha, d) for d in meant.darts
+        }
 
 
 def test_lighthouses_must_agree(tmp_path, refused):
