@@ -170,6 +170,7 @@ def test_a_ring_is_round(count):
     middle = complex(left + right, top + bottom) / 2
     far = [abs(point - middle) for point in curve]
     assert min(far) > 0.88 * max(far)
+    assert 'class="bridge"' not in ET.tostring(seen.svg, "unicode")
 
 
 def test_what_only_resembles_a_wheel_or_a_lattice_is_not_drawn_as_one():
@@ -198,7 +199,9 @@ def test_a_torus_that_is_drawn_like_another_has_its_letters():
 def test_in_what_an_explorer_knows_the_letters_appear_with_their_edge():
     told = run("algorithm1", World(family("torus:1x2"), Directional(0)))
     seen = known(told)
-    figure = read(file_of("html", told)).one(id="walk-1-known")
+    page = file_of("html", told)
+    assert "genus 1; edges go on at the same letter" in page
+    figure = read(page).one(id="walk-1-known")
     letters = [g.attributes for g in figure.all("g") if "data-cut" in g.attributes]
     assert len(letters) == 6
     for letter in letters:
