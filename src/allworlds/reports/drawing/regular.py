@@ -77,9 +77,7 @@ def _walked(map_: CombinatorialMap, root: Dart) -> dict[Dart, tuple[complex, int
     """
     sigma = map_.sigma
     square = {dart for dart in map_.darts if map_.degree_at[dart] == 4}
-    for face in map_.faces:
-        if len(face) == 4 == len({map_.vertex_of[dart] for dart in face}):
-            square.update(face)
+    square.update(*(face for face in map_.faces if len(face) == 4))
     found: dict[Dart, tuple[complex, int]] = {}
     queue: list[tuple[int, bool, int, bool, int, Dart, int]] = []
 
