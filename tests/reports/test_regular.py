@@ -24,7 +24,7 @@ NS = "{http://www.w3.org/2000/svg}"
 
 
 def renamed(map_):
-    """The same map, of which nothing but its structure can be known."""
+    """Return the map with other names of its darts, which say nothing of its form."""
     size = len(map_.sigma)
     names = [(size - 1 - 3 * d) % size if size % 3 else size - 1 - d for d in range(size)]
     return map_.relabelled(names)

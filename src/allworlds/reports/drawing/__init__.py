@@ -10,6 +10,8 @@
 ``layout``, ``planar``
     the drawing in pixels; the edges that have to cross, and a triangulation that gives every dart
     room;
+``regular``
+    lattices, also on a torus, wheels, stars, rings and paths, which are drawn as what they are;
 ``aligned_maps``
     a map drawn and named like another one, as far as the two agree.
 """
