@@ -1,14 +1,14 @@
 """Pictures of lattices, tori, wheels, stars, rings and paths, read back from the SVG."""
 
 from cmath import phase
-from itertools import pairwise
+from itertools import pairwise, product
 from math import tau
 from xml.etree import ElementTree as ET
 
 import pytest
 
 from allworlds import run
-from allworlds.maps import CombinatorialMap, family, named_map, rooted_maps
+from allworlds.maps import CombinatorialMap, family, from_rotation, named_map, rooted_maps
 from allworlds.reports.content.single_run import known
 from allworlds.reports.drawing.aligned_maps import layout_like
 from allworlds.reports.drawing.layout import layout
@@ -24,7 +24,7 @@ NS = "{http://www.w3.org/2000/svg}"
 
 
 def renamed(map_):
-    """The same map, of which nothing but its structure can be known."""
+    """Return the map with other names of its darts, which say nothing of its form."""
     size = len(map_.sigma)
     names = [(size - 1 - 3 * d) % size if size % 3 else size - 1 - d for d in range(size)]
     return map_.relabelled(names)
@@ -46,6 +46,8 @@ class Seen:
             for path in self.svg.iter(f"{NS}path")
             if "data-darts" in path.attrib
         ]
+        pairs = [pair for pair, _ in self.edges]
+        self.cut = [pair for pair in pairs if pairs.count(pair) > 1]
         self.stubs = {
             int(path.get("data-stub")): points(path.get("d"))
             for path in self.svg.iter(f"{NS}path")
@@ -55,8 +57,9 @@ class Seen:
     def is_the_map(self):
         """Darts leave clockwise as in sigma, edges join the vertices of their darts."""
         for (dart, other), way in self.edges:
-            ends = {self.spots[self.map.vertex_of[dart]], self.spots[self.map.vertex_of[other]]}
-            assert {way[0], way[-1]} & ends
+            begin, end = (self.spots[self.map.vertex_of[d]] for d in (dart, other))
+            whole = [dart, other] not in self.cut
+            assert (way[0] == begin) + (way[-1] == end) == 1 + whole
         for vertex in self.map.vertices:
             angles = [phase(b - a) for a, b in (self.stubs[d] for d in (*vertex, vertex[0]))]
             turns = [(b - a) % tau or tau for a, b in pairwise(angles)]
@@ -83,7 +86,7 @@ def test_a_torus_is_its_lattice_and_a_letter_stands_at_both_halves_of_an_edge_th
         seen = Seen(renamed(family("torus:{}x{}".format(*numbers))))
         assert seen.is_the_map()
         step = grid(seen, rows, columns)
-        cut = [pair for pair, _ in seen.edges if sum(pair == other for other, _ in seen.edges) > 1]
+        cut = seen.cut
         assert len(cut) == 2 * (rows + columns)
         letters = [g for g in seen.svg.iter(f"{NS}g") if "data-cut" in g.attrib]
         texts = [(g.get("data-cut"), g[0].text) for g in letters]
@@ -92,6 +95,7 @@ def test_a_torus_is_its_lattice_and_a_letter_stands_at_both_halves_of_an_edge_th
         for group in letters:
             spot = points(group.get("transform"))[0]
             assert min(abs(spot - v) for v in seen.spots.values()) > step / 2
+            assert min(abs(spot - end) for _, way in seen.edges for end in way) > 6
         for (dart, other), way in seen.edges:
             at = [seen.spots[seen.map.vertex_of[d]] for d in (dart, other)]
             assert abs(at[0] - at[1]) == pytest.approx(step, abs=0.3) or [dart, other] in cut
@@ -135,6 +139,24 @@ def test_a_lattice_is_a_lattice_from_wherever_it_is_seen(size):
             grid(seen, columns, rows)
 
 
+def test_a_lattice_with_holes_is_one_only_if_every_vertex_has_its_darts_in_order():
+    rotation = {}
+    for y, x in product(range(7), repeat=2):
+        around = [(y - 1, x), (y, x + 1), (y + 1, x), (y, x - 1)]
+        rotation[y, x] = [(v, u) for v, u in around if 0 <= v < 7 and 0 <= u < 7]
+    # No square is left at the vertex in the middle, and it has three darts.
+    for one, other in (((3, 3), (2, 3)), ((4, 3), (4, 2)), ((4, 3), (4, 4))):
+        rotation[one].remove(other)
+        rotation[other].remove(one)
+    map_ = from_rotation(rotation)
+    assert lattice(map_, 0)[0]
+    seen = Seen(map_)
+    assert seen.is_the_map()
+    grid(seen, 7, 7)
+    rotation[3, 3].reverse()
+    assert not lattice(from_rotation(rotation), 0)[0]
+
+
 @pytest.mark.parametrize("count", [2, 3, 9])
 def test_a_path_is_straight(count):
     seen = Seen(renamed(named_map(f"path-{count}")))
@@ -170,6 +192,7 @@ def test_a_ring_is_round(count):
     middle = complex(left + right, top + bottom) / 2
     far = [abs(point - middle) for point in curve]
     assert min(far) > 0.88 * max(far)
+    assert 'class="bridge"' not in ET.tostring(seen.svg, "unicode")
 
 
 def test_what_only_resembles_a_wheel_or_a_lattice_is_not_drawn_as_one():
@@ -198,7 +221,9 @@ def test_a_torus_that_is_drawn_like_another_has_its_letters():
 def test_in_what_an_explorer_knows_the_letters_appear_with_their_edge():
     told = run("algorithm1", World(family("torus:1x2"), Directional(0)))
     seen = known(told)
-    figure = read(file_of("html", told)).one(id="walk-1-known")
+    page = file_of("html", told)
+    assert "genus 1; edges go on at the same letter" in page
+    figure = read(page).one(id="walk-1-known")
     letters = [g.attributes for g in figure.all("g") if "data-cut" in g.attributes]
     assert len(letters) == 6
     for letter in letters:

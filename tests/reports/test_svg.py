@@ -259,6 +259,14 @@ def test_loops_have_round_ends(name):
         assert 4 * pi * area / length**2 > 0.8
 
 
+def test_the_longest_face_lies_outside_whatever_bends_its_loops_have():
+    # An edge to a vertex with two loops, one in the other: its end lies in the face of 4 darts.
+    map_ = CombinatorialMap((0, 2, 3, 4, 5, 1), (1, 0, 5, 4, 3, 2))
+    ways = [*edges(drawn(map_))]
+    leaf = ways[0][1][0]
+    assert all(leaf.real <= point.real for _, way in ways for point in flat(way))
+
+
 def test_letters_names_and_a_ring_are_drawn_and_told():
     map_ = named_map("edge")
     names = Names(("x", "y"), ("here", "there"))

@@ -12,6 +12,8 @@
     room;
 ``positions``
     the drawing where the vertices have positions, if these fit the map;
+``regular``
+    lattices, also on a torus, wheels, stars, rings and paths, which are drawn as what they are;
 ``aligned_maps``
     a map drawn and named like another one, as far as the two agree.
 """

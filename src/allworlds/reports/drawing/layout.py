@@ -220,9 +220,8 @@ def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
     first = [map_.vertices[vertex][0] for vertex in map_.vertex_of]
     turns = [map_.offset(first[d], d) / map_.degree_at[d] for d in map_.darts]
     centre = [(count + 1) * out for out in outwards]
-    end = [
-        c + out * exp(1j * tau * turn) for c, out, turn in zip(centre, outwards, turns, strict=True)
-    ]
+    ends = zip(centre, outwards, turns, strict=True)
+    end = [here + out * exp(1j * tau * turn) for here, out, turn in ends]
     return [[centre[d], end[d], end[e], centre[e]] for d, e in enumerate(map_.alpha)]
 
 
@@ -243,9 +242,8 @@ def _finished(
     if letters is not None:
         far = 1j ** round(phase(far) / (pi / 2))
     stub = min(abs(way[1] - way[0]) for way in ways) / 2
-    size = max(
-        max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in points_of(way)])
-    )
+    points = [point for way in ways for point in points_of(way)]
+    size = max(max(xs) - min(xs) for xs in _coordinates(points))
     scale = min(max(STUB / stub, NARROWEST / size), WIDEST / size)
     turn = far.conjugate() / abs(far) * scale
     return Layout(

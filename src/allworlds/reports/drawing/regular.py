@@ -34,7 +34,7 @@ def wheel(map_: CombinatorialMap) -> Ways:
     radius = max((0.5 if ahead else 0.25) / sin(pi / max(count, 2)), 1 if hub else 0)
     bends = min(6, 6 // count + 1)
     step, part = tau / count, tau / count / bends
-    spots = [rect(radius, step * k) for k in range(count + 1)]
+    spots = [rect(radius, step * k) for k in range(count)]
     ways = {dart: _straight(0j, spot) for dart, spot in zip(hub, spots, strict=False)}
     for k, dart in enumerate(ahead):
         outside = [step * k + part * (bend + 0.5) for bend in range(bends)]
@@ -55,10 +55,29 @@ def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
 
     Cost: O(m log m).
     """
-    owner, alpha, sigma = map_.vertex_of, map_.alpha, map_.sigma
+    found, alpha = _walked(map_, root), map_.alpha
+    if not found:
+        return [], {}
+    cut = {d for d, (at, k) in found.items() if found[alpha[d]] != (at + 1j**k, (k + 2) % 4)}
+    torus = all(len(cycle) == 4 for cycle in (*map_.vertices, *map_.faces))
+    if cut and (map_.vertex_count == 1 or not torus):
+        return [], {}
+    ends = [d for side in (2, 3) for d, (_, k) in found.items() if k == side and d in cut]
+    letters: dict[Dart, str] = {}
+    for k, dart in enumerate(ends):
+        letters[dart] = letters[alpha[dart]] = ascii_lowercase[k % 26] * (k // 26 + 1)
+    ways = [_straight(at, at + 1j**k) for at, k in map(found.__getitem__, map_.darts)]
+    return [way[: 3 if dart in letters else 4] for dart, way in enumerate(ways)], letters
+
+
+def _walked(map_: CombinatorialMap, root: Dart) -> dict[Dart, tuple[complex, int]]:
+    """The place of each dart's vertex, and by how many quarters it is turned clockwise from 1.
+
+    Nothing, unless each vertex has a place of its own, with the darts round it as in the map.
+    """
+    sigma = map_.sigma
     square = {dart for dart in map_.darts if map_.degree_at[dart] == 4}
-    faces = (face for face in map_.faces if len(face) == 4 == len({owner[d] for d in face}))
-    square.update(*faces)
+    square.update(*(face for face in map_.faces if len(face) == 4))
     found: dict[Dart, tuple[complex, int]] = {}
     queue: list[tuple[int, bool, int, bool, int, Dart, int]] = []
 
@@ -73,34 +92,20 @@ def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
         if dart in found:
             continue
         here, _ = found[dart] = complex(x, y), turns
-        put(1, here + 1j**turns, alpha[dart], turns + 2)
+        put(1, here + 1j**turns, map_.alpha[dart], turns + 2)
         if sigma[dart] in square:
             put(0, here, sigma[dart], turns + 1)
         if dart in square:
             put(0, here, map_.turn(dart, -1), turns + 3)
         if map_.degree_at[dart] == 2:
             put(2, here, sigma[dart], turns + 2)
-    spots = {(owner[dart], here) for dart, (here, _) in found.items()}
+    spots = {(map_.vertex_of[dart], here) for dart, (here, _) in found.items()}
+    fits = len(found) == len(sigma) and all(
+        sum((found[sigma[d]][1] - found[d][1] - 1) % 4 + 1 for d in vertex) == 4
+        for vertex in map_.vertices
+    )
     own = len(spots) == len({here for _, here in spots}) == map_.vertex_count
-    if (
-        len(found) < len(sigma)
-        or not own
-        or any(
-            sum((found[sigma[d]][1] - found[d][1] - 1) % 4 + 1 for d in vertex) != 4
-            for vertex in map_.vertices
-        )
-    ):
-        return [], {}
-    cut = {d for d, (at, k) in found.items() if found[alpha[d]] != (at + 1j**k, (k + 2) % 4)}
-    torus = all(len(cycle) == 4 for cycle in (*map_.vertices, *map_.faces))
-    if cut and (map_.vertex_count == 1 or not torus):
-        return [], {}
-    ends = [d for side in (2, 3) for d, (_, k) in found.items() if k == side and d in cut]
-    letters: dict[Dart, str] = {}
-    for k, dart in enumerate(ends):
-        letters[dart] = letters[alpha[dart]] = ascii_lowercase[k % 26] * (k // 26 + 1)
-    ways = [_straight(at, at + 1j**k) for at, k in map(found.__getitem__, map_.darts)]
-    return [way[: 3 if dart in letters else 4] for dart, way in enumerate(ways)], letters
+    return found if fits and own else {}
 
 
 def _straight(here: complex, there: complex) -> list[complex]:
