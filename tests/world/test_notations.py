@@ -214,6 +214,13 @@ def test_two_worlds_of_one_name_and_two_in_a_table_are_refused():
         list(written([Entry(NAMED.map)] * 2, by_name("edges")))
 
 
+def test_every_notation_is_told():
+    page = (Path(__file__).parents[2] / "docs" / "verdicts.md").read_text(encoding="utf-8")
+    for notation in NOTATIONS:
+        assert f"`{notation.name}`" in page
+        assert all(f"`{suffix}`" in page for suffix in notation.suffixes)
+
+
 # ---------------------------------------------------------------- JSON, and Python's literals
 
 CASES = {

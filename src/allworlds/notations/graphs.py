@@ -16,7 +16,7 @@ from __future__ import annotations
 import io
 import re
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import IO, TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
@@ -35,65 +35,74 @@ PLAIN, YED = "{http://graphml.graphdrawing.org/xmlns}", "{http://www.yworks.com/
 
 def read_graphml(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
     """The world of a file in GraphML."""
-    import networkx as nx
-
-    content = file.read()
-    graph, root = _read(nx.read_graphml, content), ET.fromstring(content)  # noqa: S314  # networkx has read it
-    edges = len(root.findall(f".//{PLAIN}edge"))
-    if edges != graph.number_of_edges():
-        read = graph.number_of_edges()
-        raise InputError(f"{edges} edges, of which networkx reads {read}: ids must differ")
-    yield 0, _entry(graph)
+    yield 0, _entry(_made(_of_graphml, file.read()))
 
 
 def read_yed(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
     """The world of a file of yEd."""
-    import networkx as nx
-
-    content = file.read()
-    graph, root = _read(nx.read_graphml, content), ET.fromstring(content)  # noqa: S314  # networkx has read it
-    for node in root.iter(f"{PLAIN}node"):
-        if (box := node.find(f".//{YED}Geometry")) is not None:
-            keys = ("x", "width"), ("y", "height")
-            place = [float(box.get(a, "nan")) + float(box.get(b, "0")) / 2 for a, b in keys]
-            graph.nodes[node.get("id")]["pos"] = place
-    both = nx.MultiGraph()
-    both.add_nodes_from(graph.nodes(data=True))
-    for edge in root.iter(f"{PLAIN}edge"):
-        ends = edge.get("source"), edge.get("target")
-        arrows = edge.find(f".//{YED}Arrows")
-        if arrows is not None and (arrows.get("source") == "none") != (
-            arrows.get("target") == "none"
-        ):
-            v, w = (show(graph.nodes[end].get("label", end).strip()) for end in ends)
-            raise InputError(f"the edge from {v} to {w} has an arrow at one end: it leads one way")
-        both.add_edge(*ends)
-    yield 0, _entry(both)
+    yield 0, _entry(_made(_of_yed, file.read()))
 
 
 def read_gml(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
     """The world of a file in GML."""
     import networkx as nx
 
-    content = text_of(file.read())
-    yield 0, _entry(_read(lambda text: nx.parse_gml(text, label="id"), content))
+    yield 0, _entry(_made(lambda content: nx.parse_gml(text_of(content), "id"), file.read()))
 
 
-def _read(read: Any, content: str | bytes) -> nx.Graph:
-    """The graph that networkx reads."""
+def _made(make: Callable[[bytes], Any], content: bytes) -> Any:
+    """The graph that is made of the content of a file."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            return read(io.BytesIO(content) if isinstance(content, bytes) else content)
-    except Exception as error:  # noqa: BLE001  # of many kinds, where a file is garbled
+            return make(content)
+    except InputError:
+        raise
+    except Exception as error:  # noqa: BLE001  # networkx has many kinds, where a file is garbled
         raise InputError(f"networkx cannot read it: {show(str(error) or error)[1:-1]}") from None
+
+
+def _of_graphml(content: bytes) -> nx.Graph:
+    import networkx as nx
+
+    graph, root = nx.read_graphml(io.BytesIO(content)), ET.fromstring(content)  # noqa: S314
+    edges, read = len(root.findall(f".//{PLAIN}edge")), graph.number_of_edges()
+    if edges != read:
+        raise InputError(f"{edges} edges, of which networkx reads {read}: ids must differ")
+    return graph
+
+
+def _of_yed(content: bytes) -> nx.Graph:
+    import networkx as nx
+
+    root, graph = ET.fromstring(content), nx.MultiGraph()  # noqa: S314  # networkx reads it, too
+    graph.add_nodes_from(nx.read_graphml(io.BytesIO(content)).nodes(data=True))
+    for node in root.iter(f"{PLAIN}node"):
+        if (box := node.find(f".//{YED}Geometry")) is not None:
+            keys = ("x", "width"), ("y", "height")
+            place = [float(box.get(a, "nan")) + float(box.get(b, "0")) / 2 for a, b in keys]
+            graph.nodes[node.get("id")]["pos"] = place
+    for edge in root.iter(f"{PLAIN}edge"):
+        ends = edge.get("source"), edge.get("target")
+        arrows = edge.find(f".//{YED}Arrows")
+        heads = [] if arrows is None else [arrows.get(end) for end in ("source", "target")]
+        if heads.count("none") == 1:
+            v, w = (show(_label(graph.nodes[end]) or end) for end in ends)
+            raise InputError(f"the edge from {v} to {w} has an arrow at one end: it leads one way")
+        graph.add_edge(*ends)
+    return graph
+
+
+def _label(data: dict[str, Any]) -> str:
+    """The label of a node; empty if it has none."""
+    return " ".join(str(data.get("label") or "").split())
 
 
 def _entry(graph: nx.Graph) -> Entry:
     """The world of a graph whose nodes have positions, or rotations."""
     import networkx as nx
 
-    labels = [" ".join(str(label).split()) for _, label in graph.nodes("label", "")]
+    labels = [_label(data) for _, data in graph.nodes(data=True)]
     names = labels if all(labels) and len({*labels}) == len(labels) else [*map(str, graph)]
     graph = undirected(nx.relabel_nodes(graph, dict(zip(graph, names, strict=True))))
     if any("rotation" in data for _, data in graph.nodes(data=True)):
@@ -108,7 +117,8 @@ def _entry(graph: nx.Graph) -> Entry:
 
 def _place(name: str, data: dict[str, Any]) -> Any:
     """The two coordinates of a node, wherever they stand."""
-    told = data.get("graphics", data)
+    graphics = data.get("graphics")
+    told = graphics if isinstance(graphics, dict) else data
     pos = data.get("pos") or [told.get("x"), told.get("y")]
     pos = re.split(r"[\s,]+", pos.strip("()[]! ")) if isinstance(pos, str) else pos
     try:

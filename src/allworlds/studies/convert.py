@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Annotated
 
 from allworlds.document.report import Report
-from allworlds.document.struct import Document, Edges, Natural, Positive, Text, Vertices, about
+from allworlds.document.struct import Document, Edges, Natural, Positive, Vertices, about
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, Request, answers
 from allworlds.maps.canonical import automorphisms
@@ -19,7 +19,6 @@ from allworlds.notations.table import (
     YAxis,
     entries,
     legal,
-    notation_of,
     to_write,
     written,
 )
@@ -85,7 +84,6 @@ class Convert(Report, kw_only=True):
     The worlds of a file.
     """
 
-    notation: Annotated[Text, about("the notation of the file")]
     written: Annotated[str | None, about("the file in which the worlds were written")] = None
     rows: Annotated[tuple[ConvertRow, ...], about("one a world, in the order of the file")]
 
@@ -127,8 +125,7 @@ def convert(request: ConvertRequest) -> Convert:
         notation, path = to_write(str(request.output))
         without = () if request.without is None else request.without.split(",")
         _write(a_path("output", path), written(told(), notation, without))
-    name = notation_of(request.file).name
-    return Convert(notation=name, written=path, rows=tuple(rows))
+    return Convert(written=path, rows=tuple(rows))
 
 
 def _write(path: Path, content: Iterable[bytes]) -> None:
