@@ -17,8 +17,7 @@ import allworlds
 from allworlds import Estimate, Finding
 from allworlds.reports.drawing.layout import layout
 from allworlds.reports.drawing.scene import Scene, walk_in_answer, walk_in_world
-from allworlds.reports.drawing.svg import picture
-from allworlds.reports.markup import tag
+from allworlds.reports.drawing.svg import picture, tag
 
 ROOT = Path(__file__).parents[2]
 FILE = ROOT / "docs" / "assets" / "refutation.svg"

@@ -25,9 +25,8 @@ from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, integers, lists
 
 from allworlds.inputs.checks import InputError, an_integer
-from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, places
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, places, rooted_code
 from allworlds.protocol.choices import Choices, Kind
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind

@@ -40,8 +40,8 @@ from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.fuzz import MapsRequest, fuzz, refuted_in
 from allworlds.words import plural
-from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
+from allworlds.world.named import own_corpus
 from allworlds.world.selection import a_condition, flaws_of
 
 __all__ = [

@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import pytest
 
 from allworlds.cli import app, main
-from allworlds.engines.here import Threads
+from allworlds.engines.engine_table import Threads
 from allworlds.outcome import Completed, Interrupted, until_interrupted
 from allworlds.studies.ambiguity.twin_search import _TwinsSearch
 

@@ -9,9 +9,8 @@ from inspect import getsource
 import pytest
 
 from allworlds.engines import dask, engine_table, here
-from allworlds.engines.here import ThisThread, Threads
-from allworlds.engines.limits import DaskCluster, TimeIsUp
-from allworlds.engines.progress import Silent
+from allworlds.engines.engine_table import ThisThread, Threads
+from allworlds.engines.limits import DaskCluster, Silent, TimeIsUp
 from allworlds.engines.sweep import gather
 from clusters import cluster_here
 
@@ -138,7 +137,7 @@ def test_of_several_errors_the_one_in_the_first_unit_is_raised_whichever_comes_f
                     return
             raise Wrong(str(unit))
 
-    monkeypatch.setattr("allworlds.engines.here.wait", waits)
+    monkeypatch.setattr("allworlds.engines.engine_table.wait", waits)
 
     seen = []
     with Threads(4) as threads, pytest.raises(Wrong, match=r"^2$"):

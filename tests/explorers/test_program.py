@@ -7,9 +7,8 @@ import pytest
 
 from allworlds.explorers.program import Program
 from allworlds.inputs.checks import InputError
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.answers import Checkpoint
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.actions import Checkpoint, Move, Percept
+from allworlds.protocol.player import ExplorerFault
 from processes import PATIENCE
 
 SCRIPT = """

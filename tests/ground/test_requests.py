@@ -7,8 +7,8 @@ from functools import cached_property
 import pytest
 
 import allworlds
-from allworlds.document.struct import replace
-from allworlds.engines.progress import Silent
+from allworlds.document import replace
+from allworlds.engines.limits import Silent
 from allworlds.engines.units import Shard
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import Option, Request, answer, fields_of, meant, remembered

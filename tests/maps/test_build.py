@@ -15,7 +15,7 @@ from allworlds.maps import (
     named_maps,
 )
 from allworlds.maps.build import cycle, dense, lattice
-from allworlds.maps.canonical import Mismatch
+from allworlds.maps.combinatorial import Mismatch
 
 # Vertices, edges and face lengths of well-known embedded graphs: the Platonic solids K4 and
 # cube and the wheels from any textbook; the others counted by hand with Euler's formula.

@@ -15,9 +15,8 @@ from allworlds.maps import (
     networks,
     to_networkx,
 )
-from allworlds.maps.build import lattice
+from allworlds.maps.build import deleted, lattice
 from allworlds.maps.networks import from_planar_embedding
-from allworlds.maps.surgery import deleted
 from allworlds.world import Directional, InvalidWorld, World
 from bruteforce import rooted_maps_by_permutations
 

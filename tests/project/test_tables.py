@@ -14,12 +14,10 @@ import pytest
 import allworlds
 from allworlds import reports, strategies
 from allworlds.cli.app import command_line
-from allworlds.document.reading import parse
-from allworlds.document.report import Report
-from allworlds.document.struct import replace
+from allworlds.document import Report, parse, replace
 from allworlds.engines.engine_table import ENGINES, engine_for
 from allworlds.engines.kernel.capabilities import CHECKED
-from allworlds.engines.scope import Sample, Scope
+from allworlds.engines.units import Sample, Scope
 from allworlds.explorers import builtin as explorers
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.languages import LANGUAGES

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from allworlds.protocol.actions import Drop, Move, Percept, Pick
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.player import ExplorerFault
 from allworlds.protocol.transcript import Transcript, action_from_json, percept_from_json
 
 FIRST = {"degree": 2, "marks": 1, "bearing": 0}

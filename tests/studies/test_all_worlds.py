@@ -3,8 +3,8 @@
 import pytest
 
 from allworlds import run
-from allworlds.document.struct import replace
-from allworlds.engines.examiner import Examiner
+from allworlds.document import replace
+from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules

@@ -7,13 +7,13 @@ from typing import ClassVar
 
 import pytest
 
-from allworlds.document.struct import replace
-from allworlds.engines.progress import Silent
+from allworlds.document import replace
+from allworlds.engines.limits import Silent
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
 from allworlds.maps.counting import CountSource
 from allworlds.outcome import Verdict
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds

@@ -3,7 +3,7 @@
 import pytest
 
 import allworlds
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.engines.run_directory import Gap
 from allworlds.inputs.checks import InputError
 from kept_jobs import EXPLORERS

@@ -6,7 +6,7 @@ import pytest
 
 from allworlds import check
 from allworlds.engines.kernel.capabilities import MOST_EDGES
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import drawn_units, level_size
 from allworlds.maps import MapClass

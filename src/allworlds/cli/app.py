@@ -18,8 +18,7 @@ from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
 
-from allworlds.cli.defaults import Defaults, defaults_here
-from allworlds.cli.made_by import beginning
+from allworlds.cli.defaults import Defaults, beginning, defaults_here
 from allworlds.cli.output import (
     OutputGroup,
     abandon_stdout,

@@ -14,11 +14,10 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeVar
 
-from allworlds.cli.made_by import defaults_used, made_by, words_of_command
-from allworlds.document.struct import replace
-from allworlds.engines.limits import ListenerOptions
+from allworlds.cli.defaults import defaults_used, made_by, words_of_command
+from allworlds.document import replace
+from allworlds.engines.limits import Listener, ListenerOptions
 from allworlds.engines.prints import patient_stderr
-from allworlds.engines.progress import Listener
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Option, answer
 from allworlds.outcome import Exit, Result
@@ -35,7 +34,7 @@ from allworlds.verbs import BY_NAME, FINDINGS
 from allworlds.words import harmless
 
 if TYPE_CHECKING:
-    from allworlds.document.report import Report
+    from allworlds.document import Report
 
 Answer = TypeVar("Answer", bound=Result)
 

@@ -8,7 +8,7 @@ import sys
 import allworlds
 from allworlds import Drop, Move, Percept, Pick, Write
 from allworlds.cli.output import OutputGroup, emit, printable
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.inputs.requests import answer
 from allworlds.studies.play import PlayRequest
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import allworlds
 from allworlds.cli.output import OutputGroup, complain, emit
 from allworlds.inputs.requests import answer
-from allworlds.studies.replay import ReplayRequest
+from allworlds.studies.run import ReplayRequest
 
 
 def replay(request: ReplayRequest, *, output: OutputGroup) -> int:

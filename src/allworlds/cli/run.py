@@ -6,9 +6,8 @@ from typing import Annotated
 
 import allworlds
 from allworlds.cli.output import OutputGroup, emit
-from allworlds.document.struct import replace
-from allworlds.explorers.asked import ProgramWords
-from allworlds.explorers.sources import names_explorer
+from allworlds.document import replace
+from allworlds.explorers.sources import ProgramWords, names_explorer
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, answer, values_of
 from allworlds.studies.run import RunOptions, RunRequest, WorldNames

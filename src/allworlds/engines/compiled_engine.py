@@ -18,19 +18,16 @@ from typing import Any, Self
 
 from msgspec import Struct, field
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines.engine_table import WALKED_FROM, Job, kind_of, walks
-from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel import engine as kernel, library_player
-from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.engines.kernel.compiling import is_compiled, uncollected
-from allworlds.engines.kernel.records import Stretch
-from allworlds.engines.kernel.rows import BrokenRun, Level, Rows
+from allworlds.engines.kernel.engine import UnitJudge
+from allworlds.engines.kernel.records import BrokenRun, Level, Rows, Stretch
 from allworlds.engines.kernel.runs import UNDEFINED, examine
-from allworlds.engines.scope import Scope, UnitOfRuns
-from allworlds.engines.tally import AtRun, EnginesDisagree, Row, RunCounter, Tally
-from allworlds.engines.units import LevelUnit
+from allworlds.engines.tally import AtRun, EnginesDisagree, Examiner, Row, RunCounter, Tally
+from allworlds.engines.units import LevelUnit, Scope, UnitOfRuns
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules

@@ -14,18 +14,18 @@ from typing import Any
 
 from allworlds.engines.compiled_engine import compare, level_of, tally_of
 from allworlds.engines.judge import Due, Judged, PythonJudge, RunBatch, Work
-from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge
+from allworlds.engines.kernel.engine import LaidOutRuns, UnitJudge
 from allworlds.engines.kernel.records import (
     RUN_BUDGET,
     RUN_NUMBER,
     RUN_TOLD,
+    Rows,
     Stretch,
 )
-from allworlds.engines.kernel.rows import Rows
 from allworlds.engines.players import Logs
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.engines.units import LevelUnit
-from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.combinatorial import Code, rooted_code
 from allworlds.world.world import World
 
 LIBRARIES = 8

@@ -23,7 +23,7 @@ from time import monotonic, perf_counter
 from typing import Any, NoReturn, Self
 from uuid import uuid4
 
-from allworlds.engines.here import ThisThread
+from allworlds.engines.engine_table import ThisThread
 from allworlds.engines.limits import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
 from allworlds.engines.units import PartialResult, Sum, Transport
 from allworlds.inputs.checks import InputError, ensure_installed, show

@@ -17,14 +17,14 @@ from typing import Annotated, Any, NamedTuple, Self, TypeVar, get_args, get_orig
 
 from msgspec import Struct
 
-from allworlds.document.reading import parse
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Positive,
     ShardText,
     Text,
     about,
     names_of,
+    parse,
     plain,
     plain_at_once,
 )

@@ -23,19 +23,16 @@ from random import Random
 from typing import Any, NamedTuple
 
 from allworlds import log as entries
-from allworlds.document.struct import replace
-from allworlds.engines.comparison import (
-    difference_of,
-    nondeterministic,
-    overruled,
-)
-from allworlds.engines.examiner import Outcome
+from allworlds.document import replace
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
     Recorded,
     RunBatch,
     Work,
+    difference_of,
+    nondeterministic,
+    overruled,
 )
 from allworlds.engines.limits import POLL, Limits
 from allworlds.engines.players import (
@@ -48,9 +45,8 @@ from allworlds.engines.players import (
     fresh,
     wait,
 )
-from allworlds.engines.scope import UnitOfRuns
-from allworlds.engines.tally import REPORT_EVERY, RunCounter
-from allworlds.engines.units import LevelUnit, PartialResult, level_size
+from allworlds.engines.tally import REPORT_EVERY, Outcome, RunCounter
+from allworlds.engines.units import LevelUnit, PartialResult, UnitOfRuns, level_size
 from allworlds.explorers.loading import Subject, is_program
 from allworlds.judging.episode import fault_of
 from allworlds.log import Log

@@ -28,9 +28,8 @@ from allworlds.engines.lane import Lane
 from allworlds.engines.limits import POLL, Limits, check_deadline
 from allworlds.engines.linux import descendants, end_with_parent, limit_memory
 from allworlds.engines.players import HarnessError, Unsettled, child_path
-from allworlds.engines.scope import UnitOfRuns
 from allworlds.engines.tally import EnginesDisagree, RunCounter
-from allworlds.engines.units import PartialResult, Transport
+from allworlds.engines.units import PartialResult, Transport, UnitOfRuns
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.words import ended_by

@@ -25,7 +25,7 @@ from allworlds.engines.linux import address_space, end_with_parent, limit_memory
 from allworlds.inputs.checks import InputError
 from allworlds.log import BEYOND
 from allworlds.protocol.choices import Choices, ScheduledChoices, policy_named
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.player import ExplorerFault
 from allworlds.protocol.playing import Record, TableWorld, play_run
 
 if TYPE_CHECKING:

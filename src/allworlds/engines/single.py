@@ -9,24 +9,30 @@ from msgspec import UNSET, UnsetType, field
 from typing_extensions import override
 
 from allworlds import log as entries
-from allworlds.document.report import Report
-from allworlds.document.struct import (
+from allworlds.document import (
     Natural,
     NotInDocument,
+    Report,
     Text,
     about,
     computed,
     one_of,
     replace,
 )
-from allworlds.engines.comparison import difference_of, in_words, nondeterministic, side_by_side
-from allworlds.engines.examiner import LOST, Examiner, Outcome, Referee, name_run
-from allworlds.engines.judge import Due, PythonJudge, Recorded
+from allworlds.engines.judge import (
+    Due,
+    PythonJudge,
+    Recorded,
+    difference_of,
+    in_words,
+    nondeterministic,
+    side_by_side,
+)
 from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
 from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, PlayerProcess, Setup, keep
-from allworlds.engines.scope import GivenWorlds, Scope
-from allworlds.engines.tally import RunCounter, Tally
+from allworlds.engines.tally import LOST, Examiner, Outcome, Referee, RunCounter, Tally, name_run
+from allworlds.engines.units import GivenWorlds, Scope
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.loading import (
     Subject,
@@ -47,8 +53,7 @@ from allworlds.judging.laws.law_table import checked_laws
 from allworlds.log import Log
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.outcome import Facts, Verdict
-from allworlds.protocol.actions import action_numbered
-from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.protocol.actions import Ambiguous, Estimate, action_numbered
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
 

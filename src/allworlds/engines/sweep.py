@@ -10,16 +10,39 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any, ClassVar, Generic, TypeVar
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    Generic,
+    Literal,
+    TypeAlias,
+    TypeVar,
+)
 
-from allworlds.document.struct import replace
-from allworlds.engines.engine_table import ReadyEngine
-from allworlds.engines.here import ThisThread
+from typing_extensions import override
+
+from allworlds.document import (
+    Document,
+    IfAny,
+    NotInDocument,
+    Text,
+    Why,
+    about,
+    computed,
+    replace,
+)
+from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
-from allworlds.engines.limits import ClusterLost, TimeIsUp, deadline_after
+from allworlds.engines.limits import (
+    NOBODY,
+    ClusterLost,
+    Listener,
+    RowsReport,
+    TimeIsUp,
+    deadline_after,
+)
 from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import NOBODY, Listener
-from allworlds.engines.swept_report import By
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import (
     WHOLE,
@@ -35,10 +58,142 @@ from allworlds.engines.units import (
     tell_of_size,
     units_of_level,
 )
-from allworlds.inputs.checks import InputError
-from allworlds.inputs.requests import meant, remembered, without_effort
+from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.requests import (
+    OUTPUT,
+    Converted,
+    Option,
+    Request,
+    as_json,
+    in_scope,
+    meant,
+    remembered,
+    without_effort,
+)
+from allworlds.judging.findings.rules import Rules
 from allworlds.maps.classes import Extent
+from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended
+from allworlds.world.lighthouses.kinds import LighthouseKind
+
+By: TypeAlias = Literal["size", "world", "run"]
+"""Rows for programs: one for each size, each world, or each run, and explorer."""
+
+
+def by_named(given: str | None) -> By | None:
+    """The word, or None.
+
+    Raises:
+        InputError: naming another word.
+    """
+    if given in (None, "size", "world", "run"):
+        return given  # type: ignore[return-value]  # one of these
+    raise InputError(f"by {show(given)} is not one of size, world, run")
+
+
+class RowOptions(Request):
+    """The part of a request that says for what there are rows."""
+
+    by: Annotated[
+        Converted[str | None, By | None],
+        Option(
+            OUTPUT,
+            "size|world|run",
+            "Rows of -o FILE.csv: one for each size, world, or run, and explorer [default: size; "
+            "of worlds that grow: run].",
+            apart=True,
+        ),
+    ] = Converted(by_named, None)
+
+
+TriedPlaces = Annotated[
+    IfAny[Text | None],
+    about("the places of the lighthouse that were tried; where it is left out, every one"),
+]
+"""A key of every scope with a lighthouse."""
+
+
+def tried_places(kind: LighthouseKind, extent: Extent) -> str:
+    """The places of a lighthouse that are tried in an extent, in words; empty: every place."""
+    return kind.as_class.tried_in_maps_of(extent.levels[-1])
+
+
+Scope_ = TypeVar("Scope_", bound=Document)
+
+
+def told_scope(
+    kind: type[Scope_], request: object, rules: Rules | None = None, **more: Any
+) -> Scope_:
+    """The scope of a document: what was asked, as it took effect.
+
+    Args:
+        kind: the class of the scope.
+        request: whose options stand there by their names.
+        rules: in place of options of rules, if runs were judged.
+        more: further keys, or other values.
+    """
+    keys = {*kind.__struct_fields__}
+    asked = {one.name: as_json(getattr(request, one.name)) for one in in_scope(type(request))}
+    told = {**asked, **(rules.in_effect if rules else {})}
+    return kind(**({name: told[name] for name in told if name in keys} | more))
+
+
+class Gate(Document):
+    """A count gate: the comparison of every count with an independent source."""
+
+    source: Annotated[Text, about("the independent source of the counts")]
+    agrees: Annotated[bool, about("whether each count equals the source's")]
+
+
+ToldGate: TypeAlias = Annotated[
+    Gate | None,
+    about(
+        "the comparison of the rows with an independent source, of a shard as far as it goes; "
+        "null: there is no source, or no row"
+    ),
+]
+
+
+class SweptReport(RowsReport):
+    """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
+
+    request: NotInDocument[Any]
+    extent: NotInDocument[Extent]
+
+    @computed
+    def stopped(self) -> Why:
+        """Reason why rows are missing."""
+        return self.ending.stopped
+
+    @property
+    def portion(self) -> Portion:
+        """The part of the job that was to be done."""
+        portion: Portion = self.request.shard
+        return portion
+
+    @property
+    @override
+    def whole(self) -> bool:
+        return self.portion == WHOLE
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return not getattr(self, "rows", ())
+
+    @property
+    def source(self) -> str:
+        """The name of the independent source of the counts; empty if there is none."""
+        source = source_of(self.extent)
+        return source.name if source else ""
+
+    @property
+    def compared(self) -> Gate | None:
+        """The count gate, if there is anything to compare."""
+        rows: Any = getattr(self, "rows", ())
+        some = self.source and (rows or not self.agrees)
+        return Gate(source=self.source, agrees=self.agrees) if some else None
+
 
 Total = TypeVar("Total", bound=Sum)
 Answer = TypeVar("Answer")

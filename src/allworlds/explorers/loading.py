@@ -18,7 +18,6 @@ from msgspec.structs import replace
 from allworlds.inputs.checks import InputError, show
 from allworlds.protocol.actions import Percept
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.faults import ANSWER_TIMEOUT
 from allworlds.protocol.importing import (
     SourceText,
     arguments_of,
@@ -30,13 +29,13 @@ from allworlds.protocol.importing import (
     points_of,
     text_of,
 )
-from allworlds.protocol.player import Player, Told
+from allworlds.protocol.player import ANSWER_TIMEOUT, Player, Told
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
     from allworlds.explorers.builtin.explorer_table import BuiltIn, Size
-    from allworlds.explorers.builtin.shield import Shield
+    from allworlds.explorers.builtin.folding import Shield
     from allworlds.explorers.program import Program
     from allworlds.explorers.shared_library import NativeExplorer
 
@@ -227,7 +226,7 @@ def built_in(name: str) -> Subject:
 
 def with_shield(inside: Subject) -> Subject:
     """The explorer with a shield; one shield is enough."""
-    from allworlds.explorers.builtin.shield import Shield
+    from allworlds.explorers.builtin.folding import Shield
 
     if has_shield(inside.name):
         return inside
@@ -248,7 +247,7 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
         InputError: if it is no generator function.
     """
     from allworlds.explorers.builtin.explorer_table import BUILT_IN
-    from allworlds.explorers.builtin.shield import Shield
+    from allworlds.explorers.builtin.folding import Shield
 
     if isinstance(explore, Shield):
         inside = in_process_subject(explore.explorer)
@@ -409,7 +408,7 @@ def shield(explorer: str | Callable[..., Generator[Any, Any, Any]]) -> str | Shi
     Raises:
         InputError: if it is neither.
     """
-    from allworlds.explorers.builtin.shield import Shield
+    from allworlds.explorers.builtin.folding import Shield
 
     if isinstance(explorer, str):
         return SHIELD + explorer

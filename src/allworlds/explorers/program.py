@@ -20,10 +20,8 @@ from typing import Any, NamedTuple, TypeAlias
 
 from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, no_file, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import Action, Percept
-from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
-from allworlds.protocol.faults import ExplorerFault, FaultLaw
-from allworlds.protocol.player import Told
+from allworlds.protocol.actions import Action, Ambiguous, Checkpoint, Estimate, Percept
+from allworlds.protocol.player import ExplorerFault, FaultLaw, Told
 from allworlds.protocol.transcript import action_from_json
 from allworlds.words import ended_by, plural
 

@@ -13,11 +13,19 @@ from typing import Any, TypeVar, cast
 
 from allworlds.inputs.checks import InputError, existing_file, is_loop_of_links, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick as PickUp
-from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
+from allworlds.protocol.actions import (
+    Action,
+    Ambiguous,
+    Answer,
+    Checkpoint,
+    Drop,
+    Estimate,
+    Move,
+    Percept,
+    Pick as PickUp,
+)
 from allworlds.protocol.choices import KINDS, Choices
-from allworlds.protocol.faults import ExplorerFault, FaultLaw
-from allworlds.protocol.player import Told
+from allworlds.protocol.player import ExplorerFault, FaultLaw, Told
 
 
 def header_text() -> str:

@@ -14,13 +14,18 @@ from msgspec import Struct
 from allworlds import log as entries
 from allworlds.inputs.checks import show
 from allworlds.log import Log
-from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import Action, Percept, Write, action_numbered
-from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, numbering
+from allworlds.protocol.actions import (
+    Action,
+    Ambiguous,
+    Checkpoint,
+    Estimate,
+    Percept,
+    Write,
+    action_numbered,
+)
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.faults import IllegalAction
-from allworlds.protocol.player import Player
+from allworlds.protocol.player import IllegalAction, Player
 from allworlds.protocol.playing import (
     A_QUOTIENT,
     A_VALUE,

@@ -11,8 +11,15 @@ from typing import NamedTuple, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.maps.canonical import numbering, rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, inverse, places
+from allworlds.maps.combinatorial import (
+    CombinatorialMap,
+    Dart,
+    cycles,
+    inverse,
+    numbering,
+    places,
+    rooted_code,
+)
 
 
 def coarsest_partition(

@@ -23,11 +23,18 @@ from allworlds.inputs.checks import (
     show,
 )
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import Drop, Move, Percept, Pick, Write
-from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
+from allworlds.protocol.actions import (
+    Ambiguous,
+    Checkpoint,
+    Drop,
+    Estimate,
+    Move,
+    Percept,
+    Pick,
+    Write,
+)
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.faults import BeyondRecord, ExplorerFault, IllegalAction
-from allworlds.protocol.player import Player, Told
+from allworlds.protocol.player import BeyondRecord, ExplorerFault, IllegalAction, Player, Told
 
 FREE = 10
 """The drops and picks that are legal for each traversal of the budget, and as many more: they are

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, Literal, assert_never
 
-from allworlds.document.report import Paged
-from allworlds.document.struct import Document, Natural, about, plain
+from allworlds.document import Document, Natural, Paged, about, plain
 from allworlds.inputs.checks import integer, show
 from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick, Write
 

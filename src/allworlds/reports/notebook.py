@@ -6,15 +6,14 @@ from html import escape
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from allworlds.document.report import Report
+from allworlds.document import Report
 from allworlds.judging.findings.finding import Finding
 from allworlds.protocol.transcript import Transcript
 from allworlds.reports.content.single_run import finding_section, headline_of
 from allworlds.reports.formats import content_of, html, text
 from allworlds.reports.parts import Cell, Table, rows_of
 from allworlds.reports.plain_text import finding_in_words, table
-from allworlds.reports.web.frame import framed
-from allworlds.reports.web.sections import element, table_element
+from allworlds.reports.web.sections import element, framed, table_element
 
 WIDTH = 100
 """Columns of a printed report."""

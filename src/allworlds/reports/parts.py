@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from msgspec import Struct, field
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.words import number
 
 if TYPE_CHECKING:

@@ -20,22 +20,30 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds.document.report import MadeBy
-from allworlds.document.struct import IF_ANY, Document, Text, WrittenByFields, about, keys_of, plain
+from allworlds.document import (
+    IF_ANY,
+    Document,
+    MadeBy,
+    Text,
+    WrittenByFields,
+    about,
+    keys_of,
+    plain,
+)
 from allworlds.engines.engine_table import ENGINES
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
 from allworlds.maps.classes import MapClass
 from allworlds.outcome import Result, Verdict
-from allworlds.protocol.answers import Estimate, RootedMap
+from allworlds.protocol.actions import Estimate, RootedMap
 from allworlds.protocol.transcript import AtStart, Dropped, Moved, Picked, Transcript, Wrote
 from allworlds.studies.check.exhaustive import TimeEstimate
 from allworlds.studies.run import WorldNames
 from allworlds.verbs import VERBS, Verb
-from allworlds.world.corpus import Manifest
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES
 from allworlds.world.lighthouses.options import place_keys
+from allworlds.world.named import Manifest
 from allworlds.world.world import World, WorldDocument
 
 Schema: TypeAlias = dict[str, Any]

@@ -10,7 +10,7 @@ from typing import Annotated
 from msgspec import UNSET, Struct, UnsetType, field
 from typing_extensions import override
 
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Edges,
     Natural,
@@ -20,21 +20,19 @@ from allworlds.document.struct import (
     computed,
     with_options,
 )
-from allworlds.engines.engine_table import COMPILER, ReadyEngine
-from allworlds.engines.here import local_or_dask
+from allworlds.engines.engine_table import COMPILER, ReadyEngine, local_or_dask
 from allworlds.engines.limits import (
     ClusterOptions,
     ListenerOptions,
     RunDirectoryOptions,
     TimeLimitOptions,
 )
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import SweptReport, ToldGate, told_scope
+from allworlds.engines.sweep import Sweep, SweptReport, ToldGate, told_scope
 from allworlds.engines.units import WHOLE, LevelUnit, ShardOptions, SweptLevel
 from allworlds.inputs.checks import lack_of
 from allworlds.inputs.requests import answers
-from allworlds.maps.canonical import automorphisms
 from allworlds.maps.classes import Extent, ExtentOptions, MapClass
+from allworlds.maps.combinatorial import automorphisms
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Ending
 from allworlds.world.selection import WhereOptions
@@ -213,7 +211,7 @@ def count_compiled(extent: Extent, unit: LevelUnit) -> Counted:
 
     Cost: some 150 ns a rooted map, after some seconds of compiling at the first use.
     """
-    from allworlds.engines.kernel.gluing import by_vertices_and_faces
+    from allworlds.engines.kernel.worlds import by_vertices_and_faces
 
     edges, counted = unit.edges, Counted()
     found = by_vertices_and_faces(edges, extent.vertex_limit(edges), unit.prefix)

@@ -14,34 +14,33 @@ from typing_extensions import override
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
 from allworlds.engines.lanes import workers_for
-from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions, TimeIsUp
-from allworlds.engines.progress import Listener, Silent
-from allworlds.engines.scope import GivenWorlds, Sample, Scope
+from allworlds.engines.limits import ClusterOptions, Listener, RunDirectoryOptions, Silent, TimeIsUp
 from allworlds.engines.single import played_again, subject_of
 from allworlds.engines.sweep import gather
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
+    GivenWorlds,
     Placed,
     Portion,
+    Sample,
+    Scope,
     Shard,
     ShardOptions,
     SweptLevel,
     Transport,
     shards_of,
 )
-from allworlds.explorers.asked import ExplorerOptions
 from allworlds.explorers.loading import Subject
+from allworlds.explorers.sources import ExplorerOptions
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
-from allworlds.maps.build import lattice
-from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.build import contracted, deleted, lattice, moved
 from allworlds.maps.classes import Condition, Extent, MapClass, narrowing
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.maps.enumeration import Gluing
 from allworlds.maps.families import random_map
-from allworlds.maps.surgery import contracted, deleted, moved
 from allworlds.outcome import Completed, Ending
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.check.requests import ManyWorlds

@@ -8,8 +8,7 @@ from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document.report import Report
-from allworlds.document.struct import Positive, Text, about, computed, one_of
+from allworlds.document import Positive, Report, Text, about, computed, one_of
 from allworlds.explorers.languages import LANGUAGES, SKELETONS, Language, templates
 from allworlds.explorers.shared_library import INTERFACE_VERSION, header_text
 from allworlds.inputs.checks import InputError, a_path, one_of as one_of_these, show

@@ -19,8 +19,7 @@ from typing import Annotated, Any, Literal, TypeAlias, cast, get_args
 from msgspec import Meta, Struct, field
 from typing_extensions import override
 
-from allworlds.document.reading import parse
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Natural,
     NotInDocument,
@@ -29,10 +28,9 @@ from allworlds.document.struct import (
     about,
     computed,
     key,
+    parse,
 )
-from allworlds.engines.limits import ListenerOptions, WorkerOptions
-from allworlds.engines.progress import Listener
-from allworlds.engines.swept_report import RowsReport
+from allworlds.engines.limits import Listener, ListenerOptions, RowsReport, WorkerOptions
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.inputs.checks import InputError, a_path, read_text, show
 from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Converted, Option, answers

@@ -7,17 +7,16 @@ from dataclasses import KW_ONLY
 from enum import StrEnum
 from typing import Annotated, TypeAlias
 
-from allworlds.document.report import Report
-from allworlds.document.struct import Document, Natural, about, computed
+from allworlds.document import Document, Natural, Report, about, computed
 from allworlds.engines.limits import Limits
 from allworlds.engines.single import single_run, subject_of
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import integer_of
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
 from allworlds.judging.findings.rules import RuleOptions
-from allworlds.maps.surgery import covering_walk
+from allworlds.maps.build import covering_walk
 from allworlds.protocol.actions import Action, Percept
-from allworlds.protocol.faults import IllegalAction
+from allworlds.protocol.player import IllegalAction
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.lighthouses.kinds import GivenLighthouse, kind_of
 from allworlds.world.lighthouses.marked import Directional

@@ -6,12 +6,11 @@
 ``world``
     map, lighthouse and start together, and the effect of a step;
 ``named``
-    the forms of a WORLD on the command line and in Python;
+    the forms of a WORLD on the command line and in Python; the worlds, findings and pairs that
+    ship with the package;
 ``selection``
     the lighthouse of a request, and conditions that narrow a class of maps; the user's are tried;
     every world of a class;
-``corpus``
-    the worlds, findings and pairs that ship with the package;
 ``bisimulation``
     the checker of a proof that two worlds look alike.
 """
@@ -21,7 +20,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.protocol.faults import IllegalAction as IllegalAction
+    from allworlds.protocol.player import IllegalAction as IllegalAction
     from allworlds.world.lighthouses.base import (
         Lighthouse as Lighthouse,
         Sensing as Sensing,

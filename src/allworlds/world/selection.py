@@ -13,7 +13,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document.struct import IfAny, Text, about
+from allworlds.document import IfAny, Text, about
 from allworlds.inputs.checks import InputError, a_text, one_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
 from allworlds.maps.classes import (

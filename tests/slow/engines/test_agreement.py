@@ -9,11 +9,11 @@ from random import Random
 import pytest
 
 from allworlds import check
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines import compiled_engine as agreement
 from allworlds.engines.compiled_engine import AGREED, compare_engines, compared_to, level_of
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.scope import Scope
+from allworlds.engines.units import Scope
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps import MapClass

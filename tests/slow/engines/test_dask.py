@@ -9,7 +9,7 @@ import pytest
 
 import processes
 from allworlds import check, count, worst
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from clusters import cluster_apart
 from engines import test_dask as quick
 from engines.test_dask import WRONG, distributed

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 import pytest
 
 from allworlds import check
-from allworlds.studies.status import DoneOf, status
+from allworlds.studies.merge import DoneOf, status
 
 EDGES = 4
 UNITS = 20

@@ -6,7 +6,7 @@ import tracemalloc
 import pytest
 
 from allworlds import ambiguity, check, worst
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.engines.tally import Tally
 from small import long
 

@@ -3,13 +3,13 @@
 import pytest
 
 from allworlds import check
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import compare_engines
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.kernel.gluing import gluing_rule
-from allworlds.engines.scope import Scope
+from allworlds.engines.kernel.worlds import gluing_rule
 from allworlds.engines.tally import EnginesDisagree
+from allworlds.engines.units import Scope
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import CombinatorialMap, MapClass, rooted_maps, unrooted_code

@@ -13,7 +13,7 @@ import pytest
 
 import processes
 from allworlds import check
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from engines.test_resuming import VERBS, wrong
 from kept_jobs import EXPLORERS, stable
 from small import long

@@ -7,7 +7,7 @@ import pytest
 
 from allworlds import check
 from allworlds.engines import run_directory
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.engines.run_directory import FILE, reading
 from allworlds.inputs.checks import InputError
 

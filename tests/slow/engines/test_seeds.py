@@ -2,10 +2,10 @@
 
 import pytest
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.replay import replay
+from allworlds.studies.run import replay
 from engines import test_seeds as quick
 from engines.test_seeds import GOES_BY_ORDER
 

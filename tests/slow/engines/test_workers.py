@@ -6,8 +6,7 @@ import small
 from allworlds.engines.players import GRACE
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run import replay, run
 from engines import test_workers as quick
 from engines.test_workers import EDGE, LOOP, only_finding
 from processes import PATIENCE, SOON

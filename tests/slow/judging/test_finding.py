@@ -1,7 +1,7 @@
 import pytest
 
-from allworlds.document.struct import replace
-from allworlds.studies.replay import replay
+from allworlds.document import replace
+from allworlds.studies.run import replay
 from judging import test_finding as quick
 from judging.test_finding import algorithm
 

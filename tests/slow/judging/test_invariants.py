@@ -1,7 +1,7 @@
 import pytest
 
-from allworlds.document.struct import replace
-from allworlds.judging.laws.finished_run import invariant_1
+from allworlds.document import replace
+from allworlds.judging.laws.law_table import invariant_1
 from judging.test_invariants import embeds, every, kept, put, runs, single, up_to
 
 

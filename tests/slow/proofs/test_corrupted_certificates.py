@@ -17,8 +17,7 @@ import pytest
 from allworlds import check
 from allworlds.explorers.loading import load
 from allworlds.maps import CombinatorialMap
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate, Move
 from proofs import test_corrupted_certificates as quick
 from proofs.test_corrupted_certificates import EDGES, NOT_CLAIMED, OTHER_TEXTS, checked, code
 

@@ -16,8 +16,18 @@ from numpy.random import default_rng
 
 from allworlds import log as codes
 from allworlds.engines.kernel import capabilities as names, records as layout
-from allworlds.engines.kernel.compiling import RECORD, callback, entry, inlined, inner
-from allworlds.engines.kernel.instructions import address_of, ask, byte_of, call, entry_of
+from allworlds.engines.kernel.compiling import (
+    RECORD,
+    address_of,
+    ask,
+    byte_of,
+    call,
+    callback,
+    entry,
+    entry_of,
+    inlined,
+    inner,
+)
 from allworlds.engines.kernel.records import LIBRARY, NONE, Stretch, new
 from allworlds.explorers.shared_library import NativeExplorer, threads_left, threads_now
 

@@ -7,8 +7,7 @@ from typing import NamedTuple, TypeAlias
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
 from allworlds.maps.combinatorial import CombinatorialMap, cycles
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.protocol.actions import Ambiguous, Estimate, Move, Percept
 from allworlds.protocol.choices import Choices
 
 Word: TypeAlias = tuple[str, ...]

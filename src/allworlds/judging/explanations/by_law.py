@@ -9,14 +9,27 @@ from collections.abc import Iterator
 from allworlds.explorers.loading import is_program
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import default_step_budget
-from allworlds.judging.explanations.slips import bearings_anticlockwise, mirror_image, the_slip
-from allworlds.judging.explanations.story import Belief, Story, Teller, Telling, Walked
-from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import Parting
+from allworlds.judging.explanations.story import (
+    Belief,
+    Story,
+    Teller,
+    Telling,
+    Walked,
+    bearings_anticlockwise,
+    mirror_image,
+    the_slip,
+)
+from allworlds.judging.findings.finding import Finding, Parting
 from allworlds.judging.laws.bounds import paper_terms
 from allworlds.judging.laws.folding import Folded, fold
-from allworlds.maps.canonical import carries, numbering, rooted_isomorphism
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
+from allworlds.maps.combinatorial import (
+    CombinatorialMap,
+    Dart,
+    carries,
+    cycles,
+    numbering,
+    rooted_isomorphism,
+)
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.protocol.transcript import Transcript
 from allworlds.words import listed, plural, size

@@ -8,7 +8,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
-from allworlds.document.struct import (
+from allworlds.document import (
     Different,
     Document,
     IfAny,

@@ -7,9 +7,9 @@ from string import ascii_lowercase
 
 from msgspec import UNSET
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.judging.explanations.story import Walked
-from allworlds.judging.findings.walks import true_trail
+from allworlds.judging.findings.finding import true_trail
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.quotient import Quotient
 from allworlds.protocol.actions import Move
@@ -33,8 +33,7 @@ from allworlds.reports.parts import (
     so_far,
 )
 from allworlds.studies.ambiguity.marked_worlds import AmbiguityCensus, CensusCell, CensusRow
-from allworlds.studies.ambiguity.members import AmbiguityClass, projection_of
-from allworlds.studies.ambiguity.telling_apart import ComparedWorlds
+from allworlds.studies.ambiguity.members import AmbiguityClass, ComparedWorlds, projection_of
 from allworlds.studies.ambiguity.twin_search import SearchResult
 from allworlds.words import number, plural
 from allworlds.world.lighthouses.marked import Position

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from allworlds.engines.scope import Given, Sample
 from allworlds.engines.single import SingleRun
-from allworlds.engines.swept_report import tried_places
+from allworlds.engines.sweep import tried_places
 from allworlds.engines.tally import Row
-from allworlds.engines.units import Shard
+from allworlds.engines.units import Given, Sample, Shard
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Disagreed, Verdict
 from allworlds.reports.content.scope import (

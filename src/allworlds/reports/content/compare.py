@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from allworlds.engines.swept_report import By
+from allworlds.engines.sweep import By
 from allworlds.explorers.sources import short_names
 from allworlds.reports.content.scope import SAID, explorer_facts, maps_in_words, option_facts
 from allworlds.reports.content.single_run import finding_section, run_section

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from allworlds.document.report import Report
+from allworlds.document import Report
 from allworlds.engines.units import WHOLE
 from allworlds.inputs.checks import show
 from allworlds.judging.tasks import MAP
@@ -22,7 +22,7 @@ from allworlds.reports.parts import (
     Table,
 )
 from allworlds.studies.init import Header, LedgerSkeleton, Skeleton
-from allworlds.studies.status import Standing
+from allworlds.studies.merge import Standing
 from allworlds.words import duration, number, plural, size
 
 NOT_IN_DOCUMENT = ("schema", "made_by", "verdict", "exit_code")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from allworlds.document.struct import replace
-from allworlds.engines.swept_report import SweptReport, tried_places
+from allworlds.document import replace
+from allworlds.engines.sweep import SweptReport, tried_places
 from allworlds.engines.units import Shard
 from allworlds.inputs.requests import given_again
 from allworlds.maps.classes import Extent

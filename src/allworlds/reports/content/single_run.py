@@ -6,16 +6,15 @@ import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines.single import SingleRun
 from allworlds.explorers.loading import is_program
 from allworlds.judging.episode import Answered, Over
 from allworlds.judging.explanations.story import Belief, Story, Walked
-from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.finding import Finding, believed_walk, find_parting, true_trail
 from allworlds.judging.findings.rules import Rules
-from allworlds.judging.findings.walks import believed_walk, find_parting, true_trail
-from allworlds.judging.laws.finished_run import embed
-from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.judging.laws.law_table import embed
+from allworlds.protocol.actions import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports.drawing.scene import walk_in_answer, walk_in_world
 from allworlds.reports.parts import (
@@ -36,8 +35,7 @@ from allworlds.reports.parts import (
     fact,
     rows_of_walk,
 )
-from allworlds.studies.replay import Replay
-from allworlds.studies.run import WorldNames
+from allworlds.studies.run import Replay, WorldNames
 from allworlds.words import listed, number, plural, size
 from allworlds.world.world import World
 

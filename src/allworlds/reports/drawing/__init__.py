@@ -6,10 +6,9 @@
 ``text``
     the scene in characters, exact for every genus: an arc diagram, or a table;
 ``svg``
-    the scene as a drawing in a page, and one that stands alone, with its own style;
+    the scene as a drawing in a page, and one that stands alone, with its own style; elements of
+    HTML and SVG;
 ``layout``, ``planar``
-    the drawing in pixels; the edges that have to cross, and a triangulation that gives every dart
-    room;
-``aligned_maps``
-    a map drawn and named like another one, as far as the two agree.
+    the drawing in pixels, also of a map that is named like another one, as far as the two agree;
+    the edges that have to cross, and a triangulation that gives every dart room.
 """

@@ -7,11 +7,10 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct, field
 
-from allworlds.document.struct import replace
-from allworlds.judging.findings.walks import believed_walk, true_walk
+from allworlds.document import replace
+from allworlds.judging.findings.finding import believed_walk, true_walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
 

@@ -10,7 +10,7 @@ from allworlds.judging.explanations.story import Walked
 from allworlds.judging.laws.bounds import bound_named
 from allworlds.protocol.actions import Pick
 from allworlds.reports.drawing.scene import scene_of, walk_in_world
-from allworlds.reports.markup import record, tag
+from allworlds.reports.drawing.svg import record, tag
 from allworlds.reports.parts import (
     Block,
     Cell,
@@ -22,7 +22,7 @@ from allworlds.reports.parts import (
     Table,
     View,
 )
-from allworlds.reports.web.frame import figure, framed, read
+from allworlds.reports.web.sections import figure, framed, read
 from allworlds.studies.play import Play, Walker
 from allworlds.words import plural
 from allworlds.world.lighthouses.kinds import parts_of

@@ -11,7 +11,7 @@ from msgspec import Struct, field
 from msgspec.structs import asdict
 from typing_extensions import override
 
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Edges,
     IfAny,
@@ -24,16 +24,15 @@ from allworlds.document.struct import (
     computed,
     with_options,
 )
-from allworlds.engines.engine_table import ReadyEngine
-from allworlds.engines.here import local_or_dask
+from allworlds.engines.engine_table import ReadyEngine, local_or_dask
 from allworlds.engines.limits import (
     ClusterOptions,
     ListenerOptions,
     RunDirectoryOptions,
     TimeLimitOptions,
 )
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import (
+from allworlds.engines.sweep import (
+    Sweep,
     SweptReport,
     ToldGate,
     TriedPlaces,
@@ -43,13 +42,17 @@ from allworlds.engines.swept_report import (
 from allworlds.engines.units import WHOLE, LevelUnit, ShardOptions, SweptLevel
 from allworlds.inputs.checks import InputError, one_of
 from allworlds.inputs.requests import SCOPE, Converted, Option, answers
-from allworlds.maps.canonical import numbering, rooted_code
 from allworlds.maps.classes import Extent, ExtentOptions, MapClass
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.combinatorial import CombinatorialMap, numbering, rooted_code
 from allworlds.maps.quotient import Quotient, class_size, is_ambiguous
 from allworlds.outcome import Disagreement, Ending
-from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
-from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
+from allworlds.studies.ambiguity.members import (
+    ComparedWorlds,
+    is_least_rooting,
+    projection_of,
+    standing,
+    twins,
+)
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.lighthouses.options import InvalidWorld

@@ -12,7 +12,7 @@ from typing import Annotated, Any, TypeAlias
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Natural,
     NotInDocument,
@@ -25,9 +25,7 @@ from allworlds.document.struct import (
     one_of,
     replace,
 )
-from allworlds.engines.limits import deadline_after
-from allworlds.engines.progress import Listener
-from allworlds.engines.swept_report import EndedReport
+from allworlds.engines.limits import EndedReport, Listener, deadline_after
 from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
 from allworlds.inputs.requests import answers
 from allworlds.maps.classes import MapClass

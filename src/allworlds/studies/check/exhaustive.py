@@ -11,13 +11,13 @@ from typing import Annotated, Any, TypeAlias
 
 from typing_extensions import override
 
-from allworlds.document.report import Report
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Figure,
     Natural,
     NotInDocument,
     Positive,
+    Report,
     Seconds,
     Text,
     about,
@@ -34,15 +34,15 @@ from allworlds.engines.engine_table import (
     why_not_compiled,
 )
 from allworlds.engines.job_records import Identity
-from allworlds.engines.limits import ClusterLost, TimeIsUp
+from allworlds.engines.limits import ClusterLost, Listener, NoticeOnce, Silent, TimeIsUp
 from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import Listener, NoticeOnce, Silent
-from allworlds.engines.scope import Given, Scope
 from allworlds.engines.single import subject_of
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.engines.units import (
     WHOLE,
+    Given,
     Portion,
+    Scope,
     SweptLevel,
     drawn_units,
     is_counted,

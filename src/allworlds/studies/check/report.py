@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from typing_extensions import override
 
-from allworlds.document.struct import (
+from allworlds.document import (
     Different,
     Document,
     Edges,
@@ -24,17 +24,15 @@ from allworlds.document.struct import (
 )
 from allworlds.engines.engine_table import EngineName
 from allworlds.engines.lane import GOES_BY_HASHES
-from allworlds.engines.limits import Limits
-from allworlds.engines.scope import Given, Sample, Scope
+from allworlds.engines.limits import EndedReport, Limits
 from allworlds.engines.single import SingleRun, single_run, subject_of
-from allworlds.engines.swept_report import (
-    EndedReport,
+from allworlds.engines.sweep import (
     TriedPlaces,
     told_scope,
     tried_places,
 )
 from allworlds.engines.tally import Tally
-from allworlds.engines.units import Portion, Shard
+from allworlds.engines.units import WHOLE, Given, Portion, Sample, Scope, Shard
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
@@ -277,9 +275,14 @@ class CheckReport(EndedReport):
         return tuple(self.tally.findings)
 
     @property
-    @override
     def portion(self) -> Portion:
+        """The part of the job that was to be done."""
         return self.asked.portion
+
+    @property
+    @override
+    def whole(self) -> bool:
+        return self.portion == WHOLE
 
     @property
     def complete(self) -> bool:

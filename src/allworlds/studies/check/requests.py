@@ -6,12 +6,11 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated, TypeAlias
 
-from allworlds.document.struct import Bounded, IfAny, about, replace
+from allworlds.document import Bounded, IfAny, about, replace
 from allworlds.engines.limits import ClusterOptions, Limits, ListenerOptions, RunDirectoryOptions
 from allworlds.engines.units import ShardOptions
-from allworlds.explorers.asked import ExplorerOptions
 from allworlds.explorers.loading import Subject
-from allworlds.explorers.sources import files_of_explorer
+from allworlds.explorers.sources import ExplorerOptions, files_of_explorer
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Converted, Option
 from allworlds.judging.findings.rules import Among, RuleOptions, Rules

@@ -17,23 +17,22 @@ from typing import Annotated, Any, TypeVar
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.document.struct import Document, IfAny, Text, about, replace
-from allworlds.engines.comparison import nondeterministic
+from allworlds.document import Document, IfAny, Text, about, replace
 from allworlds.engines.engine_table import Job
-from allworlds.engines.examiner import LOST
 from allworlds.engines.job_records import Records, canonical, from_kept
+from allworlds.engines.judge import nondeterministic
 from allworlds.engines.lanes import workers_for
 from allworlds.engines.limits import Limits
-from allworlds.engines.scope import GivenWorlds, Scope
 from allworlds.engines.single import played_again
 from allworlds.engines.sweep import Sweep
 from allworlds.engines.tally import (
+    LOST,
     RunCounter,
     Tally,
     finding_from_record,
     finding_to_record,
 )
-from allworlds.engines.units import SweptLevel
+from allworlds.engines.units import GivenWorlds, Scope, SweptLevel
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest
 from allworlds.inputs.checks import InputError, show

@@ -11,7 +11,7 @@ from typing import Annotated, Any
 
 from typing_extensions import override
 
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Edges,
     Figure,
@@ -23,10 +23,17 @@ from allworlds.document.struct import (
     replace,
 )
 from allworlds.engines.job_records import Identity
-from allworlds.engines.progress import Listener
-from allworlds.engines.scope import GivenWorlds, UnitOfRuns
+from allworlds.engines.limits import Listener
 from allworlds.engines.single import SingleRun, single_run
-from allworlds.engines.units import WHOLE, Portion, Shard, SweptLevel, level_size
+from allworlds.engines.units import (
+    WHOLE,
+    GivenWorlds,
+    Portion,
+    Shard,
+    SweptLevel,
+    UnitOfRuns,
+    level_size,
+)
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import takes_fields
 from allworlds.maps.classes import Extent

@@ -14,7 +14,7 @@ from typing import Annotated, Any, NamedTuple, Self, TypeAlias, TypeVar
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Natural,
     NotInDocument,
@@ -28,31 +28,31 @@ from allworlds.document.struct import (
     with_options,
 )
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
-from allworlds.engines.examiner import Outcome
 from allworlds.engines.job_records import from_kept
 from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions
-from allworlds.engines.scope import Scope, UnitOfRuns
 from allworlds.engines.single import subject_of
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import (
+from allworlds.engines.sweep import (
     By,
     RowOptions,
+    Sweep,
     SweptReport,
     TriedPlaces,
     told_scope,
     tried_places,
 )
-from allworlds.engines.tally import RunCounter, Tally
+from allworlds.engines.tally import Outcome, RunCounter, Tally
 from allworlds.engines.units import (
     WHOLE,
     PartialResult,
     Portion,
+    Scope,
     ShardOptions,
     SweptLevel,
     Transport,
+    UnitOfRuns,
 )
-from allworlds.explorers.asked import ExplorersWords
 from allworlds.explorers.loading import Subject
+from allworlds.explorers.sources import ExplorersWords
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup
 from allworlds.judging.findings.finding import Finding

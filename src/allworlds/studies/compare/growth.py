@@ -12,7 +12,7 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Figure,
     Natural,
@@ -25,12 +25,10 @@ from allworlds.document.struct import (
     computed,
     replace,
 )
-from allworlds.engines.scope import GivenWorlds
-from allworlds.engines.units import Shard, SweptLevel, dealt
+from allworlds.engines.units import GivenWorlds, Shard, SweptLevel, dealt
 from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.classes import Extent, MapClass
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.maps.families import edges_of, rootings
 from allworlds.outcome import Ending
 from allworlds.studies.compare.entrants import (

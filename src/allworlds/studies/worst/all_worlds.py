@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, cast, get_args
 
 from typing_extensions import override
 
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     Edges,
     Natural,
@@ -21,8 +21,7 @@ from allworlds.document.struct import (
     with_options,
 )
 from allworlds.engines.dask import Dask
-from allworlds.engines.engine_table import COMPILER, ReadyEngine
-from allworlds.engines.here import Threads
+from allworlds.engines.engine_table import COMPILER, ReadyEngine, Threads
 from allworlds.engines.limits import (
     ClusterOptions,
     Limits,
@@ -32,12 +31,11 @@ from allworlds.engines.limits import (
     WorkerOptions,
 )
 from allworlds.engines.single import SingleRun, single_run
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import SweptReport, ToldGate, told_scope
+from allworlds.engines.sweep import Sweep, SweptReport, ToldGate, told_scope
 from allworlds.engines.units import WHOLE, ShardOptions, SweptLevel, cells_of_level
-from allworlds.explorers.asked import DEFAULT_EXPLORER
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import Subject, load
+from allworlds.explorers.sources import DEFAULT_EXPLORER
 from allworlds.inputs.checks import InputError, an_integer, ensure_installed, integer_of, show
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Converted, Option, Request, answers
 from allworlds.judging.episode import Answered, default_step_budget, play

@@ -10,10 +10,9 @@ from typing import Annotated, Any, ClassVar, Self
 
 from typing_extensions import override
 
-from allworlds.document.struct import IfAny, NotInDocument, Some, about
+from allworlds.document import IfAny, NotInDocument, Some, about
 from allworlds.inputs.checks import are_plain, show
-from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, numbering
 from allworlds.world.lighthouses.base import (
     ReferenceLighthouse,
     Sensing,

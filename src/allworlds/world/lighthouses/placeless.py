@@ -9,7 +9,7 @@ from typing import Annotated, ClassVar, Literal, TypeAlias
 from msgspec import Meta
 from typing_extensions import override
 
-from allworlds.document.struct import Different, IfAny, Positive, about, narrowed
+from allworlds.document import Different, IfAny, Positive, about, narrowed
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Action, Drop, Pick, Write
 from allworlds.world.lighthouses.base import PlacelessLighthouse, State
