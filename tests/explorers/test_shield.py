@@ -5,7 +5,7 @@ import pytest
 import allworlds
 from allworlds import CombinatorialMap, Estimate, Move, Percept
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
-from allworlds.explorers.builtin import shield as shield_module
+from allworlds.explorers.builtin import folding as shield_module
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.builtin.folding import FoldedLog, Shield, has_open_dart
