@@ -14,8 +14,6 @@ Maps grow edge by edge from their root edge, and every step can be continued, so
 lost.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence, Sized
 from itertools import combinations_with_replacement, count
 from math import comb

@@ -19,8 +19,6 @@ This module does not need pytest.  If pytest runs, past findings are kept in its
 first.
 """
 
-from __future__ import annotations
-
 import inspect
 import sys
 from collections.abc import Callable, Mapping

@@ -1,7 +1,5 @@
 """The command check."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import Annotated

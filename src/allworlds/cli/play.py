@@ -1,7 +1,5 @@
 """The verb ``play``, with its conversation in the terminal."""
 
-from __future__ import annotations
-
 import re
 import sys
 

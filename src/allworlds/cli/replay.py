@@ -1,7 +1,5 @@
 """The verb ``replay`` on the command line."""
 
-from __future__ import annotations
-
 import allworlds
 from allworlds.cli.output import OutputGroup, complain, emit
 from allworlds.inputs.requests import answer

@@ -1,7 +1,5 @@
 """The verb ``run`` on the command line."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import allworlds

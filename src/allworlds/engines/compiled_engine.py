@@ -8,8 +8,6 @@ compared with the examiner, world by world, before the first level; it plays its
 process compiles the kernel.  A broken law is reported only as the examiner finds it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache

@@ -5,8 +5,6 @@ unit whose worker is lost is done again, by another worker.  A *lane* is such a 
 outlives the tasks: the processes of a user's explorer are started once for each thread of a worker.
 """
 
-from __future__ import annotations
-
 import asyncio
 import logging
 import os

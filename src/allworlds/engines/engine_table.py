@@ -4,8 +4,6 @@ The checks that the compiled engine cannot do are told here.  A new engine is an
 code is loaded.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait

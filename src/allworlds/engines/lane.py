@@ -13,8 +13,6 @@ A player that is lost is replaced, and its run tried once more alone; lost again
 finding, and further losses count at once.  What a fresh player does not repeat refutes nothing.
 """
 
-from __future__ import annotations
-
 import time
 from collections import Counter, deque
 from collections.abc import Callable, Sequence

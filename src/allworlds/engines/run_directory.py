@@ -5,8 +5,6 @@ JSON texts, and no code.  Each unit is one transaction: a killed process loses t
 at, and nothing else.  Every row is checked when it is read.
 """
 
-from __future__ import annotations
-
 import fcntl
 import hashlib
 import json

@@ -1,7 +1,5 @@
 """Single runs: one that is told, and findings that are played again."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any
 

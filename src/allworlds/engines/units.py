@@ -3,8 +3,6 @@
 A scope is every option that the counts and the verdict depend on.  Units fall to shards.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heapreplace

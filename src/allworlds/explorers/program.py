@@ -1,7 +1,5 @@
 """A program behind a pipe, and the words of its command."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

@@ -1,7 +1,5 @@
 """A shared library, loaded, and played as an explorer; each buffer is behind a protected page."""
 
-from __future__ import annotations
-
 import ctypes
 import mmap
 import os

@@ -4,8 +4,6 @@ An explorer is a name or a function in Python, options on the command line.  Of 
 that are nearly theirs, their digest, and the line of the explorer.  No code of an explorer is run.
 """
 
-from __future__ import annotations
-
 import ast
 import hashlib
 import os

@@ -1,7 +1,5 @@
 """The exit code of a process, which is no matter of a model's: it would pass for a verdict."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -3,8 +3,6 @@
 No percept of the player is trusted.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import MutableSequence
 from typing import Any, TypeAlias

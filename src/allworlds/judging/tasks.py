@@ -5,8 +5,6 @@ or None; one of the user's is the same.  The task ``map`` has no judge of its ow
 and ``pose`` are its judges.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import Any, Self, TypeAlias
 

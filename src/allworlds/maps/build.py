@@ -8,8 +8,6 @@ one of the two.
 From these come maps with an edge less; and here is the postman's walk.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """Named families of maps, small and large."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from itertools import cycle as repeated, islice, pairwise

@@ -1,7 +1,5 @@
 """An explorer as the harness calls it, and the faults that its adapter raises."""
 
-from __future__ import annotations
-
 from collections.abc import Generator, Mapping
 from typing import Any, Literal, Protocol, TypeAlias
 

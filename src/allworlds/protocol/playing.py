@@ -3,8 +3,6 @@
 This is the explorer's side: what answers it may be a world, or the percepts of an earlier play.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import traceback

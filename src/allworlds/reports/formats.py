@@ -5,8 +5,6 @@ format is a function and a line of the table.  What takes long to load is import
 used, since the command line needs this module.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """Results as notebooks show them, and as ``print`` does."""
 
-from __future__ import annotations
-
 from html import escape
 from typing import Any
 from xml.etree import ElementTree as ET

@@ -1,7 +1,5 @@
 """Reports as plain text."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import zip_longest

@@ -4,8 +4,6 @@
 the package does so.  Every file is complete in itself: what it refers to stands under ``$defs``.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 from collections.abc import Iterable, Iterator, Sequence

@@ -1,7 +1,5 @@
 """A finding in words."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 from allworlds.document import Natural, NotInDocument, Positive, Report, Some, Text, about, computed

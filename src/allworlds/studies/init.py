@@ -1,7 +1,5 @@
 """A skeleton of an explorer, with the gate that CI needs; or of a paper's ledger."""
 
-from __future__ import annotations
-
 import shlex
 from collections.abc import Mapping
 from dataclasses import KW_ONLY

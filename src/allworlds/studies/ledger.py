@@ -4,8 +4,6 @@ Expected verdicts and numbers stand in ``ledger.toml`` alone; the functions that
 read it.
 """
 
-from __future__ import annotations
-
 import re
 import time
 import tomllib

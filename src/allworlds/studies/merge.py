@@ -1,7 +1,5 @@
 """Run directories: joined by ``merge``, their progress shown by ``status``."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A page in which the reader is the robot, with costs beside the player's."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import KW_ONLY
 from enum import StrEnum

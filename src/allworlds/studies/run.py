@@ -3,8 +3,6 @@
 A replayed run is that of a finding, or of an entry of the corpus.
 """
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Callable, Iterable, Sequence

@@ -1,7 +1,5 @@
 """The checker of bisimulations, and worlds that are the same; how twins are found is not used."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from allworlds.maps.combinatorial import Dart, carries, numbering

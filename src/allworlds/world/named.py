@@ -5,8 +5,6 @@ file for each of its entries: named worlds, findings, pairs of worlds that no mo
 counts, and checks, with their provenance and what is expected of them.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from functools import cache

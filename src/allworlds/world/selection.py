@@ -3,8 +3,6 @@
 Code of the user's is tried in small maps before it is used.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from pathlib import Path

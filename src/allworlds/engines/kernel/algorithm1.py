@@ -10,8 +10,6 @@ The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
 Source: Algorithm 1, Section IV.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 from numba import types

@@ -11,8 +11,6 @@ function are pointers (a record, or an address as an integer) and 32-bit integer
 32-bit integer is returned: that is called alike on every platform.
 """
 
-from __future__ import annotations
-
 import gc
 import hashlib
 from collections.abc import Callable, Iterator, Sequence

@@ -15,8 +15,6 @@ the folded log holds every edge of S.  At the end S must be all of W.
 Source: Algorithm 1, Sections IV and V.
 """
 
-from __future__ import annotations
-
 from allworlds.engines.kernel.capabilities import FIFO, LIFO
 from allworlds.engines.kernel.code import blame, is_less, note
 from allworlds.engines.kernel.compiling import (

@@ -8,8 +8,6 @@ laid out first, so that a player needs no enumeration, and can take the runs in 
 library plays in :mod:`allworlds.engines.kernel.library_player`.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

@@ -12,8 +12,6 @@ The twins are :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.
 """
 
-from __future__ import annotations
-
 from numpy import int64
 
 from allworlds.engines.kernel.capabilities import LONG

@@ -4,8 +4,6 @@ A run leaves a log (:mod:`allworlds.log`), which is judged elsewhere.  The twin 
 :mod:`allworlds.explorers.shared_library`.
 """
 
-from __future__ import annotations
-
 from collections.abc import MutableSequence, Sequence
 from functools import cache
 from typing import Any, NamedTuple

@@ -7,8 +7,6 @@ A player is an explorer behind its C interface, or a log that is read; which of 
 when the judge is compiled.
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 from numba import int32

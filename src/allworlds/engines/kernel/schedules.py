@@ -11,8 +11,6 @@ v0 is worked on.
 Source: Algorithm 1, Section IV.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 

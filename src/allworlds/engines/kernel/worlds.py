@@ -10,8 +10,6 @@ function that puts it at the next of its places (before the first one ``world.pl
 says by NONE that there is none left.  The twin is :mod:`allworlds.world.lighthouses`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import cache
 from typing import Any

@@ -20,8 +20,6 @@ of S; cost: the length of that way.  So every simple path is one sequence of ans
 answering 0 always takes a shortest one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Generator, Iterator, Sequence
 from functools import cache, cached_property
 from typing import Any, TypeAlias, TypeVar

@@ -15,8 +15,6 @@ candidates are visited in the order of a depth-first walk of a spanning tree of 
 needs; the open darts there are tried clockwise from the dart of entry.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from allworlds.explorers.builtin.algorithm1 import PartialMap, Walk, bearing_of, nobody, walks

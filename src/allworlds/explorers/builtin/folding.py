@@ -27,8 +27,6 @@ came, and then the way of the next: 2 (1 + 2 + ... + 2^(k-1)) before the turn wi
 and a guest that needs that turn has walked more than 2^(k-2).
 """
 
-from __future__ import annotations
-
 import inspect
 from bisect import insort
 from collections.abc import Callable, Generator, Iterator, Sequence

@@ -1,7 +1,5 @@
 """The words about a finding, law by law."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator

@@ -3,8 +3,6 @@
 A slip is the one difference between a wrong answer and the world, where there is one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from typing import TypeAlias
 

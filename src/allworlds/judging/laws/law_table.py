@@ -9,8 +9,6 @@ calls its place goes to the robot's true dart, and everything else follows along
 the explored edges, because S is connected.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import cached_property

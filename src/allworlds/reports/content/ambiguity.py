@@ -1,7 +1,5 @@
 """Content of reports about worlds that look alike: twins, classes, censuses and searches."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from string import ascii_lowercase
 

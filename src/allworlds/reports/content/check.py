@@ -1,7 +1,5 @@
 """Content of a check."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 

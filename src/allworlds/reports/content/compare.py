@@ -1,7 +1,5 @@
 """Content of comparisons."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 
 from allworlds.engines.sweep import By

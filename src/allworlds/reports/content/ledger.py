@@ -1,7 +1,5 @@
 """Content of ``ledger``: each claim, expected beside found."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Mapping

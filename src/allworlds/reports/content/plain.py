@@ -1,7 +1,5 @@
 """Content that is named facts alone: of jobs, of new projects, and of any other result."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Content of ``count`` and ``worst``: numbers by size, beside their source."""
 
-from __future__ import annotations
-
 from allworlds.reports.content.check import most_expensive
 from allworlds.reports.content.scope import finished, gate_facts, maps_in_words
 from allworlds.reports.parts import (

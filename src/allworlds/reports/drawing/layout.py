@@ -3,8 +3,6 @@
 A map can also be drawn and named like another one, as far as the two agree.
 """
 
-from __future__ import annotations
-
 from cmath import exp, phase, rect
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Elements of HTML and SVG, and a map as SVG, in a page or alone."""
 
-from __future__ import annotations
-
 import json
 import re
 from cmath import phase

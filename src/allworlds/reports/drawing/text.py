@@ -10,8 +10,6 @@ first, each from the dart by which it is found.  Renaming the darts changes noth
 printed numbers.
 """
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar

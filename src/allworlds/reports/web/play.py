@@ -1,7 +1,5 @@
 """The page of ``play``, in which the reader is the robot, and the content of its report."""
 
-from __future__ import annotations
-
 from typing import Any
 from xml.etree import ElementTree as ET
 

@@ -3,8 +3,6 @@
 Keys step along the walk in all pictures.
 """
 
-from __future__ import annotations
-
 from base64 import b64encode
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from hashlib import sha256

@@ -15,8 +15,6 @@ that is entered at two darts which look alike; :func:`forbid_other_start` exclud
 dart, that the second world is the first one started elsewhere.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import combinations, product
 from math import prod

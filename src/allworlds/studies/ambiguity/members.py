@@ -4,8 +4,6 @@ Can any motion tell two worlds apart?  A bisimulation says no, a walk says yes. 
 class are lifts of a quotient, each by its code.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import KW_ONLY
 from itertools import permutations

@@ -1,7 +1,5 @@
 """The question of a search, checked once: lighthouse, class, bounds and the walk."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path

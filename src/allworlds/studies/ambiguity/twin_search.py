@@ -1,7 +1,5 @@
 """The search for twins by growing sizes, so that the first pair found is a smallest one."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import tempfile

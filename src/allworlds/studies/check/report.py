@@ -1,7 +1,5 @@
 """The verdict of a check with its scope: gate, witnesses, most expensive runs."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Literal, TypeAlias
 

@@ -1,7 +1,5 @@
 """The request of a check; files that hold an explorer, and code that judges it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated, TypeAlias

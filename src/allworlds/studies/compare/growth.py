@@ -1,7 +1,5 @@
 """Explorers in larger and larger worlds: families that grow, the runs in them, and cost by size."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache

@@ -3,8 +3,6 @@
 A kind of the user's own is loaded, and its mistakes are told by its name.
 """
 
-from __future__ import annotations
-
 import copyreg
 import inspect
 import re

@@ -1,7 +1,5 @@
 """The options of a lighthouse."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import fields

@@ -1,7 +1,5 @@
 """Lighthouses of which nothing stands anywhere: what is told, and marks that the robot leaves."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Annotated, ClassVar, Literal, TypeAlias
