@@ -5,8 +5,6 @@ before it loads this one, and on its first batch.  A run in which this judge fin
 judged by the other one from the same bytes, and that alone makes the finding.
 """
 
-from __future__ import annotations
-
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
@@ -41,7 +39,7 @@ class CompiledBatch(RunBatch):
     """
 
     def __init__(
-        self, judge: CompiledJudge, work: Work, unit_judge: UnitJudge, laid: LaidOutRuns
+        self, judge: "CompiledJudge", work: Work, unit_judge: UnitJudge, laid: LaidOutRuns
     ) -> None:
         super().__init__(judge.python, work, ())
         self.unit_judge, self.laid, self.plain = unit_judge, laid, not judge.native

@@ -5,8 +5,6 @@ its fields; a counter, or a dictionary whose keys are no texts, as pairs; and wh
 ``from_json`` as that reads it.  Everything else is msgspec's business.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections import Counter
@@ -81,7 +79,7 @@ class Identity(Document):
         """The number of shards into which the job is cut."""
         return shards_of(self.portion)
 
-    def difference(self, other: Identity) -> str:
+    def difference(self, other: "Identity") -> str:
         """The difference of the other one, as a clause about the other; empty if there is none.
 
         The number of a shard makes no difference here; the number of all shards does.

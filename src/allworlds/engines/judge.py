@@ -5,8 +5,6 @@ the way are what the second player gets.  It compares the two plays of a run.  I
 models, never an explorer.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -165,7 +163,7 @@ class Recorded(NamedTuple):
     over: bool = False
 
     @classmethod
-    def of(cls, due: Due, episode: Episode) -> Recorded:
+    def of(cls, due: Due, episode: Episode) -> "Recorded":
         """The record of an episode of that run."""
         over = isinstance(episode.ending, Over)
         return cls(episode.transcript.percepts, due.world, due.script, over)
@@ -220,7 +218,7 @@ class RunBatch:
         lost: the runs in which a player was lost, and so is their walk, or its end.
     """
 
-    def __init__(self, judge: PythonJudge, work: Work, runs: Sequence[Due]) -> None:
+    def __init__(self, judge: "PythonJudge", work: Work, runs: Sequence[Due]) -> None:
         self.judge, self.work, self._runs = judge, work, [*runs]
         self.by: Any = judge
         self.judged: list[Judged] = []

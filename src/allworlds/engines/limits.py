@@ -1,7 +1,5 @@
 """The limits of a job's effort, which do not change its meaning, and its listeners."""
 
-from __future__ import annotations
-
 import os
 import re
 import time
@@ -133,7 +131,7 @@ class TimeoutOptions(Request):
     ] = Converted(_positive("start-timeout"), START_TIMEOUT)
 
     @property
-    def patience(self) -> Limits:
+    def patience(self) -> "Limits":
         """The time-outs of this request, as limits."""
         return Limits(**values_of(TimeoutOptions, self))
 
@@ -181,7 +179,7 @@ class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
     ] = Converted(_positive("memory"), None)
 
     @property
-    def limits(self) -> Limits:
+    def limits(self) -> "Limits":
         """The limits alone, without the rest of a request."""
         return Limits(**values_of(Limits, self))
 

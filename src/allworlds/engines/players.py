@@ -5,8 +5,6 @@ process can find plays :class:`PlayerHere`.  Sixteen shared bytes tell the run i
 explorer's turn in it, so that a batch of logs can be one message, and silence is seen all the same.
 """
 
-from __future__ import annotations
-
 import marshal
 import mmap
 import os
@@ -113,7 +111,7 @@ class Logs(Sequence[bytes]):
             raise ValueError(bytes(message[:16]))
 
     @classmethod
-    def of(cls, logs: Sequence[bytes]) -> Logs:
+    def of(cls, logs: Sequence[bytes]) -> "Logs":
         """These logs."""
         return logs if isinstance(logs, Logs) else cls(b"".join(logs_message(logs)), len(logs))
 

@@ -5,8 +5,6 @@ the use of a finished level.  The rest is here: kept units, listeners, endings b
 the report of all that was finished by then.
 """
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -255,7 +253,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         self.deadline = deadline_after(request.time_limit)
 
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> Sweep[Any, Any]:
+    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> "Sweep[Any, Any]":
         """Return the sweep of that identity, or of a shard of it, without loading an explorer."""
         return cls(cls.asked_then(identity, portion, listener))
 

@@ -3,8 +3,6 @@
 A run that breaks a law is made a finding; the smallest findings are in the tally.
 """
 
-from __future__ import annotations
-
 from bisect import insort
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -214,7 +212,7 @@ class Row:
     most_expensive: AtRun | None = field(default=None, compare=False)
     best_cost: int | None = None
 
-    def add(self, other: Row) -> None:
+    def add(self, other: "Row") -> None:
         """Take in the counts of another part."""
         self.worlds += other.worlds
         self.runs += other.runs
@@ -296,7 +294,7 @@ class Tally:
         """Note an event that refutes nothing."""
         self.remarks[text] += 1
 
-    def add(self, other: Tally) -> None:
+    def add(self, other: "Tally") -> None:
         """Take in another part's tally."""
         for (edges, vertices), row in other.rows.items():
             self.row(edges, vertices).add(row)

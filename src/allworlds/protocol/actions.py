@@ -1,7 +1,5 @@
 """Percepts, actions, and an explorer's statements about the world, at the end and on the way."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, TypeAlias
@@ -28,7 +26,7 @@ class Percept(WrittenByFields):
         ),
     ] = None
 
-    def marked(self, markers: int) -> Percept:
+    def marked(self, markers: int) -> "Percept":
         """Return this percept with ``markers`` more marks."""
         return Percept(self.degree, self.marks + markers, self.bearing) if markers else self
 
@@ -130,7 +128,7 @@ class Estimate:
         return RootedMap(sigma=self.map.sigma, alpha=self.map.alpha, here=self.here).to_json()
 
     @classmethod
-    def from_json(cls, document: Mapping[str, Any]) -> Estimate:
+    def from_json(cls, document: Mapping[str, Any]) -> "Estimate":
         """The estimate of :meth:`to_json`'s document; other keys are ignored.
 
         Raises:

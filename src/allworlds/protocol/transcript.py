@@ -1,7 +1,5 @@
 """The log of one run: actions and percepts."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -77,7 +75,7 @@ class Transcript(Paged):
         return rows
 
     @classmethod
-    def from_json(cls, rows: object) -> Transcript:
+    def from_json(cls, rows: object) -> "Transcript":
         """The transcript of :meth:`to_json`'s rows.
 
         Raises:

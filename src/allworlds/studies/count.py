@@ -1,7 +1,5 @@
 """Counts of maps of a class, each made twice: by enumeration, and by an independent source."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from math import factorial
@@ -158,7 +156,7 @@ class CountSweep(Sweep["Counted", Census]):
         )
 
     @override
-    def finish(self, level: SweptLevel, total: Counted) -> None:
+    def finish(self, level: SweptLevel, total: "Counted") -> None:
         self._rows.append(row_of(self.extent, level.edges, total, whole=self.portion == WHOLE))
 
     @override
@@ -182,7 +180,7 @@ class Counted(Struct):
         """The number of rooted maps."""
         return self.cells.total()
 
-    def add(self, other: Counted) -> None:
+    def add(self, other: "Counted") -> None:
         """Add the counts of another part."""
         self.cells.update(other.cells)
         self.fixed.update(other.fixed)

@@ -1,7 +1,5 @@
 """The world: pure, and the only place where the robot's position is known."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -115,13 +113,13 @@ class World(Pictured):
         """The robot's percept in a state, with the marks that it has left there itself."""
         return self.percepts[state.dart].marked(self.lighthouse.left_marks(self.map, state))
 
-    def relabelled(self, names: Sequence[Dart]) -> World:
+    def relabelled(self, names: Sequence[Dart]) -> "World":
         """Return this world with dart ``d`` renamed to ``names[d]``."""
         return World(
             self.map.relabelled(names), self.lighthouse.relabelled(names), names[self.start]
         )
 
-    def mirrored(self) -> World:
+    def mirrored(self) -> "World":
         """The mirror image, marker and start included."""
         return World(self.map.mirrored(), self.lighthouse, self.start)
 
@@ -138,7 +136,7 @@ class World(Pictured):
     @classmethod
     def from_networkx(
         cls, graph: Any, lighthouse: Lighthouse | GivenLighthouse | None = None, start: Dart = 0
-    ) -> World:
+    ) -> "World":
         """The world in the map of a graph of networkx.
 
         Args:
@@ -167,7 +165,7 @@ class World(Pictured):
     @classmethod
     def from_json(
         cls, document: str | Mapping[str, Any], *, missing: GivenLighthouse = Directional.kind
-    ) -> World:
+    ) -> "World":
         """The world of :meth:`to_json`'s document, or of its text; other keys are refused.
 
         ``start`` may be missing (0), and so may the lighthouse: then it is of the kind

@@ -1,7 +1,5 @@
 """The explorer of the quotient, and its experiments."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
@@ -24,7 +22,7 @@ class TreeDart(NamedTuple):
     turn: int
 
     @property
-    def beyond(self) -> TreeDart:
+    def beyond(self) -> "TreeDart":
         """The other end of its edge; a node's dart of entry leads back to the parent."""
         if self.node and self.turn == 0:
             return TreeDart(self.node[:-1], self.node[-1])

@@ -3,8 +3,6 @@
 A log is walked in the world, in a wrong answer, and to the step at which the two diverge.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import shlex
@@ -187,7 +185,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
         return f"{self.law}-{size}-{digest_of(self.text)}.json"
 
     @classmethod
-    def from_json(cls, document: str | Mapping[str, Any]) -> Finding:
+    def from_json(cls, document: str | Mapping[str, Any]) -> "Finding":
         """The finding of :meth:`to_json`'s document, or of its text.
 
         Of a report of ``check`` it is the first finding, of a report of ``run`` its finding.

@@ -1,7 +1,5 @@
 """The rules by which a run is played and judged, which ``check``, ``fuzz`` and ``run`` all take."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import KW_ONLY, replace
 from functools import cached_property
@@ -179,8 +177,8 @@ class RuleOptions(Request):
         lighthouse: GivenLighthouse,
         *,
         promised: bool = False,
-        among: Among | None = None,
-    ) -> Rules:
+        among: "Among | None" = None,
+    ) -> "Rules":
         """The rules under a lighthouse, with the bound and the budget that the explorer brings.
 
         Raises:
@@ -213,7 +211,7 @@ class Among(NamedTuple):
     digest: str | None = None
 
     @classmethod
-    def of(cls, where: Condition | None) -> Among | None:
+    def of(cls, where: Condition | None) -> "Among | None":
         """The condition of a request."""
         if where is None:
             return None
@@ -347,7 +345,7 @@ class Rules(RuleOptions, kw_only=False):
         return told_by(RuleOptions, self) | {key: as_json(each) for key, each in effective.items()}
 
     @cached_property
-    def recorded(self) -> RecordedRules:
+    def recorded(self) -> "RecordedRules":
         """The options as they stand in a finding."""
         options = {key: value for key, value in self.in_effect.items() if key != "lighthouse"}
         return RecordedRules(

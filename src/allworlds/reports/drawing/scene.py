@@ -1,7 +1,5 @@
 """Scenes: a map with everything that a picture shows, whatever the lighthouse."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
@@ -66,7 +64,7 @@ class Scene(Struct, frozen=True):
         map_: CombinatorialMap,
         start: Dart,
         percepts: Iterable[tuple[Dart, Percept]],
-    ) -> Scene:
+    ) -> "Scene":
         """Return the scene of a map in which percepts are known for arrival at some darts.
 
         The dart at bearing 0 is pointed along, and a vertex with marks is marked.

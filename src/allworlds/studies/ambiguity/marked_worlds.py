@@ -1,7 +1,5 @@
 """Every marked world of a class, and which of them look alike."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -129,7 +127,7 @@ class SensedParts(Struct):
     alone: Counter[tuple[int, int]] = field(default_factory=Counter)
     parts: dict[str, dict[str, dict[str, Any]]] = field(default_factory=dict)
 
-    def add(self, other: SensedParts) -> None:
+    def add(self, other: "SensedParts") -> None:
         """Add the counts of another part."""
         self.worlds += other.worlds
         self.alone.update(other.alone)

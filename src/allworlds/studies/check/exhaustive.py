@@ -1,7 +1,5 @@
 """A check, level by level to a report, in worlds of the user's own, too; and how long it takes."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterable
 from contextlib import suppress
@@ -138,7 +136,7 @@ def check(request: CheckRequest) -> CheckReport:
 
 
 @answers(CheckRequest)
-def estimate(request: CheckRequest) -> TimeEstimate:
+def estimate(request: CheckRequest) -> "TimeEstimate":
     """Estimate the duration of :func:`check` with these options, from a sample of some seconds.
 
     And with one edge more, by the engine that would do it.
@@ -204,7 +202,7 @@ class CheckSweep(TallySweep[CheckReport]):
 
     @override
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> CheckSweep:
+    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> "CheckSweep":
         request = cls.asked_then(identity, portion, listener)
         rules = rules_known(request, identity.parameters)
         scope = Scope(request.extent, rules, request.schedules, portion)

@@ -3,8 +3,6 @@
 How run directories know it, its findings confirmed, and findings of earlier checks.
 """
 
-from __future__ import annotations
-
 import hashlib
 import re
 import time
@@ -200,7 +198,7 @@ class UserCorpus(Struct):
         return sorted(past, key=lambda each: (each[1].key, each[0]))
 
     @property
-    def report(self) -> CorpusReport:
+    def report(self) -> "CorpusReport":
         """The part of the check's report about past findings."""
         keys = ("reproduced", "beyond_scope", "fixed", "stale", "written")
         files = {key: tuple(self.files[key]) for key in keys}

@@ -3,8 +3,6 @@
 Explorers that are run in the same worlds, their shares of a job, their costs, and the report.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field as entry
@@ -264,7 +262,7 @@ class CostsOfAll(Struct):
         """The costs of a single entrant."""
         return self.of.setdefault(number, CostTally(keep=1))
 
-    def add(self, other: CostsOfAll) -> None:
+    def add(self, other: "CostsOfAll") -> None:
         """Add the costs of another part."""
         for number, tally in other.of.items():
             self.one(number).add(tally)

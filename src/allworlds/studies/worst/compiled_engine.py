@@ -1,7 +1,5 @@
 """The most expensive worlds of a level: the compiled search over schedules as an engine."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 
@@ -24,7 +22,7 @@ class ScheduleCostsBySize(Struct):
         """The number of rooted maps."""
         return sum(row.rooted for row in self.by_vertices.values())
 
-    def add(self, other: ScheduleCostsBySize) -> None:
+    def add(self, other: "ScheduleCostsBySize") -> None:
         """Add the costs of another part."""
         for vertices, row in other.by_vertices.items():
             mine = self.by_vertices.get(vertices)
