@@ -1,7 +1,5 @@
 """Output: results go to stdout and into files, everything else goes to stderr."""
 
-from __future__ import annotations
-
 import io
 import os
 import re
@@ -12,10 +10,10 @@ from contextlib import suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import cache, cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeVar
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 from allworlds.cli.defaults import defaults_used, made_by, words_of_command
-from allworlds.document import replace
+from allworlds.document import Report, replace
 from allworlds.engines.limits import Listener, ListenerOptions
 from allworlds.engines.prints import patient_stderr
 from allworlds.inputs.checks import InputError, a_path, show
@@ -32,9 +30,6 @@ from allworlds.reports.formats import (
 from allworlds.reports.plain_text import content_line, on_terminal
 from allworlds.verbs import BY_NAME, FINDINGS
 from allworlds.words import harmless
-
-if TYPE_CHECKING:
-    from allworlds.document import Report
 
 Answer = TypeVar("Answer", bound=Result)
 

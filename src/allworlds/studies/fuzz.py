@@ -1,7 +1,5 @@
 """``fuzz``: worlds far beyond the exhaustive bound, and the way back to small ones."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import count, takewhile
@@ -48,6 +46,9 @@ from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.selection import WhereOptions
 from allworlds.world.world import World
+
+Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
+"""A function that draws a map of the size that is asked, or less."""
 
 
 class SampleOptions(Request):
@@ -128,7 +129,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> FuzzSweep:
+    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> "FuzzSweep":
         request = cls.asked_then(identity, portion, listener)
         rules = rules_known(request, identity.parameters)
         subject = subject_of_record(identity.explorer)
@@ -322,7 +323,7 @@ DEAD_ENDS = 5
 """The number of histories under a condition that may come to nothing."""
 
 
-def batches(sample: Sample, shards: int) -> Iterator[Batch]:
+def batches(sample: Sample, shards: int) -> "Iterator[Batch]":
     """The sample in pieces, or its part for a shard: run numbers, dealt out evenly.
 
     They do not depend on the number of workers.
@@ -389,10 +390,6 @@ class Batch(Struct, frozen=True):
             f"with {self.min_edges} to {extent.levels[-1]} edges were drawn, and it is true of "
             "none; legal is one that is true of more of them"
         )
-
-
-Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
-"""A function that draws a map of the size that is asked, or less."""
 
 
 def _generators(extent: Extent) -> tuple[Generator, ...]:

@@ -1,7 +1,5 @@
 """Explorers side by side in the same worlds: all of a class, or one of a family."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby
@@ -142,7 +140,9 @@ def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison 
     return compared(CompareRequest(explorers=explorers, **options))
 
 
-def _contest(entrants: tuple[Entrant, ...], request: CompareRequest) -> SameWorlds | GrowingWorlds:
+def _contest(
+    entrants: tuple[Entrant, ...], request: CompareRequest
+) -> "SameWorlds | GrowingWorlds":
     """The sweep for a request."""
     if request.to is not None:
         return GrowingWorlds(entrants, request, request.to)
@@ -203,7 +203,7 @@ class SameWorlds(Contest[Comparison]):
     @classmethod
     def known(
         cls, identity: Identity, portion: Portion, listener: Listener
-    ) -> SameWorlds | GrowingWorlds:
+    ) -> "SameWorlds | GrowingWorlds":
         request = cls.asked_then(identity, portion, listener)
         entrants = tuple(
             Entrant(subject_of_record(one), rules_known(request, one))
