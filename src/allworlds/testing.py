@@ -26,18 +26,15 @@ from dataclasses import dataclass, fields
 from functools import partial
 from typing import Any, TypeAlias
 
+from allworlds import outcome, words
 from allworlds.inputs.checks import did_you_mean
 from allworlds.judging.findings.finding import Finding
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps import classes, enumeration
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.enumeration import rooted_maps
-from allworlds.outcome import Verdict
-from allworlds.reports.formats import brief
-from allworlds.reports.plain_text import finding_in_words
+from allworlds.reports import formats, plain_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.fuzz import MapsRequest, fuzz, refuted_in
-from allworlds.words import plural
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
 from allworlds.world.named import own_corpus
 from allworlds.world.selection import a_condition, flaws_of
@@ -95,17 +92,17 @@ def levels_of(options: Mapping[str, Any]) -> range:
         InputError: naming the offending option and what would be legal.
     """
     bounds = _bounds(options)
-    map_class = MapClass.named(options.get("map_class", MapClass.MAPS.value))
+    map_class = classes.MapClass.named(options.get("map_class", classes.MapClass.MAPS.value))
     where = a_condition(options.get("where"))
-    extent = Extent(map_class, bounds["edges"], bounds.get("vertices"), where)
+    extent = classes.Extent(map_class, bounds["edges"], bounds.get("vertices"), where)
     first, last = extent.levels[0], extent.levels[-1]
     while where is not None and first < last and not _any_map(extent, first):
         first += 1
     return range(first, last + 1)
 
 
-def _any_map(extent: Extent, edges: int) -> bool:
-    found = rooted_maps(edges, extent.map_class, extent.vertices, where=extent.where)
+def _any_map(extent: classes.Extent, edges: int) -> bool:
+    found = enumeration.rooted_maps(edges, extent.map_class, extent.vertices, where=extent.where)
     return next(found, None) is not None
 
 
@@ -141,7 +138,7 @@ class AtLevel:
         if smaller:
             edges = smaller[0].key[0]
             raise AssertionError(
-                f"refuted already in a world with {plural(edges, 'edge')}, by the law "
+                f"refuted already in a world with {words.plural(edges, 'edge')}, by the law "
                 f"'{smaller[0].law}': see the test edges-{edges}"
             )
         _assert_holds(report)
@@ -273,10 +270,10 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
     named = _of_maps(options)
     if named.get("where") is not None:
         report = fuzz(explore, edges=edges, runs=count, **named).uninterrupted()
-        if report.verdict is not Verdict.NOT_REFUTED:
+        if report.verdict is not outcome.Verdict.NOT_REFUTED:
             raise AssertionError(_said(report))
         return
-    map_class = options.get("map_class", MapClass.MAPS.value)
+    map_class = options.get("map_class", classes.MapClass.MAPS.value)
     maps = sampled_maps(map_class, edges, count)
     _assert_no(refuted_in(maps, MapsRequest(explore, **named)))
 
@@ -294,12 +291,12 @@ def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
 def _assert_no(finding: Finding | None) -> None:
     __tracebackhide__ = True
     if finding is not None:
-        raise AssertionError("\n" + finding_in_words(finding, WIDTH))
+        raise AssertionError("\n" + plain_text.finding_in_words(finding, WIDTH))
 
 
 def _assert_holds(report: CheckReport) -> None:
     __tracebackhide__ = True
-    if report.verdict is not Verdict.HOLDS:
+    if report.verdict is not outcome.Verdict.HOLDS:
         raise AssertionError(_said(report))
 
 
@@ -325,6 +322,6 @@ def _bounds(options: Mapping[str, Any]) -> dict[str, Any]:
 
 def _said(report: CheckReport) -> str:
     """The text about a report whose verdict is not that the laws hold."""
-    verdict = brief(report, WIDTH)
-    findings = [finding_in_words(finding, WIDTH) for finding in report.findings]
+    verdict = formats.brief(report, WIDTH)
+    findings = [plain_text.finding_in_words(finding, WIDTH) for finding in report.findings]
     return "\n" + "\n\n".join([*findings, verdict])

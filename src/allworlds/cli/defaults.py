@@ -220,7 +220,6 @@ def made_by(report: Report, workers: int | None = None) -> MadeBy:
         report: may know how long its parts took.
         workers: processes or threads; None of a verb that takes none.
     """
-
     parts: dict[str, Any] = {
         name: tuple(round(each, 3) for each in seconds)
         for name, seconds in report.seconds_by_part.items()

@@ -12,13 +12,11 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self, TypeVar
 
+from allworlds import document as doc, outcome, verbs, words
 from allworlds.cli.defaults import defaults_used, made_by, words_of_command
-from allworlds.document import Report, replace
-from allworlds.engines.limits import Listener, ListenerOptions
-from allworlds.engines.prints import patient_stderr
+from allworlds.engines import limits, prints
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Option, answer
-from allworlds.outcome import Exit, Result
 from allworlds.reports.formats import (
     content_of,
     document_text,
@@ -28,10 +26,8 @@ from allworlds.reports.formats import (
     legal_files,
 )
 from allworlds.reports.plain_text import content_line, on_terminal
-from allworlds.verbs import BY_NAME, FINDINGS
-from allworlds.words import harmless
 
-Answer = TypeVar("Answer", bound=Result)
+Answer = TypeVar("Answer", bound=outcome.Result)
 
 NARROWEST = 40
 
@@ -77,7 +73,7 @@ def output_of(verb: str) -> type[OutputGroup]:
     help_ = f"Also write this file, by its end: {legal_files(verb)}. Repeat it for more."
     asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", help_, short="o", repeated=True)]
     options: list[tuple[str, Any, Any]] = [("files", asked, field(default=None))]
-    if FINDINGS in BY_NAME[verb].has:
+    if verbs.FINDINGS in verbs.BY_NAME[verb].has:
         whole = Option(OUTPUT, "", "Tell all: tables, walks, every count.", "verbose", "v")
         options.append(("verbose", Annotated[bool, whole], field(default=False)))
     return make_dataclass(
@@ -101,7 +97,7 @@ def _files_in(word: str) -> set[str]:
     return found
 
 
-def _write_files(result: Report, output: OutputGroup, document: Callable[[], str]) -> None:
+def _write_files(result: doc.Report, output: OutputGroup, document: Callable[[], str]) -> None:
     """Write the result into each file that was named, and where a CI service looks for it.
 
     A file that cannot be written is lost with a word on stderr; the verdict is not.
@@ -169,7 +165,7 @@ def printable(text: str) -> str:
     Explorers have their words in texts; a terminal must not take orders from them, nor the runner
     of a CI service.
     """
-    return harmless(text.replace("\r", r"\x0d"))
+    return words.harmless(text.replace("\r", r"\x0d"))
 
 
 COLOURS = {
@@ -199,7 +195,7 @@ def coloured(text: str) -> str:
     )
 
 
-def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int:
+def emit(result: doc.Report, output: OutputGroup, workers: int | None = None) -> int:
     """Write a verb's result in the forms that were asked for, and return its exit code.
 
     In a document all that can differ from run to run stands under the key ``made_by``, also the
@@ -233,7 +229,7 @@ def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int
         abandon_stdout()
     except OSError as error:
         raise OSError(error.errno, f"stdout cannot be written: {error.strerror}") from None
-    if result.exit_code == Exit.INTERRUPTED:
+    if result.exit_code == outcome.Exit.INTERRUPTED:
         complain("interrupted; the report tells what was finished")
     return result.exit_code
 
@@ -256,10 +252,10 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
     by = getattr(request, "by", None)
     if by is not None and not {"csv", "parquet"} & {form for form, _ in output.named}:
         raise InputError(f"by {by} has no effect without -o FILE.csv")
-    if not isinstance(request, ListenerOptions):
+    if not isinstance(request, limits.ListenerOptions):
         return answer(function, request)
     with Progress(quiet=output.quiet) as listener:
-        return answer(function, replace(request, listener=listener))
+        return answer(function, doc.replace(request, listener=listener))
 
 
 def abandon_stdout() -> None:
@@ -302,10 +298,10 @@ def prepare_streams() -> None:
     if isinstance(sys.stdout, io.TextIOWrapper):
         # A terminal that cannot show a character shows its number.
         sys.stdout.reconfigure(errors="backslashreplace")
-    sys.stderr = patient_stderr()
+    sys.stderr = prints.patient_stderr()
 
 
-class Progress(Listener):
+class Progress(limits.Listener):
     """Progress bar on stderr with the exact total and the time left; only on a terminal."""
 
     def __init__(self, *, quiet: bool) -> None:

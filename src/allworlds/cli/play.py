@@ -4,9 +4,8 @@ import re
 import sys
 
 import allworlds
-from allworlds import Drop, Move, Percept, Pick, Write
+from allworlds import Drop, Move, Percept, Pick, Write, document as doc
 from allworlds.cli.output import OutputGroup, emit, printable
-from allworlds.document import replace
 from allworlds.inputs.requests import answer
 from allworlds.studies.play import PlayRequest
 
@@ -20,8 +19,8 @@ def play(request: PlayRequest, *, output: OutputGroup) -> int:
     that of Algorithm 1.
     """
     page = dict(output.named).get("html")
-    asked = request if page else replace(request, player=_asked)
-    return emit(replace(answer(allworlds.play, asked), path=page), output)
+    asked = request if page else doc.replace(request, player=_asked)
+    return emit(doc.replace(answer(allworlds.play, asked), path=page), output)
 
 
 LEGAL = "a number, drop, pick, write K with a number K, or an empty line to end"

@@ -15,6 +15,7 @@ from typing import Annotated, Any, Self, TypeAlias
 from msgspec import Struct
 
 from allworlds.document import one_of, replace
+from allworlds.engines import lanes, tally
 from allworlds.engines.kernel.capabilities import (
     CHECKED,
     EXPLORERS,
@@ -22,18 +23,14 @@ from allworlds.engines.kernel.capabilities import (
     MOST_BUDGET,
     MOST_EDGES,
 )
-from allworlds.engines.lanes import in_any_order, workers_for
 from allworlds.engines.limits import POLL, DaskCluster, Limits, TimeIsUp, check_deadline
-from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Given, PartialResult, Scope, Transport, U, UnitEngine
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError, lack_of, show
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import MapClass
-from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.kinds import LIGHTHOUSES as KINDS
-from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.lighthouses import base, kinds, marked
 
 
 def _parts(engine: UnitEngine, unit: U) -> Iterator[PartialResult[U, Any]]:
@@ -209,9 +206,9 @@ def obstacle(scope: Scope, subject: Subject) -> str:
     return ""
 
 
-def kind_of(kind: type[Lighthouse]) -> str:
+def kind_of(kind: type[base.Lighthouse]) -> str:
     """The kernel's name of a kind of lighthouse."""
-    if KINDS.get(kind.kind) is kind:
+    if kinds.LIGHTHOUSES.get(kind.kind) is kind:
         return kind.kind
     return f"{kind.kind}-single"
 
@@ -222,7 +219,7 @@ def walks(scope: Scope, subject: Subject, edges: int) -> bool:
     return (
         edges >= WALKED_FROM
         and subject.name == "algorithm1"
-        and rules.kind is Directional
+        and rules.kind is marked.Directional
         and scope.extent.map_class is MapClass.MAPS
         and rules.laws in (None, tuple(LAWS))
         and rules.step_budget is None
@@ -249,7 +246,7 @@ class EngineKind:
         Raises:
             EnginesDisagree: if a comparison shows that it is wrong.
         """
-        return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep))
+        return ReadyEngine(players_for(job), tally.RunCounter(job.scope, job.keep))
 
 
 class Compiled(EngineKind):
@@ -279,7 +276,7 @@ class Compiled(EngineKind):
         if job.subject.from_user:
             # Who asks for it by name gets it in small worlds, too.
             least = WORTH_LOADING if job.scope.extent.levels[-1] >= COMPILED_FROM else 0
-            return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep, least))
+            return ReadyEngine(players_for(job), tally.RunCounter(job.scope, job.keep, least))
         from allworlds.engines.compiled_engine import BATCH, CompiledEngine
 
         engine, workers = CompiledEngine.ready(job), job.limits.workers
@@ -295,7 +292,7 @@ def players_for(job: Job) -> Transport[Any]:
     if job.cluster is None:
         # Code of the user's may judge the runs, or choose the worlds.
         models = bool(job.scope.rules.files or getattr(job.scope.extent.where, "codes", ()))
-        return workers_for(job.subject, job.limits, job.deadline, models=models)
+        return lanes.workers_for(job.subject, job.limits, job.deadline, models=models)
     from allworlds.engines.dask import Dask
 
     subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
@@ -308,9 +305,9 @@ def players_for(job: Job) -> Transport[Any]:
         job.cluster,
         job.limits.workers,
         job.deadline,
-        inside=partial(workers_for, subject, limits),
+        inside=partial(lanes.workers_for, subject, limits),
         probe=partial(not_alike, subject, content_digest(subject), limits.answer_timeout),
-        order=in_any_order if subject.from_user else iter,
+        order=lanes.in_any_order if subject.from_user else iter,
     )
 
 

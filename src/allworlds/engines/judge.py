@@ -10,22 +10,18 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from allworlds import log as entries
-from allworlds.document import replace
-from allworlds.engines.players import Logs
+from allworlds import document as doc, log as entries
+from allworlds.engines import players, units
 from allworlds.engines.tally import LOST, Outcome, Referee, RunCounter, Tally, name_run
-from allworlds.engines.units import UnitOfRuns
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.episode import Episode, Fault, Over, fault_of, followed
 from allworlds.judging.laws.law_table import PRECEDENCE, Violation
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.protocol import player, playing
 from allworlds.protocol.actions import Percept, action_numbered
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script
-from allworlds.protocol.player import IllegalAction
-from allworlds.protocol.playing import numbers_of, packed
-from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.composed import Composed
+from allworlds.world.lighthouses import base, composed
 from allworlds.world.world import World
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
@@ -40,7 +36,7 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
     faults = [fault for fault in (fault_of(second), fault_of(first)) if fault]
     detail = next((fault.detail for fault in faults if fault.detail), "")
     detail = "\n".join(filter(None, [side_by_side(in_words(first), in_words(second)), detail]))
-    return replace(outcome, violation=difference, detail=detail)
+    return doc.replace(outcome, violation=difference, detail=detail)
 
 
 def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
@@ -196,7 +192,7 @@ class Work:
         best: of each run the cost of its cheapest schedule, where every schedule is tried.
     """
 
-    unit: UnitOfRuns
+    unit: units.UnitOfRuns
     tally: Tally
     batches: Iterator[Any] | None = None
     more: list[Due] = field(default_factory=list)
@@ -236,10 +232,10 @@ class RunBatch:
 
     def take(self, which: int, rows: Sequence[int], logs: Sequence[bytes]) -> None:
         """Take the logs of these runs, by one of the plays."""
-        if isinstance(logs, Logs) and len(logs) == len(self):
+        if isinstance(logs, players.Logs) and len(logs) == len(self):
             self.logs[which] = logs
             return
-        if isinstance(self.logs[which], Logs):
+        if isinstance(self.logs[which], players.Logs):
             self.logs[which] = dict(enumerate(self.logs[which]))
         self.logs[which].update(zip(rows, logs, strict=True))
 
@@ -348,7 +344,7 @@ class PythonJudge:
         try:
             budget = rules.budget(world.map)
             return followed(log, world, budget, maps=rules.task.is_map)
-        except IllegalAction as error:
+        except player.IllegalAction as error:
             if world.lighthouse.code is None:
                 raise RuntimeError(f"the log of a run is no walk in its world: {error}") from None
             raise InputError(
@@ -373,7 +369,7 @@ class PythonJudge:
         self, runs: Sequence[Recorded], order: Sequence[int] = ()
     ) -> dict[str, Any]:
         """The message to a player that plays these runs against recorded percepts."""
-        rows = [self._row(each, numbers_of(each.percepts), over=each.over) for each in runs]
+        rows = [self._row(each, playing.numbers_of(each.percepts), over=each.over) for each in runs]
         return self.message("record", rows, order)
 
     def _row(self, run: Due | Recorded, place: Any, *, over: bool = False) -> tuple[Any, ...]:
@@ -401,13 +397,13 @@ class PythonJudge:
         }
 
 
-def _is_table(lighthouse: Lighthouse) -> bool:
+def _is_table(lighthouse: base.Lighthouse) -> bool:
     """Whether no action changes what is sensed: the percepts of all darts say everything."""
-    if isinstance(lighthouse, Composed):
+    if isinstance(lighthouse, composed.Composed):
         return all(map(_is_table, lighthouse.parts))
     kind = type(lighthouse)
     names = ("acted", "left_marks", "refusal", "in_hand")
-    return all(getattr(kind, name) is getattr(Lighthouse, name) for name in names)
+    return all(getattr(kind, name) is getattr(base.Lighthouse, name) for name in names)
 
 
 @lru_cache(1)
@@ -433,4 +429,4 @@ def _table(world: World) -> bytes | tuple[int, ...]:
         p = percepts[dart]
         bearing = 0 if p.bearing is None else p.bearing + 1
         numbers += (first, partner, p.degree, p.marks, bearing)
-    return packed(numbers)
+    return playing.packed(numbers)

@@ -11,10 +11,9 @@ from typing import Annotated, Any, Self
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.document import AllRows, NotInDocument, Report, computed
+from allworlds import document as doc, outcome
 from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
 from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request, values_of
-from allworlds.outcome import Completed, Disagreed, Ending, Facts, Interrupted, NoResult, Stopped
 from allworlds.protocol.player import ANSWER_TIMEOUT
 
 
@@ -265,7 +264,7 @@ class TimeIsUp(Exception):
     """Raised if the time limit of the whole job has been reached."""
 
 
-class ClusterLost(NoResult):
+class ClusterLost(outcome.NoResult):
     """Raised if workers are lost again and again, or the scheduler is lost."""
 
 
@@ -284,10 +283,10 @@ def check_deadline(deadline: float | None) -> None:
         raise TimeIsUp
 
 
-class EndedReport(Report):
+class EndedReport(doc.Report):
     """A report of what was finished when a job came to its ``ending``."""
 
-    ending: NotInDocument[Ending]
+    ending: doc.NotInDocument[outcome.Ending]
 
     @property
     def whole(self) -> bool:
@@ -307,7 +306,7 @@ class EndedReport(Report):
     @property
     def undecided(self) -> bool:
         """Whether something was left undone by which the answer could be another one."""
-        return isinstance(self.ending, Stopped)
+        return isinstance(self.ending, outcome.Stopped)
 
     @property
     def empty(self) -> bool:
@@ -317,7 +316,7 @@ class EndedReport(Report):
     @property
     def interrupted(self) -> bool:
         """Whether the user interrupted the job."""
-        return isinstance(self.ending, Interrupted)
+        return isinstance(self.ending, outcome.Interrupted)
 
     def uninterrupted(self) -> Self:
         """Return this report, for callers that can do nothing with a part of it.
@@ -331,9 +330,9 @@ class EndedReport(Report):
 
     @property
     @override
-    def facts(self) -> Facts:
-        return Facts(
-            disagrees=not self.agrees or isinstance(self.ending, Disagreed),
+    def facts(self) -> outcome.Facts:
+        return outcome.Facts(
+            disagrees=not self.agrees or isinstance(self.ending, outcome.Disagreed),
             interrupted=self.interrupted,
             refuted=self.refuted,
             undecided=self.undecided,
@@ -344,7 +343,7 @@ class EndedReport(Report):
 class RowsReport(EndedReport):
     """A report with rows of all that was finished."""
 
-    @computed
-    def complete(self) -> AllRows:
+    @doc.computed
+    def complete(self) -> doc.AllRows:
         """Whether every row is there."""
-        return isinstance(self.ending, Completed | Disagreed)
+        return isinstance(self.ending, outcome.Completed | outcome.Disagreed)

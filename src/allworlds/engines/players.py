@@ -26,6 +26,7 @@ from weakref import finalize
 from msgspec import Struct
 from typing_extensions import override
 
+from allworlds import outcome, words
 from allworlds.engines import linux
 from allworlds.engines.limits import Limits
 from allworlds.engines.player import (
@@ -42,9 +43,7 @@ from allworlds.engines.player import (
 from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers.loading import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs.checks import InputError, show
-from allworlds.outcome import NoResult
 from allworlds.protocol.player import Player as Explorer
-from allworlds.words import ended_by, harmless
 
 GRACE = 2.0
 """Extra seconds for a user's program, whose silence its player notices itself, and for an end."""
@@ -66,7 +65,7 @@ class HarnessError(RuntimeError):
     """Raised if a process without user's code has failed, so that no explorer is to blame."""
 
 
-class Unsettled(NoResult):
+class Unsettled(outcome.NoResult):
     """Raised if processes are lost again and again, so that there is no verdict on the explorer."""
 
 
@@ -304,7 +303,7 @@ class PlayerProcess:
                     self._relayed += part
                     text = part.decode(errors="backslashreplace")
                     with suppress(OSError, ValueError):
-                        sys.stderr.write(harmless(text))
+                        sys.stderr.write(words.harmless(text))
                         sys.stderr.flush()
             self._prints_come = False  # nobody can write there any more
 
@@ -330,7 +329,7 @@ class PlayerProcess:
             time.sleep(0.005)
         how = "the end of the process's pipe"
         if code is not None:
-            how = f"the end of the process ({ended_by(code)})"
+            how = f"the end of the process ({words.ended_by(code)})"
         if self.description is None:
             if code is not None and code < 0 and self._tries == 1:  # perhaps from outside
                 return Lost("crash", how, machine=True)

@@ -6,17 +6,7 @@ from typing import Annotated, Any
 from msgspec import UNSET, UnsetType, field
 from typing_extensions import override
 
-from allworlds import log as entries
-from allworlds.document import (
-    Natural,
-    NotInDocument,
-    Report,
-    Text,
-    about,
-    computed,
-    one_of,
-    replace,
-)
+from allworlds import document as doc, log as entries
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
@@ -31,6 +21,7 @@ from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, PlayerProcess, Setup, keep
 from allworlds.engines.tally import LOST, Examiner, Outcome, Referee, RunCounter, Tally, name_run
 from allworlds.engines.units import GivenWorlds, Scope
+from allworlds.explorers import program, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.loading import (
     Subject,
@@ -41,8 +32,6 @@ from allworlds.explorers.loading import (
     source_of,
     with_shield,
 )
-from allworlds.explorers.program import Program
-from allworlds.explorers.sources import whole_name
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.episode import Answered, Fault, ending_of, fault_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
@@ -56,63 +45,63 @@ from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
 
 
-class SingleRun(Report):
+class SingleRun(doc.Report):
     """Report of 'run'.
 
     One judged run.
     """
 
-    explorer: Annotated[Text, about("its name")]
-    world: Annotated[World, about("as it was given")]
-    finding: Annotated[Finding | None, about("null: no law is broken")]
-    rules: NotInDocument[Rules]
-    outcome: NotInDocument[Outcome]
-    shows_walk: NotInDocument[bool] = True
+    explorer: Annotated[doc.Text, doc.about("its name")]
+    world: Annotated[World, doc.about("as it was given")]
+    finding: Annotated[Finding | None, doc.about("null: no law is broken")]
+    rules: doc.NotInDocument[Rules]
+    outcome: doc.NotInDocument[Outcome]
+    shows_walk: doc.NotInDocument[bool] = True
 
-    @computed
+    @doc.computed
     def verdict(
         self,
-    ) -> Annotated[Verdict, one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS)]:
+    ) -> Annotated[Verdict, doc.one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS)]:
         """About this run alone."""
         return self.facts.verdict
 
-    @computed
+    @doc.computed
     def options(self) -> RecordedRules:
         """How it was played and judged."""
         return self.rules.recorded
 
-    @computed
-    def choices(self) -> tuple[Natural, ...]:
+    @doc.computed
+    def choices(self) -> tuple[doc.Natural, ...]:
         """The index taken at each choice."""
         return self.outcome.choices
 
-    @computed
-    def cost(self) -> Natural:
+    @doc.computed
+    def cost(self) -> doc.Natural:
         """Traversals."""
         return self.outcome.cost
 
-    @computed
+    @doc.computed
     def bound(self) -> int | None:
         """Of the traversals; null without one."""
         return self.outcome.bound
 
-    @computed
+    @doc.computed
     def estimate(self) -> Estimate | None:
         """The answer; null where there is none."""
         return self.answer if isinstance(self.answer, Estimate) else None
 
-    @computed
+    @doc.computed
     def transcript(self) -> Transcript | UnsetType:
         """The log; not with ``--no-walk``."""
         return self.outcome.episode.transcript if self.shows_walk else UNSET
 
-    @computed
+    @doc.computed
     def ambiguous(self) -> Ambiguous | UnsetType:
         """The answer that names no map, where there is one."""
         return self.answer if isinstance(self.answer, Ambiguous) else UNSET
 
-    @computed
-    def output(self) -> Text | UnsetType:
+    @doc.computed
+    def output(self) -> doc.Text | UnsetType:
         """Output of the explorer, if it printed anything."""
         return self.outcome.output or UNSET
 
@@ -158,12 +147,12 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
         if not callable(explore):
             raise InputError(f"explore = {show(explore)} is neither a name nor a function")
         return in_process_subject(explore)
-    explore = whole_name(explore)
+    explore = sources.whole_name(explore)
     if explore in BUILT_IN:
         return built_in(explore)
     if is_program(explore):
         # What cannot be run is refused here.
-        Program(command_or_path(explore), limits.answer_timeout)
+        program.Program(command_or_path(explore), limits.answer_timeout)
         return Subject(explore, frozenset({"told"}))
     subject = Subject(explore, frozenset(), source=source_of(explore))
     player = PlayerProcess(Setup(subject, limits), 0)
@@ -172,7 +161,7 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     except BaseException:
         player.close()
         raise
-    found = replace(subject, keywords=description.keywords)
+    found = doc.replace(subject, keywords=description.keywords)
     found = with_shield(found) if description.has_shield else found
     keep(player, found)
     return found
@@ -241,7 +230,7 @@ def single_run(
             _, printed = played.in_world(choices, seed)
         else:
             _, printed = played.again(outcome.episode.transcript, choices, seed)
-        outcome = replace(outcome, output=printed)
+        outcome = doc.replace(outcome, output=printed)
     else:
         choices_made = rules.choices(name_run(rules, world), script)
         outcome = Examiner(subject, rules).examine(world, choices_made)
@@ -300,16 +289,16 @@ def played_again(finding: Finding, subject: Subject, limits: Limits) -> Finding:
     try:
         if not subject.importable and subject.from_user:
             _, printed = plays.again(finding.transcript, choices, seed)
-            return replace(finding, output=printed)
+            return doc.replace(finding, output=printed)
         if finding.law in LOST and not finding.detail:
             log, printed = plays.in_world(choices, seed)
-            return replace(_found_again(finding, plays, log), output=printed)
+            return doc.replace(_found_again(finding, plays, log), output=printed)
         (first,), printed = plays.again(
             finding.transcript, choices, FIRST if _differ(finding) else seed
         )
-        return replace(_repeated(finding, plays, first, seed), output=printed)
+        return doc.replace(_repeated(finding, plays, first, seed), output=printed)
     except InputError:  # an explorer may not be importable any more
-        return replace(finding, confirmed=False)
+        return doc.replace(finding, confirmed=False)
 
 
 def _differ(finding: Finding) -> bool:
@@ -320,7 +309,7 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
     """The finding of a run that was lost, with its walk, and whether it was lost again."""
     episode = plays.judge.episode(finding.world, log)
     ending = episode.ending
-    return replace(
+    return doc.replace(
         finding,
         choices=max(tuple(log.choices), finding.choices, key=len),
         transcript=episode.transcript,
@@ -340,20 +329,20 @@ def _repeated(finding: Finding, plays: Plays, first: Log, seed: int) -> Finding:
         for each in (SECOND, FIRST):
             logs += plays.again(*record, each, REPEATED)[0]
         differ = any(not _same_walk(finding, log) or difference_of(first, log) for log in logs)
-        return replace(finding, confirmed=differ)
+        return doc.replace(finding, confirmed=differ)
     for log in (first, *plays.again(*record, seed, REPEATED)[0]):
         if not (_same_walk(finding, log) and _ends_alike(finding, log)):
             return _unlike(finding, log)
-    return replace(finding, confirmed=True)
+    return doc.replace(finding, confirmed=True)
 
 
 def _unlike(finding: Finding, again: Log) -> Finding:
     """The finding of an explorer that does something else in a fresh process."""
     if finding.law in LOST:
-        return replace(finding, confirmed=False)
+        return doc.replace(finding, confirmed=False)
     broken = nondeterministic(f"it breaks the law {finding.law} in some plays only")
     before = [*map(str, finding.transcript.actions)], f"what breaks the law {finding.law}"
-    return replace(
+    return doc.replace(
         finding,
         law=broken.law,
         expected=broken.expected,

@@ -20,16 +20,8 @@ from typing import (
 
 from typing_extensions import override
 
-from allworlds.document import (
-    Document,
-    IfAny,
-    NotInDocument,
-    Text,
-    Why,
-    about,
-    computed,
-    replace,
-)
+from allworlds import document as doc, outcome
+from allworlds.engines import players, tally
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
 from allworlds.engines.limits import (
@@ -40,8 +32,6 @@ from allworlds.engines.limits import (
     TimeIsUp,
     deadline_after,
 )
-from allworlds.engines.players import Unsettled
-from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import (
     WHOLE,
     Portion,
@@ -69,9 +59,7 @@ from allworlds.inputs.requests import (
     without_effort,
 )
 from allworlds.judging.findings.rules import Rules
-from allworlds.maps.classes import Extent
-from allworlds.maps.count_source import source_of
-from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended
+from allworlds.maps import classes, count_source
 from allworlds.world.lighthouses.kinds import LighthouseKind
 
 By: TypeAlias = Literal["size", "world", "run"]
@@ -105,18 +93,18 @@ class RowOptions(Request):
 
 
 TriedPlaces = Annotated[
-    IfAny[Text | None],
-    about("the places of the lighthouse that were tried; where it is left out, every one"),
+    doc.IfAny[doc.Text | None],
+    doc.about("the places of the lighthouse that were tried; where it is left out, every one"),
 ]
 """A key of every scope with a lighthouse."""
 
 
-def tried_places(kind: LighthouseKind, extent: Extent) -> str:
+def tried_places(kind: LighthouseKind, extent: classes.Extent) -> str:
     """The places of a lighthouse that are tried in an extent, in words; empty: every place."""
     return kind.as_class.tried_in_maps_of(extent.levels[-1])
 
 
-Scope_ = TypeVar("Scope_", bound=Document)
+Scope_ = TypeVar("Scope_", bound=doc.Document)
 
 
 def told_scope(
@@ -136,16 +124,16 @@ def told_scope(
     return kind(**({name: told[name] for name in told if name in keys} | more))
 
 
-class Gate(Document):
+class Gate(doc.Document):
     """A count gate: the comparison of every count with an independent source."""
 
-    source: Annotated[Text, about("the independent source of the counts")]
-    agrees: Annotated[bool, about("whether each count equals the source's")]
+    source: Annotated[doc.Text, doc.about("the independent source of the counts")]
+    agrees: Annotated[bool, doc.about("whether each count equals the source's")]
 
 
 ToldGate: TypeAlias = Annotated[
     Gate | None,
-    about(
+    doc.about(
         "the comparison of the rows with an independent source, of a shard as far as it goes; "
         "null: there is no source, or no row"
     ),
@@ -155,11 +143,11 @@ ToldGate: TypeAlias = Annotated[
 class SweptReport(RowsReport):
     """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
 
-    request: NotInDocument[Any]
-    extent: NotInDocument[Extent]
+    request: doc.NotInDocument[Any]
+    extent: doc.NotInDocument[classes.Extent]
 
-    @computed
-    def stopped(self) -> Why:
+    @doc.computed
+    def stopped(self) -> doc.Why:
         """Reason why rows are missing."""
         return self.ending.stopped
 
@@ -182,7 +170,7 @@ class SweptReport(RowsReport):
     @property
     def source(self) -> str:
         """The name of the independent source of the counts; empty if there is none."""
-        source = source_of(self.extent)
+        source = count_source.source_of(self.extent)
         return source.name if source else ""
 
     @property
@@ -246,7 +234,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     result: ClassVar[Any]
     records: Records
 
-    def __init__(self, request: Any, extent: Extent | None = None) -> None:
+    def __init__(self, request: Any, extent: classes.Extent | None = None) -> None:
         self.request, self.extent = request, extent
         self.listener: Listener = request.listener
         self.portion: Portion = getattr(request, "shard", WHOLE)
@@ -313,26 +301,26 @@ class Sweep(ABC, Generic[Total, Answer]):
         return made
 
     @abstractmethod
-    def finish(self, level: SweptLevel, total: Total) -> Ending | None:
+    def finish(self, level: SweptLevel, total: Total) -> outcome.Ending | None:
         """Take in a finished level; an ending ends the job with it."""
 
     @abstractmethod
-    def report(self, ending: Ending) -> Answer:
+    def report(self, ending: outcome.Ending) -> Answer:
         """Return the report of all that was taken in."""
 
-    def ended(self, ending: Ending, extent: Extent | None = None) -> dict[str, Any]:
+    def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
         """Return the keywords of every report; the extent where the sweep has no other."""
-        asked = replace(without_effort(self.request), listener=NOBODY)
+        asked = doc.replace(without_effort(self.request), listener=NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
-    def begin(self) -> Ending | None:
+    def begin(self) -> outcome.Ending | None:
         """Do what comes before the first level; an ending ends the job before it."""
         return None
 
     def leave(self, level: SweptLevel, total: Total) -> None:
         """Take in the finished units of an unfinished level: by default none."""
 
-    def conclude(self, ending: Ending) -> Ending:
+    def conclude(self, ending: outcome.Ending) -> outcome.Ending:
         """Do what comes after the last level."""
         return ending
 
@@ -368,34 +356,34 @@ class Sweep(ABC, Generic[Total, Answer]):
         self.ready = lambda: ReadyEngine(ThisThread(), None)  # type: ignore[method-assign]  # none
         return self._answered(records, self._swept)
 
-    def _answered(self, records: Records, swept: Callable[[], Ending]) -> Answer:
+    def _answered(self, records: Records, swept: Callable[[], outcome.Ending]) -> Answer:
         self.records = records
-        ending = ended(swept)
+        ending = outcome.ended(swept)
         records.note("ended", ENDED if ending.final else ending.reason)
         return self.report(ending)
 
-    def _from_the_beginning(self) -> Ending:
+    def _from_the_beginning(self) -> outcome.Ending:
         return self._guarded(self.begin) or self._swept()
 
-    def _swept(self) -> Ending:
-        ending = self._guarded(self._through) or Completed()
+    def _swept(self) -> outcome.Ending:
+        ending = self._guarded(self._through) or outcome.Completed()
         return self._guarded(lambda: self.conclude(ending)) or ending
 
-    def _guarded(self, job: Callable[[], Ending | None]) -> Ending | None:
+    def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
         """Return the ending of a part of the job, or of the interruption that has stopped it."""
         try:
             return job()
         except TimeIsUp:
-            return Stopped(f"the time limit of {self.request.time_limit:g} s was reached")
-        except EnginesDisagree as error:
-            return Disagreed(str(error))
+            return outcome.Stopped(f"the time limit of {self.request.time_limit:g} s was reached")
+        except tally.EnginesDisagree as error:
+            return outcome.Disagreed(str(error))
         except ClusterLost as error:
             self.listener.notice(f"{error}; the report tells what was finished")
-            return Stopped(str(error))
-        except Unsettled as error:
-            return Stopped(str(error))
+            return outcome.Stopped(str(error))
+        except players.Unsettled as error:
+            return outcome.Stopped(str(error))
 
-    def _through(self) -> Ending | None:
+    def _through(self) -> outcome.Ending | None:
         made, shards = self.ready(), shards_of(self.portion)
         with made.transport as there:
             if self.extent is not None:

@@ -13,8 +13,7 @@ from typing import Annotated, Any, NamedTuple, Self
 from msgspec import Struct
 
 from allworlds.document import replace
-from allworlds.engines.job_records import Form
-from allworlds.engines.units import NumberedRun, Scope, UnitOfRuns, numbered_runs
+from allworlds.engines import job_records, units
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import show
 from allworlds.judging.episode import Answered, Episode, Fault, play
@@ -262,8 +261,8 @@ class Tally:
     witnesses: Counter[str] = field(default_factory=Counter)
     left_out: int = 0
     checkpoints: int = 0
-    findings: list[Annotated[Finding, Form(finding_to_record, finding_from_record)]] = field(
-        default_factory=list
+    findings: list[Annotated[Finding, job_records.Form(finding_to_record, finding_from_record)]] = (
+        field(default_factory=list)
     )
     remarks: Counter[str] = field(default_factory=Counter)
 
@@ -350,20 +349,20 @@ class RunCounter(Struct, frozen=True):
             of a user's explorer; None: never.
     """
 
-    scope: Scope
+    scope: units.Scope
     keep: int
     compiled_from: int | None = None
 
-    def runs(self, unit: UnitOfRuns, start: int = 0) -> Iterator[NumberedRun]:
+    def runs(self, unit: units.UnitOfRuns, start: int = 0) -> Iterator[units.NumberedRun]:
         """The runs of a unit from that number on."""
-        every = numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
+        every = units.numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
         return islice(every, start, None)
 
     def tally(self) -> Tally:
         """An empty tally."""
         return Tally(self.keep)
 
-    def count_run(self, run: NumberedRun, tally: Tally) -> World | None:
+    def count_run(self, run: units.NumberedRun, tally: Tally) -> World | None:
         """Count a run, and return its world; None if that has no place for the lighthouse."""
         edges, vertices = run.map.edge_count, run.map.vertex_count
         if run.first:

@@ -17,10 +17,8 @@ from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError, an_integer, at_most, show
 from allworlds.inputs.requests import RARE_SCOPE, Converted, Option, Request
 from allworlds.judging.findings.rules import Rules
+from allworlds.maps import combinatorial, count_source, counting
 from allworlds.maps.classes import Extent
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.count_source import completions, source_of
-from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
 from allworlds.protocol.choices import Schedule
 from allworlds.world.lighthouses.base import Lighthouse
@@ -187,7 +185,7 @@ COUNTABLE_WORLDS = 10**12
 _LONG = "this takes long, or does not end; an interrupt ends it with what is finished"
 
 
-Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
+Placed: TypeAlias = tuple[combinatorial.CombinatorialMap, list[tuple[int, Lighthouse]]]
 """A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""
 
 
@@ -202,7 +200,7 @@ class LevelUnit(Struct, frozen=True):
         """The name ``EDGES:DECISION,DECISION,...``."""
         return f"{self.edges}:{','.join(map(str, self.prefix))}"
 
-    def maps(self, extent: Extent) -> Iterator[CombinatorialMap]:
+    def maps(self, extent: Extent) -> Iterator[combinatorial.CombinatorialMap]:
         """The maps, rooted at dart 0, in the order of the enumeration."""
         return rooted_maps(self.edges, extent.map_class, extent.vertices, self.prefix, extent.where)
 
@@ -216,7 +214,7 @@ class LevelUnit(Struct, frozen=True):
         gluing = Gluing(self.edges, extent.map_class, extent.vertices, extent.where)
         for decision in self.prefix:
             gluing.apply(decision)
-        return completions(gluing)
+        return count_source.completions(gluing)
 
 
 DEPTHS = ((6, 1), (9, 2), (inf, 3))
@@ -250,9 +248,9 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
     """
     while True:
         gluing, prefix = Gluing(edges, extent.map_class, extent.vertices, extent.where), list[int]()
-        while not gluing.finished and (not prefix or completions(gluing) > most):
+        while not gluing.finished and (not prefix or count_source.completions(gluing) > most):
             following = [*gluing.successors()]
-            weights = [completions(after) for _, after in following]
+            weights = [count_source.completions(after) for _, after in following]
             if not any(weights):
                 break
             ((decision, gluing),) = draw.choices(following, weights)
@@ -266,13 +264,13 @@ def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
 
     Under a condition without a source: at most so many, those of the class.
     """
-    cells = (source_of(extent) or SOURCES[extent.map_class]).cells(edges)
+    cells = (count_source.source_of(extent) or counting.SOURCES[extent.map_class]).cells(edges)
     return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
 
 
 def is_counted(extent: Extent | None) -> bool:
     """Whether the worlds of an extent are counted beforehand, and not at most so many."""
-    return extent is None or source_of(extent) is not None
+    return extent is None or count_source.source_of(extent) is not None
 
 
 def level_size(extent: Extent, edges: int) -> int:
@@ -302,7 +300,7 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
     Cost: some milliseconds; a level of which most worlds lie beyond the extent ends the counting.
     """
     last = extent.levels[-1]
-    source = source_of(extent) or SOURCES[extent.map_class]
+    source = count_source.source_of(extent) or counting.SOURCES[extent.map_class]
     worlds = counted = 0
     for edges in extent.levels:
         counted, worlds = edges, worlds + level_size(extent, edges)
@@ -353,7 +351,7 @@ class NumberedRun(Struct, frozen=True):
     """
 
     number: int
-    map: CombinatorialMap
+    map: combinatorial.CombinatorialMap
     place: int
     lighthouse: Lighthouse | None
     first: bool

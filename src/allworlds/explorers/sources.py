@@ -43,8 +43,7 @@ from allworlds.inputs.checks import (
     show,
 )
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Option, OptionGroup, Request
-from allworlds.protocol.importing import SourceText
-from allworlds.protocol.user_code import digest_of_file, module_file
+from allworlds.protocol import importing, user_code
 
 MOST_OF_A_COMMAND = 20
 """The number of characters that stand for a command, if they tell it from others."""
@@ -224,7 +223,7 @@ def _files_named(name: str) -> list[Path]:
     if is_library(name):
         return [Path(command_or_path(name))]
     place, _ = _place(name)
-    file = Path(place) if place.endswith(".py") else module_file(place)
+    file = Path(place) if place.endswith(".py") else user_code.module_file(place)
     return [Path(os.path.realpath(file))]
 
 
@@ -282,7 +281,7 @@ def content_digest(subject: Subject) -> str:
         program = shutil.which(shlex.split(command_or_path(name))[0])
         arguments = [file for file in files[1:] if file.is_file()]
         files = [Path(program), *arguments] if program else arguments
-    return hashlib.sha256("".join(map(digest_of_file, files)).encode()).hexdigest()
+    return hashlib.sha256("".join(map(user_code.digest_of_file, files)).encode()).hexdigest()
 
 
 def with_content(subject: Subject) -> Subject:
@@ -294,10 +293,10 @@ def with_content(subject: Subject) -> Subject:
     place = name.partition("?")[0].rpartition(":")[0]
     if subject.source or not place or "." in place or is_program(name) or is_library(name):
         return subject
-    file = module_file(place)
+    file = user_code.module_file(place)
     if file.suffix != ".py" or file.name == "__init__.py":
         return subject
-    return replace(subject, source=SourceText(str(file), read_text(str(file))))
+    return replace(subject, source=importing.SourceText(str(file), read_text(str(file))))
 
 
 def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:

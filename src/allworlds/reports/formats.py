@@ -19,29 +19,19 @@ from xml.etree import ElementTree as ET
 
 from msgspec import Struct
 
+from allworlds import verbs, words
 from allworlds.explorers.sources import SourceLine, place_of_explorer
 from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import ASKED
 from allworlds.outcome import Verdict
-from allworlds.reports.parts import (
-    FactList,
-    MapPictures,
-    ReportContent,
-    Section,
-    ShownWalk,
-    Table,
-    rows_of,
-)
-from allworlds.reports.plain_text import content_line, content_text, finding_in_words, text_of
-from allworlds.verbs import BY_NAME, CASES, FINDINGS, PAGE, ROWS
+from allworlds.reports import parts, plain_text
 from allworlds.version import __version__
-from allworlds.words import escaped, harmless, harmless_json
 
 WIDTH = 100
 
 
-def markdown(content: ReportContent) -> str:
+def markdown(content: parts.ReportContent) -> str:
     """The headline, every section with a picture, and the others folded."""
     head = [f"## {_plain(content.done)}: {_plain(content.subject)}"]
     if said := content.headline:
@@ -51,23 +41,23 @@ def markdown(content: ReportContent) -> str:
     return "\n\n".join([*head, *blocks]) + "\n"
 
 
-def _section(section: Section) -> Iterator[str]:
-    if any(isinstance(block, ShownWalk | MapPictures) for block in section.blocks):
+def _section(section: parts.Section) -> Iterator[str]:
+    if any(isinstance(block, parts.ShownWalk | parts.MapPictures) for block in section.blocks):
         yield from [f"### {_plain(section.title)}"] if section.title else []
-        yield fenced(text_of([section], WIDTH))
+        yield fenced(plain_text.text_of([section], WIDTH))
         return
     for table in section.blocks:
-        if isinstance(table, Table) and table.rows:
+        if isinstance(table, parts.Table) and table.rows:
             yield from [f"**{_plain(table.caption)}**"] if table.caption else []
             yield _table(table.header, table.texts, table.right)
-    others = [block for block in section.blocks if not isinstance(block, Table)]
+    others = [block for block in section.blocks if not isinstance(block, parts.Table)]
     if others:
         yield f"<details><summary>{_plain(section.title or 'More')}</summary>"
         for block in others:
-            if isinstance(block, FactList):
+            if isinstance(block, parts.FactList):
                 yield _table(["", ""], block.entries, "ll")
             else:
-                yield fenced(text_of([Section("", "", [block])], WIDTH))
+                yield fenced(plain_text.text_of([parts.Section("", "", [block])], WIDTH))
         yield "</details>"
 
 
@@ -86,7 +76,7 @@ def fenced(text: str) -> str:
 
 def _plain(text: str) -> str:
     """The text in one line, with markup escaped."""
-    one = escaped(re.sub(r"[\t\n\r]+", " ", text))
+    one = words.escaped(re.sub(r"[\t\n\r]+", " ", text))
     one = one.replace("&", "&amp;").replace("<", "&lt;")
     return re.sub(r"([\\`*_|\[\]#~])", r"\\\1", one)
 
@@ -94,7 +84,7 @@ def _plain(text: str) -> str:
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def junit(content: ReportContent) -> str:
+def junit(content: parts.ReportContent) -> str:
     """A document with one suite."""
     assert content.cases is not None
     cases, verb = content.cases(), content.done.removeprefix("allworlds ")
@@ -114,14 +104,14 @@ def junit(content: ReportContent) -> str:
         if case.result != "passed":
             kind = {} if case.result == "skipped" else {"type": case.kind}
             why = ET.SubElement(element, case.result, {"message": _legal(case.message), **kind})
-            why.text = _legal(text_of(case.sections, WIDTH)) or None
+            why.text = _legal(plain_text.text_of(case.sections, WIDTH)) or None
     ET.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, "unicode") + "\n"
 
 
 def _legal(text: str) -> str:
     """The text with control characters as numbers, and without others that XML does not allow."""
-    return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", escaped(text))
+    return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", words.escaped(text))
 
 
 LEVELS = {
@@ -132,7 +122,7 @@ LEVELS = {
 """How loud a verdict is that is no finding; the others say nothing that needs a notification."""
 
 
-def runner_commands(content: ReportContent) -> str:
+def runner_commands(content: parts.ReportContent) -> str:
     """Commands, one for each finding at the explorer's file and line; else for the verdict."""
     from allworlds.reports.content.single_run import headline_of
 
@@ -142,7 +132,7 @@ def runner_commands(content: ReportContent) -> str:
     place = place_of_explorer(report.explorer)
     at = {"file": place.named_from(project_folder()), "line": str(place.line)} if place else {}
     shown = [
-        (headline_of(found), finding_in_words(found, WIDTH, i))
+        (headline_of(found), plain_text.finding_in_words(found, WIDTH, i))
         for i, found in enumerate(report.findings, 1)
     ]
     kind, commands = "error" if shown else LEVELS.get(report.verdict, "notice"), []
@@ -167,7 +157,7 @@ NO_FILE = "no file associated with this alert"
 """The location of a result without a file, as other tools have it: GitHub refuses one without."""
 
 
-def sarif(content: ReportContent) -> str:
+def sarif(content: parts.ReportContent) -> str:
     """The report as a SARIF log with one run.
 
     Every law is a rule.  Every finding is a result at the file and line of the explorer, or at
@@ -204,13 +194,13 @@ def sarif(content: ReportContent) -> str:
         "results": [_result(*found, place) for found in enumerate(report.findings, 1)],
     }
     log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
-    return harmless_json(json.dumps(log, indent=2)) + "\n"
+    return words.harmless_json(json.dumps(log, indent=2)) + "\n"
 
 
 def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str, Any]:
     from allworlds.reports.content.single_run import headline_of
 
-    text = finding_in_words(finding, WIDTH, number)
+    text = plain_text.finding_in_words(finding, WIDTH, number)
     head = f"{headline_of(finding)}."
     where = _artifact(place) if place else {"uri": quote(NO_FILE)}
     if not place:
@@ -239,12 +229,12 @@ def project_folder() -> Path:
     return Path(os.environ.get("GITHUB_WORKSPACE") or Path.cwd()).resolve()
 
 
-def content_of(result: Any) -> ReportContent:
+def content_of(result: Any) -> parts.ReportContent:
     """The content of the report of a verb's result."""
     return _maker(type(result))(result)
 
 
-def _maker(kind: type) -> Callable[[Any], ReportContent]:
+def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
     """The function that makes it; of a report without words of its own keys and rows are shown."""
     match kind.__name__:  # which no other class of this package has
         case "CheckReport" | "TimeEstimate":
@@ -314,12 +304,12 @@ def _maker(kind: type) -> Callable[[Any], ReportContent]:
 
 def text(result: Any, width: int) -> str:
     """The whole text of a verb's result, with so many columns."""
-    return harmless(content_text(content_of(result), width))
+    return words.harmless(plain_text.content_text(content_of(result), width))
 
 
 def brief(result: Any, width: int) -> str:
     """The line that ``--quiet`` leaves."""
-    return harmless(content_line(content_of(result), width))
+    return words.harmless(plain_text.content_line(content_of(result), width))
 
 
 class Format(Struct, frozen=True):
@@ -336,17 +326,17 @@ class Format(Struct, frozen=True):
         read_by: the variable that says that a CI service reads stderr for it, likewise.
     """
 
-    of_content: Callable[[ReportContent], str | bytes]
+    of_content: Callable[[parts.ReportContent], str | bytes]
     suffix: str
-    shows: tuple[str, ...] = (ROWS,)
+    shows: tuple[str, ...] = (verbs.ROWS,)
     library: tuple[str, str, str] | None = None
     summary: str = ""
     read_by: str = ""
 
 
-def csv_rows(content: ReportContent) -> str:
+def csv_rows(content: parts.ReportContent) -> str:
     """The rows for programs; empty if there is none."""
-    out, found = io.StringIO(), rows_of(content)
+    out, found = io.StringIO(), parts.rows_of(content)
     if found.columns:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(found.columns)
@@ -354,13 +344,13 @@ def csv_rows(content: ReportContent) -> str:
     return out.getvalue()
 
 
-def parquet_rows(content: ReportContent) -> bytes:
+def parquet_rows(content: parts.ReportContent) -> bytes:
     """A file of Parquet with these rows, a column for each name and of its type."""
     from pyarrow import BufferOutputStream, Table, bool_, float64, int64, schema, string
     from pyarrow.parquet import write_table
 
     kinds = {int: int64(), float: float64(), str: string(), bool: bool_()}
-    found, out = rows_of(content), BufferOutputStream()
+    found, out = parts.rows_of(content), BufferOutputStream()
     columns = schema([(name, kinds[kind]) for name, kind in found.columns.items()])
     write_table(Table.from_pylist(found.records, schema=columns), out)
     written: bytes = out.getvalue().to_pybytes()
@@ -369,10 +359,10 @@ def parquet_rows(content: ReportContent) -> bytes:
 
 def document_text(document: Mapping[str, Any]) -> str:
     """The document as a text."""
-    return harmless_json(json.dumps(document, indent=2)) + "\n"
+    return words.harmless_json(json.dumps(document, indent=2)) + "\n"
 
 
-def html(content: ReportContent) -> str:
+def html(content: parts.ReportContent) -> str:
     """An HTML document that refers to no other file."""
     if content.page:
         return content.page()
@@ -389,21 +379,21 @@ def html(content: ReportContent) -> str:
 
 
 FORMATS = {
-    "html": Format(html, ".html", (ROWS, PAGE)),
+    "html": Format(html, ".html", (verbs.ROWS, verbs.PAGE)),
     "markdown": Format(markdown, ".md", summary="GITHUB_STEP_SUMMARY"),
     "csv": Format(csv_rows, ".csv"),
     "json": Format(lambda content: document_text(content.result.to_json()), ".json", ()),
     "parquet": Format(parquet_rows, ".parquet", library=("pyarrow", "notebook", "a file .parquet")),
-    "sarif": Format(sarif, ".sarif", (FINDINGS,)),
-    "junit": Format(junit, ".xml", (CASES,)),
-    "annotations": Format(runner_commands, "", (FINDINGS,), read_by="GITHUB_ACTIONS"),
+    "sarif": Format(sarif, ".sarif", (verbs.FINDINGS,)),
+    "junit": Format(junit, ".xml", (verbs.CASES,)),
+    "annotations": Format(runner_commands, "", (verbs.FINDINGS,), read_by="GITHUB_ACTIONS"),
 }
 """Every format by its name."""
 
 
 def formats_of(verb: str) -> dict[str, Format]:
     """The formats in which a verb's results can be written."""
-    has = {*BY_NAME[verb].has}
+    has = {*verbs.BY_NAME[verb].has}
     return {name: form for name, form in FORMATS.items() if not form.shows or has & {*form.shows}}
 
 
@@ -441,4 +431,4 @@ def file_of(form: str, result: Any) -> Any:
     # UTF-8 has no halves of pairs: names of files and words of explorers may hold some.
     whole = re.sub("[\ud800-\udfff]", "\N{REPLACEMENT CHARACTER}", made).replace("\r", r"\x0d")
     # Lines that look like commands of a CI service are made harmless, but in a file of them.
-    return escaped(whole) if format_.read_by else harmless(whole)
+    return words.escaped(whole) if format_.read_by else words.harmless(whole)

@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from msgspec import Struct, field
 
-from allworlds.document import replace
-from allworlds.words import number
+from allworlds import document as doc, words
 
 if TYPE_CHECKING:
     from allworlds.judging.explanations.story import Walked
@@ -125,7 +124,7 @@ def _text(cell: Cell) -> str:
         case str():
             return cell
         case int():
-            return number(cell)
+            return words.number(cell)
         case _:
             return f"{cell:,.2f}"
 
@@ -334,7 +333,7 @@ def so_far(report: Any, headline: Headline | None) -> Headline | None:
     if headline is None or not headline.text:
         return Headline("INCONCLUSIVE", f"{why}; nothing was finished before")
     if headline.verdict in ("refuted", "error"):
-        return replace(headline, text=f"{headline.text}; {why}, and the rest was not tried")
+        return doc.replace(headline, text=f"{headline.text}; {why}, and the rest was not tried")
     return Headline("INCONCLUSIVE", f"{why}; finished before: {headline.text}")
 
 

@@ -18,6 +18,7 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
+from allworlds import outcome, verbs
 from allworlds.document import (
     IF_ANY,
     Document,
@@ -32,12 +33,10 @@ from allworlds.engines.engine_table import ENGINES
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
 from allworlds.maps.classes import MapClass
-from allworlds.outcome import Result, Verdict
 from allworlds.protocol.actions import Estimate, RootedMap
 from allworlds.protocol.transcript import AtStart, Dropped, Moved, Picked, Transcript, Wrote
 from allworlds.studies.check.exhaustive import TimeEstimate
 from allworlds.studies.run import WorldNames
-from allworlds.verbs import VERBS, Verb
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES
 from allworlds.world.lighthouses.options import place_keys
@@ -62,7 +61,7 @@ NAMES: dict[str, tuple[str, Iterable[Any]]] = {
     "law": ("Law", PRECEDENCE),
     "judged_law": ("Judged law", JUDGED),
     "class": ("Class of maps", MapClass),
-    "verdict": ("Verdict", Verdict),
+    "verdict": ("Verdict", outcome.Verdict),
     "engine": ("Engine", ENGINES),
 }
 """The names that stand in tables, each with its title."""
@@ -72,7 +71,7 @@ NAMES: dict[str, tuple[str, Iterable[Any]]] = {
 def reports() -> dict[str, Any]:
     """The type of every report by the name of its schema."""
     found: dict[str, Any] = {}
-    for verb in VERBS:
+    for verb in verbs.VERBS:
         if reports_of(verb) != [Any]:  # merge hands on that of another verb
             first, *others = reports_of(verb)
             found[verb.document] = first
@@ -80,7 +79,7 @@ def reports() -> dict[str, Any]:
     return found | {"estimate": TimeEstimate, "worldnames": WorldNames}
 
 
-def reports_of(verb: Verb) -> list[Any]:
+def reports_of(verb: verbs.Verb) -> list[Any]:
     """The types of a verb's reports."""
     function = unwrap(verb.function)
     return [*members(eval(function.__annotations__["return"], function.__globals__))]  # noqa: S307
@@ -89,7 +88,7 @@ def reports_of(verb: Verb) -> list[Any]:
 @cache
 def pages() -> dict[str, Any]:
     """The type of every document by the name of its schema: reports, then the rest."""
-    merged = dict.fromkeys(kind for verb in VERBS if verb.swept for kind in reports_of(verb))
+    merged = dict.fromkeys(kind for verb in verbs.VERBS if verb.swept for kind in reports_of(verb))
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
         "finding": Finding,
@@ -128,7 +127,7 @@ class Shapes:
                     inner = Literal[*map(plain, values)]
                     shown.remove(note)
             return Annotated[inner, *shown] if shown else inner
-        if tp is Result:
+        if tp is outcome.Result:
             files = [{"$ref": f"{name}.schema.json"} for name in reports()]
             return Annotated[Any, Meta(extra_json_schema={"anyOf": files})]
         if tp in WRITTEN_AS:

@@ -9,12 +9,10 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 from typing_extensions import override
 
+from allworlds.engines import lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
-from allworlds.engines.lanes import workers_for
 from allworlds.engines.limits import ClusterOptions, Listener, RunDirectoryOptions, Silent, TimeIsUp
-from allworlds.engines.single import played_again, subject_of
-from allworlds.engines.sweep import gather
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
     GivenWorlds,
@@ -28,17 +26,15 @@ from allworlds.engines.units import (
     Transport,
     shards_of,
 )
-from allworlds.explorers.loading import Subject
-from allworlds.explorers.sources import ExplorerOptions
+from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
-from allworlds.maps.build import contracted, deleted, lattice, moved
+from allworlds.maps import build, families
 from allworlds.maps.classes import Condition, Extent, MapClass, narrowing
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.maps.enumeration import Gluing
-from allworlds.maps.families import random_map
 from allworlds.outcome import Completed, Ending
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.check.requests import ManyWorlds
@@ -68,7 +64,7 @@ class SampleOptions(Request):
     seed: Annotated[int, Option(SCOPE, "S", "Which sample.", parse=integer_of)] = 0
 
 
-class MapsRequest(ManyWorlds, ExplorerOptions, WhereOptions):
+class MapsRequest(ManyWorlds, sources.ExplorerOptions, WhereOptions):
     """Request for runs in given maps: an explorer, the class and a condition, rules and effort."""
 
 
@@ -88,7 +84,7 @@ def fuzz(request: FuzzRequest) -> CheckReport:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    subject = subject_of(request.explore, request.limits)
+    subject = single.subject_of(request.explore, request.limits)
     scope = scope_of(request, request.rules(subject))
     return FuzzSweep(request, scope, subject).answer(request.run)
 
@@ -121,7 +117,7 @@ class FuzzSweep(TallySweep[CheckReport]):
     verb, asked = "fuzz", FuzzRequest
 
     def __init__(
-        self, request: FuzzRequest, scope: Scope, subject: Subject, shards: int = 1
+        self, request: FuzzRequest, scope: Scope, subject: loading.Subject, shards: int = 1
     ) -> None:
         super().__init__(request, scope, subject)
         self._shards = max(shards, shards_of(self.portion))
@@ -166,7 +162,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     def _shrunk(self, found: Finding) -> Finding:
         job = self.job
-        with workers_for(job.subject, job.limits, self.deadline) as workers:
+        with lanes.workers_for(job.subject, job.limits, self.deadline) as workers:
             return smallest_from(found, workers, self.scope)
 
     @override
@@ -208,7 +204,7 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
         finding, map_ = smaller, smaller.world.map
         smaller = _smallest(refute, _smaller(scope, finding, _fewer_edges(map_)))
         if smaller is None:
-            smaller = _smallest(refute, _smaller(scope, finding, [map_, *moved(map_)]))
+            smaller = _smallest(refute, _smaller(scope, finding, [map_, *build.moved(map_)]))
         if smaller:
             yield smaller
 
@@ -221,7 +217,7 @@ def _smallest(refute: Refute, chunks: Sequence[GivenWorlds]) -> Finding | None:
 
 def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
     for dart, _ in map_.edges:
-        for other in (deleted(map_, dart), contracted(map_, dart)):
+        for other in (build.deleted(map_, dart), build.contracted(map_, dart)):
             if other is not None:
                 yield other
 
@@ -264,7 +260,7 @@ def smallest_from(finding: Finding, workers: Transport[RunCounter], scope: Scope
 
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:
         found = Tally(keep=1)
-        gather(workers, RunCounter(scope, found.keep), given, found, Silent())
+        sweep.gather(workers, RunCounter(scope, found.keep), given, found, Silent())
         return found.findings[0] if found.findings else None
 
     with suppress(TimeIsUp):
@@ -291,7 +287,7 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
     Cost: O(m) runs for each map with m edges.
     """
     limits = request.limits
-    subject = subject_of(request.explore, limits)
+    subject = single.subject_of(request.explore, limits)
     rules = request.rules(subject)
     tried = [*maps]
     most = max((map_.edge_count for map_ in tried), default=1)
@@ -300,11 +296,11 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
     if not given:
         return None
     tally = Tally(keep=1)
-    with workers_for(subject, limits, limits.deadline()) as workers:
-        gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, Silent())
+    with lanes.workers_for(subject, limits, limits.deadline()) as workers:
+        sweep.gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, Silent())
         for found in tally.findings:
             smallest = smallest_from(found, workers, scope)
-            return played_again(smallest, subject, limits)
+            return single.played_again(smallest, subject, limits)
     return None
 
 
@@ -443,14 +439,14 @@ def a_lattice(edges: int, random: Random) -> CombinatorialMap:
     total = size(rows, columns)
     # What is left must be connected.
     holes = random.randint(0, total - (rows * columns - 1)) / total
-    return _rerooted(lattice(rows, columns, holes, random.getrandbits(32)), random)
+    return _rerooted(build.lattice(rows, columns, holes, random.getrandbits(32)), random)
 
 
 def dense(edges: int, random: Random) -> CombinatorialMap:
     """Draw a gluing with at most three vertices, which have many darts each."""
     vertices = random.randint(1, 3)
     while True:
-        map_ = random_map(edges, random)
+        map_ = families.random_map(edges, random)
         if map_.vertex_count <= vertices or edges + 1 < vertices:
             return map_
 
@@ -476,7 +472,7 @@ def looped_tree(edges: int, random: Random) -> CombinatorialMap:
 
 
 GENERATORS: dict[MapClass, tuple[Generator, ...]] = {
-    MapClass.MAPS: (random_map, looped_tree, glued(MapClass.PLANAR), a_lattice, dense),
+    MapClass.MAPS: (families.random_map, looped_tree, glued(MapClass.PLANAR), a_lattice, dense),
     MapClass.PLANAR: (glued(MapClass.PLANAR), a_lattice),
     MapClass.SIMPLE: (glued(MapClass.SIMPLE), a_lattice, glued(MapClass.PLANAR_SIMPLE)),
     MapClass.PLANAR_SIMPLE: (glued(MapClass.PLANAR_SIMPLE), a_lattice),

@@ -5,22 +5,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
-from allworlds.document import (
-    Document,
-    Edges,
-    Figure,
-    Natural,
-    NotInDocument,
-    Report,
-    Seconds,
-    Text,
-    Vertices,
-    WhichShard,
-    about,
-)
-from allworlds.engines.job_records import ENDED
-from allworlds.engines.limits import Listener, ListenerOptions, Silent
-from allworlds.engines.run_directory import in_use, merged, reading
+from allworlds import document as doc
+from allworlds.engines import job_records, limits, run_directory
 from allworlds.engines.sweep import RowOptions, Sweep
 from allworlds.engines.units import WHOLE, is_counted, shards_of
 from allworlds.inputs.checks import InputError, a_path, show
@@ -29,7 +15,7 @@ from allworlds.protocol.user_code import as_recorded
 from allworlds.version import __version__
 
 
-class MergeRequest(RowOptions, ListenerOptions):
+class MergeRequest(RowOptions, limits.ListenerOptions):
     """Request of ``merge``: the run directories, and the rows that are wanted."""
 
     runs: Annotated[
@@ -70,7 +56,7 @@ def sweep_of(verb: str) -> type[Sweep[Any, Any]]:
 
 def _merged(request: MergeRequest) -> Any:
     runs = request.runs
-    with merged(runs) as (identity, records):
+    with run_directory.merged(runs) as (identity, records):
         if identity.version != __version__:
             raise InputError(
                 f"run directory {show(str(runs[0]))} is of version {show(identity.version)}, not "
@@ -85,7 +71,7 @@ def _merged(request: MergeRequest) -> Any:
 
 
 @takes_fields(MergeRequest, several="runs", answered=_merged)
-def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = None) -> Any:
+def merge(*runs: str | Path, by: str | None = None, listener: limits.Listener | None = None) -> Any:
     """Merge the shards of a job, which were kept in run directories, into one report.
 
     Counts are compared with their source, and witnesses looked for, as if it had been one job.
@@ -104,22 +90,22 @@ def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = 
 State: TypeAlias = Literal["running", "finished", "unfinished"]
 
 
-class DoneOf(Document):
+class DoneOf(doc.Document):
     """Number done, and number of all."""
 
-    done: Annotated[Natural, about("are finished")]
-    all: Annotated[Natural, about("are to be done")]
+    done: Annotated[doc.Natural, doc.about("are finished")]
+    all: Annotated[doc.Natural, doc.about("are to be done")]
 
 
-class LargestCost(Document):
+class LargestCost(doc.Document):
     """The largest cost so far, and the smallest size of a world with that cost."""
 
-    edges: Edges
-    vertices: Vertices
-    cost: Annotated[Natural, about("traversals")]
+    edges: doc.Edges
+    vertices: doc.Vertices
+    cost: Annotated[doc.Natural, doc.about("traversals")]
 
 
-class Standing(Report):
+class Standing(doc.Report):
     """Report of 'status'.
 
     The content of a run directory. Larger worlds take longer, so the time left is a guess.
@@ -128,35 +114,37 @@ class Standing(Report):
     the job.
     """
 
-    verb: Annotated[Text, about("the verb whose units these are")]
-    version: Annotated[Text, about("of the program that does them")]
-    explorer: Annotated[str, about("its name; empty where there is none")]
-    shard: WhichShard
-    parameters: Annotated[dict[str, Any], about("further options that the result depends on")]
+    verb: Annotated[doc.Text, doc.about("the verb whose units these are")]
+    version: Annotated[doc.Text, doc.about("of the program that does them")]
+    explorer: Annotated[str, doc.about("its name; empty where there is none")]
+    shard: doc.WhichShard
+    parameters: Annotated[dict[str, Any], doc.about("further options that the result depends on")]
     state: Annotated[
         State,
-        about("whether somebody adds to it now; if nobody does, whether anything is left to add"),
+        doc.about(
+            "whether somebody adds to it now; if nobody does, whether anything is left to add"
+        ),
     ]
-    units: Annotated[DoneOf, about("pieces of work")]
+    units: Annotated[DoneOf, doc.about("pieces of work")]
     worlds: Annotated[
         DoneOf,
-        about(
+        doc.about(
             "rooted maps, of `compare` once for each explorer, in a family runs; of a shard `all` "
             "is about its part, under a condition without a source at most so many"
         ),
     ]
     rate: Annotated[
-        Figure | None,
-        about("worlds a second since somebody last began; null: none yet, or all are"),
+        doc.Figure | None,
+        doc.about("worlds a second since somebody last began; null: none yet, or all are"),
     ]
     left_s: Annotated[
-        Seconds | None,
-        about("seconds until the end at this rate, a guess; null if there is no rate"),
+        doc.Seconds | None,
+        doc.about("seconds until the end at this rate, a guess; null if there is no rate"),
     ]
-    worst: Annotated[LargestCost | None, about("the largest cost so far; null: there is none")]
-    findings: Annotated[Natural, about("in the finished units")]
-    counted: NotInDocument[bool] = True
-    options: NotInDocument[tuple[str, ...]] = ()
+    worst: Annotated[LargestCost | None, doc.about("the largest cost so far; null: there is none")]
+    findings: Annotated[doc.Natural, doc.about("in the finished units")]
+    counted: doc.NotInDocument[bool] = True
+    options: doc.NotInDocument[tuple[str, ...]] = ()
 
 
 class StatusRequest(Request, kw_only=False):
@@ -173,11 +161,11 @@ def status(request: StatusRequest) -> Standing:
         InputError: if it is none, or is damaged.
     """
     path = a_path("run", request.run)
-    running = in_use(path)
-    with reading(path) as database, as_recorded(database.identity.code):
+    running = run_directory.in_use(path)
+    with run_directory.reading(path) as database, as_recorded(database.identity.code):
         identity = database.identity
-        sweep = sweep_of(identity.verb).known(identity, identity.portion, Silent())
-        ended = database.recall("ended") == ENDED
+        sweep = sweep_of(identity.verb).known(identity, identity.portion, limits.Silent())
+        ended = database.recall("ended") == job_records.ENDED
         began = database.last_session()
         units = worlds = recent = findings = 0
         last = began

@@ -6,18 +6,15 @@ from enum import StrEnum
 from typing import Annotated, TypeAlias
 
 from allworlds.document import Document, Natural, Report, about, computed
-from allworlds.engines.limits import Limits
-from allworlds.engines.single import single_run, subject_of
+from allworlds.engines import limits, single
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.inputs.checks import integer_of
-from allworlds.inputs.requests import SCOPE, Option, Request, answers
+from allworlds.inputs import checks, requests
 from allworlds.judging.findings.rules import RuleOptions
 from allworlds.maps.build import covering_walk
 from allworlds.protocol.actions import Action, Percept
 from allworlds.protocol.player import IllegalAction
 from allworlds.protocol.transcript import Transcript
-from allworlds.world.lighthouses.kinds import GivenLighthouse, kind_of
-from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.lighthouses import kinds, marked
 from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, world_named
 from allworlds.world.world import World
 
@@ -58,9 +55,9 @@ def _costs(world: World) -> Iterator[CostBeside]:
     """
     kind = world.lighthouse.kind
     if world.map.edge_count <= LARGEST and kind in VARIANTS:
-        subject = subject_of(VARIANTS[kind], Limits())
-        rules = RuleOptions().rules_of(subject, kind_of(world.lighthouse))
-        cost = single_run(subject, world, rules, (), Limits()).cost
+        subject = single.subject_of(VARIANTS[kind], limits.Limits())
+        rules = RuleOptions().rules_of(subject, kinds.kind_of(world.lighthouse))
+        cost = single.single_run(subject, world, rules, (), limits.Limits()).cost
         yield CostBeside(who=Walker.ALGORITHM_1, cost=cost)
     yield CostBeside(who=Walker.EVERY_EDGE, cost=covering_walk(world.map, world.start))
 
@@ -96,19 +93,19 @@ class Play(Report, kw_only=True):
         return ""
 
 
-class PlayRequest(Request, kw_only=False):
+class PlayRequest(requests.Request, kw_only=False):
     """Request of ``play``: a world, and who walks in it."""
 
     world: Annotated[World | str, WORLD]
     _: KW_ONLY
-    lighthouse: Annotated[GivenLighthouse, LIGHTHOUSE] = Directional.kind
+    lighthouse: Annotated[kinds.GivenLighthouse, LIGHTHOUSE] = marked.Directional.kind
     seed: Annotated[
         int | None,
-        Option(
-            SCOPE,
+        requests.Option(
+            requests.SCOPE,
             "S",
             "Seed for families that are drawn at random: with it, everybody gets the same world.",
-            parse=integer_of,
+            parse=checks.integer_of,
         ),
     ] = None
     holes: Annotated[str | None, HOLES] = None
@@ -119,7 +116,7 @@ class PlayRequest(Request, kw_only=False):
     ] = lambda *_: None
 
 
-@answers(PlayRequest)
+@requests.answers(PlayRequest)
 def play(request: PlayRequest) -> Play:
     """Let a player walk in the world, action by action.
 

@@ -8,19 +8,10 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any, Literal
 
-from allworlds.document import (
-    NotInDocument,
-    Report,
-    Text,
-    about,
-    computed,
-    key,
-    replace,
-)
+from allworlds import document as doc
 from allworlds.engines.limits import TimeoutOptions
 from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
-from allworlds.explorers.loading import HASH_SEED, own_bound
-from allworlds.explorers.sources import ProgramWords
+from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.inputs.requests import RULES, SCOPE, Converted, Option, OptionGroup, answers
 from allworlds.judging.findings.finding import Finding, FindingOptions, recorded_trail
@@ -70,15 +61,15 @@ class RunRequest(RunOptions, kw_only=False):
     ] = None
 
 
-class WorldNames(Report):
+class WorldNames(doc.Report):
     """Report of 'run --list'.
 
     The names that a WORLD can have; a capital letter stands for a number.
     """
 
-    maps: Annotated[tuple[Text, ...], about("small maps")]
-    families: Annotated[tuple[Text, ...], about("families of maps, small or large")]
-    corpus: Annotated[tuple[Text, ...], about("worlds of the corpus")]
+    maps: Annotated[tuple[doc.Text, ...], doc.about("small maps")]
+    families: Annotated[tuple[doc.Text, ...], doc.about("families of maps, small or large")]
+    corpus: Annotated[tuple[doc.Text, ...], doc.about("worlds of the corpus")]
 
 
 @answers(RunRequest)
@@ -105,11 +96,11 @@ def run(request: RunRequest) -> SingleRun:
 
 def _asked_hash_seed() -> int | None:
     """The hash seed that the environment names; None if it names none."""
-    seed = os.environ.get(HASH_SEED, "")
+    seed = os.environ.get(loading.HASH_SEED, "")
     return int(seed) if re.fullmatch("[0-9]{1,9}", seed) else None
 
 
-class AnotherExplorer(ProgramWords):
+class AnotherExplorer(sources.ProgramWords):
     """An explorer in place of the recorded one, as the command line names it."""
 
     explorer: Annotated[
@@ -134,7 +125,7 @@ TRIES = 8
 """The number of runs, each in two fresh processes, before ``not-reproduced`` is said."""
 
 
-class Replay(Report):
+class Replay(doc.Report):
     """Report of 'replay'.
 
     The result of running a finding again.
@@ -144,27 +135,27 @@ class Replay(Report):
     ran, not a built-in one.
     """
 
-    again: Annotated[SingleRun, about("the run of today")] = key(name="run")
-    recorded: NotInDocument[Finding]
-    notice: NotInDocument[str] = ""
-    users: NotInDocument[bool] = False
+    again: Annotated[SingleRun, doc.about("the run of today")] = doc.key(name="run")
+    recorded: doc.NotInDocument[Finding]
+    notice: doc.NotInDocument[str] = ""
+    users: doc.NotInDocument[bool] = False
 
-    @computed
-    def explorer(self) -> Text:
+    @doc.computed
+    def explorer(self) -> doc.Text:
         """The explorer that ran."""
         return self.again.explorer
 
-    @computed
+    @doc.computed
     def law(self) -> LawName:
         """The recorded one."""
         return self.recorded.law
 
-    @computed
+    @doc.computed
     def law_now(self) -> LawName | None:
         """The law that is broken now; null: none."""
         return self.again.finding.law if self.again.finding else None
 
-    @computed
+    @doc.computed
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
         """``reproduced``: a law is broken again; ``fixed``: none is; else it cannot be shown."""
         if self.again.finding:
@@ -206,9 +197,9 @@ def replay(request: ReplayRequest) -> Replay:
             "explorer, too"
         )
     kind = finding.world.lighthouse.kind
-    rules = replace(
+    rules = doc.replace(
         finding.rules,
-        own_bound=own_bound(subject.name, kind),
+        own_bound=loading.own_bound(subject.name, kind),
         bound=finding.rules.the_bound,
         laws=finding.rules.applying or None,
     )

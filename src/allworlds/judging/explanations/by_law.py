@@ -18,8 +18,7 @@ from allworlds.judging.explanations.story import (
     the_slip,
 )
 from allworlds.judging.findings.finding import Finding, Parting
-from allworlds.judging.laws.bounds import paper_terms
-from allworlds.judging.laws.folding import Folded, fold
+from allworlds.judging.laws import bounds, folding
 from allworlds.maps.combinatorial import (
     CombinatorialMap,
     Dart,
@@ -158,7 +157,7 @@ def tell_whose_budget(finding: Finding) -> str:
     if rules.step_budget is not None:
         return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
     value = rules.budget(map_)
-    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    new, closing = bounds.paper_terms(map_.vertex_count, map_.edge_count)
     world = size(map_.edge_count, map_.vertex_count)
     origin = "the bound that the explorer names"
     if value == default_step_budget(new + closing):
@@ -381,7 +380,7 @@ def tell_open_darts(story: Story) -> list[str]:
     """
     if not story.world.lighthouse.as_kind.folds:
         return []
-    folded, map_ = fold(story.transcript), story.map
+    folded, map_ = folding.fold(story.transcript), story.map
     image = {0: story.world.start}
     for x in (queue := [0]):
         for y, true in ((folded.sigma[x], map_.sigma), (folded.alpha[x], map_.alpha)):
@@ -416,7 +415,7 @@ def another_world(world: World, transcript: Transcript) -> World | None:
     Cost: exponential in the number of these darts at the worst; the first try is nearly always
     another world.
     """
-    folded, bearing = fold(transcript), transcript.first.bearing
+    folded, bearing = folding.fold(transcript), transcript.first.bearing
     if not folded.open_darts:
         return None
     assert bearing is not None
@@ -428,7 +427,7 @@ def another_world(world: World, transcript: Transcript) -> World | None:
     )
 
 
-def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
+def _completions(folded: folding.Folded) -> Iterator[CombinatorialMap]:
     """The folded log with every open dart joined or led to a new vertex, fewest edges first."""
     unsettled = [dart for dart, end in enumerate(folded.alpha) if dart == end]
     for leaves in range(len(unsettled) % 2, len(unsettled) + 1, 2):
@@ -452,7 +451,7 @@ def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart
 
 
 def _completed(
-    folded: Folded, pairs: list[tuple[Dart, Dart]], longer: Dart | None = None
+    folded: folding.Folded, pairs: list[tuple[Dart, Dart]], longer: Dart | None = None
 ) -> CombinatorialMap:
     """The folded log with these darts joined; each of the others leads to a leaf.
 
@@ -514,7 +513,7 @@ def _whose(finding: Finding) -> str:
     rules, map_ = finding.rules, finding.world.map
     name, value = rules.the_bound.name, finding.expected
     world = size(map_.edge_count, map_.vertex_count)
-    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    new, closing = bounds.paper_terms(map_.vertex_count, map_.edge_count)
     paper = (
         "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
         "find a new vertex, and (2), the passes that close an edge between known ones"

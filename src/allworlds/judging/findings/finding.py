@@ -33,8 +33,7 @@ from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Requ
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName, Value
 from allworlds.maps.combinatorial import Code, CombinatorialMap, Dart, numbering, rooted_code
-from allworlds.protocol.actions import Drop, Estimate, Move, Percept, Pick
-from allworlds.protocol.player import IllegalAction
+from allworlds.protocol import actions, player
 from allworlds.protocol.transcript import Transcript
 from allworlds.world.lighthouses.base import State, WalkInAnswer
 from allworlds.world.world import World
@@ -48,7 +47,7 @@ def _value(name: str, given: Any) -> Value:
     """The recorded expectation, or observation, as a value."""
     if isinstance(given, Mapping):
         try:
-            return Estimate.from_json(given)
+            return actions.Estimate.from_json(given)
         except InputError as error:
             raise InputError(f"{name}.{error}") from None
     if isinstance(given, str) or type(given) is int:
@@ -313,7 +312,7 @@ def true_trail(world: World, transcript: Transcript) -> list[Dart]:
     return [state.dart for state, _ in true_walk(world, transcript)]
 
 
-def true_walk(world: World, transcript: Transcript) -> list[tuple[State, Percept]]:
+def true_walk(world: World, transcript: Transcript) -> list[tuple[State, actions.Percept]]:
     """The world's state at the start and after each step, with the percepts in it."""
     walk = [(world.initial, world.first)]
     for action in transcript.actions:
@@ -329,7 +328,7 @@ def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
     """
     try:
         walk = true_walk(world, transcript)
-    except IllegalAction as error:
+    except player.IllegalAction as error:
         raise InputError(f"the finding's transcript is no walk in its world: {error}") from None
     sensed = transcript.percepts
     for step, ((_, truth), percept) in enumerate(zip(walk, sensed, strict=True)):
@@ -349,7 +348,7 @@ def trail_to(map_: CombinatorialMap, here: Dart, transcript: Transcript) -> list
     trail = [here]
     for action in reversed(transcript.actions):
         dart = trail[-1]
-        if type(action) is Move:
+        if type(action) is actions.Move:
             dart = map_.turn(map_.alpha[dart], -action.k)
         trail.append(dart)
     trail.reverse()
@@ -360,14 +359,14 @@ def trail_from(map_: CombinatorialMap, start: Dart, transcript: Transcript) -> I
     """The robot's dart at the start and after each step of the walk that begins at ``start``."""
     yield (dart := start)
     for action, _ in transcript.steps:
-        if type(action) is Move:
+        if type(action) is actions.Move:
             dart = map_.alpha[map_.turn(dart, action.k)]
         yield dart
 
 
 def believed_percepts(
     world: World, estimate: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
-) -> list[Percept] | None:
+) -> list[actions.Percept] | None:
     """The percepts, first one included, of a walk along these darts of the estimated map.
 
     The lighthouse stands where the robot must believe it; None if the answer has no such place.
@@ -381,7 +380,7 @@ def believed_percepts(
     expected = [percepts[trail[0]]]
     for dart, action in zip(trail[1:], transcript.actions, strict=True):
         vertex = estimate.vertex_of[dart]
-        dropped[vertex] += (type(action) is Drop) - (type(action) is Pick)
+        dropped[vertex] += (type(action) is actions.Drop) - (type(action) is actions.Pick)
         # A wrong answer may make the robot take up what it has never dropped there.
         expected.append(percepts[dart].marked(max(dropped[vertex], 0)))
     return expected
@@ -454,8 +453,8 @@ class BelievedWalk(Struct, frozen=True):
     """
 
     trail: Sequence[Dart]
-    percepts: Sequence[Percept] | None
-    expected: Sequence[Percept]
+    percepts: Sequence[actions.Percept] | None
+    expected: Sequence[actions.Percept]
     misfits: Sequence[int]
     parting: Parting | None
 
@@ -465,7 +464,7 @@ class BelievedWalk(Struct, frozen=True):
         return self.parting.step if self.parting else len(self.trail)
 
 
-def believed_walk(world: World, answer: Estimate, transcript: Transcript) -> BelievedWalk:
+def believed_walk(world: World, answer: actions.Estimate, transcript: Transcript) -> BelievedWalk:
     """The walk in the answer from the dart from which it agrees for longest.
 
     Of equals it is the one from which the motions lead to ``here``, if it is among them, else the
@@ -503,7 +502,7 @@ def _beside(
     world: World, map_: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
 ) -> BelievedWalk:
     percepts = believed_percepts(world, map_, trail, transcript)
-    expected = percepts or [Percept(map_.degree_at[dart]) for dart in trail]
+    expected = percepts or [actions.Percept(map_.degree_at[dart]) for dart in trail]
     fits = [*map(eq, expected, transcript.percepts)]
     misfits = [step for step, fit in enumerate(fits) if not fit]
     parting = find_parting(world.map, true_trail(world, transcript), map_, trail, fits)

@@ -5,13 +5,12 @@ from string import ascii_lowercase
 
 from msgspec import UNSET
 
-from allworlds.document import replace
+from allworlds import document as doc, words
 from allworlds.judging.explanations.story import Walked
 from allworlds.judging.findings.finding import true_trail
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.quotient import Quotient
-from allworlds.protocol.actions import Move
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol import actions, transcript
 from allworlds.reports.content.scope import finished, gate_facts, maps_in_words, places_facts
 from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.parts import (
@@ -30,10 +29,8 @@ from allworlds.reports.parts import (
     fact,
     so_far,
 )
-from allworlds.studies.ambiguity.marked_worlds import AmbiguityCensus, CensusCell, CensusRow
+from allworlds.studies.ambiguity import marked_worlds, twin_search
 from allworlds.studies.ambiguity.members import AmbiguityClass, ComparedWorlds, projection_of
-from allworlds.studies.ambiguity.twin_search import SearchResult
-from allworlds.words import number, plural
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.world import World
 
@@ -91,7 +88,7 @@ def _answer(comparison: ComparedWorlds) -> Headline:
         return Headline("TOLD APART", said, "holds")
     if comparison.motions is not UNSET:
         motions = ", ".join(map(str, comparison.motions)) or "none: the first percepts differ"
-        count = plural(len(comparison.motions), "motion")
+        count = words.plural(len(comparison.motions), "motion")
         return Headline("TOLD APART", f"by {count}, and by no fewer: {motions}", "holds")
     word, what = {
         "same": ("SAME", "the two are one world, start included; "),
@@ -110,11 +107,11 @@ def class_content(found: AmbiguityClass) -> ReportContent:
     quotient = _quotient(projection_of(found.world).quotient)
     blocks: list[Block] = [alike(names, worlds, classes[:DRAWN])]
     if len(found.worlds) > DRAWN:
-        left = number(len(found.worlds) - DRAWN)
+        left = words.number(len(found.worlds) - DRAWN)
         blocks.append(Paragraph(f"{left} more worlds: --json lists them."))
     if found.notice:
         blocks.append(Paragraph(f"{found.notice}."))
-    poses = f"{number(found.poses)} (a world, and a dart where the robot is)"
+    poses = f"{words.number(found.poses)} (a world, and a dart where the robot is)"
     return ReportContent(
         "allworlds ambiguity class",
         "one world",
@@ -131,7 +128,7 @@ def _size_of(found: AmbiguityClass) -> Headline:
         text = f"no other world {universe} has its quotient: a robot can map it"
         return Headline("ALONE", text, "holds")
     why = _why_alike([projection_of(found.world).quotient])
-    text = f"{plural(found.size, 'world')} {universe}; {why}"
+    text = f"{words.plural(found.size, 'world')} {universe}; {why}"
     return Headline("AMBIGUOUS", text, "vacuous")
 
 
@@ -140,7 +137,7 @@ def alike(
 ) -> ShownWalk:
     """Worlds that no motion tells apart, with a walk along every edge of each."""
     scenes = [
-        replace(scene_of(world), labels=[letters(q) for q in of_world])
+        doc.replace(scene_of(world), labels=[letters(q) for q in of_world])
         for world, of_world in zip(worlds, classes, strict=True)
     ]
     sentences = [ALIKE, TOURED] if len(worlds) > 1 else ["The walk goes along every edge."]
@@ -176,11 +173,11 @@ def _why_alike(quotients: Sequence[Quotient]) -> str:
     """The reason why no motion tells worlds with these quotients, equal but for sheets, apart."""
     sheets = [quotient.sheets for quotient in quotients]
     if len({*sheets}) > 1:
-        who = f"A is a cover with {plural(sheets[0], 'sheet')}, B one with {sheets[1]},"
+        who = f"A is a cover with {words.plural(sheets[0], 'sheet')}, B one with {sheets[1]},"
     else:
         some = "all" if len(sheets) == 1 else "both"
-        who = f"{some} are covers, with {plural(sheets[0], 'sheet')},"
-    size = plural(len(quotients[0].sigma), "class", "classes")
+        who = f"{some} are covers, with {words.plural(sheets[0], 'sheet')},"
+    size = words.plural(len(quotients[0].sigma), "class", "classes")
     return (
         f"{who} of one quotient of {size} of darts, and as darts of one class sense the same and "
         "lead to darts of one class, no motion tells the worlds apart"
@@ -202,7 +199,7 @@ def _quotient(quotient: Quotient) -> tuple[Paragraph, Table]:
     return Paragraph(said), Table(header, rows)
 
 
-def census_content(census: AmbiguityCensus) -> ReportContent:
+def census_content(census: marked_worlds.AmbiguityCensus) -> ReportContent:
     """A row for each number of edges, and the source with which the counts were compared."""
     header = ["marked worlds", "ambiguous", "classes", "largest class"]
     rows = [[row.edges, *_counts(row)] for row in census.rows]
@@ -242,14 +239,14 @@ def census_content(census: AmbiguityCensus) -> ReportContent:
     )
 
 
-def _counts(row: CensusRow | CensusCell) -> list[Cell]:
+def _counts(row: marked_worlds.CensusRow | marked_worlds.CensusCell) -> list[Cell]:
     return [row.marked_worlds, row.ambiguous_worlds, row.classes, row.largest_class or None]
 
 
-def _counted(census: AmbiguityCensus) -> Headline | None:
+def _counted(census: marked_worlds.AmbiguityCensus) -> Headline | None:
     if not census.agrees:
         wrong = [
-            f"with {plural(row.edges, 'edge')} {plural(row.rooted, 'rooted map')} "
+            f"with {words.plural(row.edges, 'edge')} {words.plural(row.rooted, 'rooted map')} "
             f"{'was' if row.rooted == 1 else 'were'} met, but {census.source} counts {row.counted}"
             for row in census.rows
             if not row.agrees(whole=census.whole)
@@ -257,7 +254,7 @@ def _counted(census: AmbiguityCensus) -> Headline | None:
         return Headline("MISMATCH", "; ".join(wrong), "error")
     if not census.rows:
         return so_far(census, None)
-    worlds = plural(sum(row.marked_worlds for row in census.rows), "marked world")
+    worlds = words.plural(sum(row.marked_worlds for row in census.rows), "marked world")
     scope = finished(census, census.rows[-1].edges)
     if census.places:
         scope += f" ({census.places})"
@@ -267,13 +264,13 @@ def _counted(census: AmbiguityCensus) -> Headline | None:
     elif census.empty:
         done = Headline("VACUOUS", f"there is no world {scope}", "vacuous")
     elif ambiguous:
-        done = Headline("AMBIGUOUS", f"{number(ambiguous)} of {worlds} {scope}")
+        done = Headline("AMBIGUOUS", f"{words.number(ambiguous)} of {worlds} {scope}")
     else:
         done = Headline("TOLD APART", f"{worlds} {scope}: motions tell each from every other")
     return so_far(census, done)
 
 
-def search_content(result: SearchResult) -> ReportContent:
+def search_content(result: twin_search.SearchResult) -> ReportContent:
     """The answer with the twins found, the sizes that it rests on, and its certificate."""
     pair = []
     if result.pair and result.bisimulation:
@@ -300,7 +297,7 @@ def search_content(result: SearchResult) -> ReportContent:
     )
 
 
-def _found(result: SearchResult) -> tuple[Headline, list[tuple[str, str]]]:
+def _found(result: twin_search.SearchResult) -> tuple[Headline, list[tuple[str, str]]]:
     """The answer and its basis, as named texts."""
     asked = result.question.describes
     if result.status == "unknown":
@@ -319,7 +316,7 @@ def _found(result: SearchResult) -> tuple[Headline, list[tuple[str, str]]]:
     return Headline("NONE", f"{asked}: there are none.", "holds"), [("proof", proof)]
 
 
-def _why(result: SearchResult) -> str:
+def _why(result: twin_search.SearchResult) -> str:
     assert result.pair is not None
     assert result.bisimulation is not None
     home = result.bisimulation[0][result.pair[0].start]
@@ -330,13 +327,13 @@ def _why(result: SearchResult) -> str:
     )
 
 
-def walk_along(world: World, motions: Sequence[int]) -> Transcript:
+def walk_along(world: World, motions: Sequence[int]) -> transcript.Transcript:
     """The log of these motions from the start."""
     state, steps = world.initial, []
     for k in motions:
-        state, percept = world.step(state, Move(k))
-        steps.append((Move(k), percept))
-    return Transcript(world.first, tuple(steps))
+        state, percept = world.step(state, actions.Move(k))
+        steps.append((actions.Move(k), percept))
+    return transcript.Transcript(world.first, tuple(steps))
 
 
 def tour(worlds: Sequence[World]) -> list[int]:

@@ -3,24 +3,16 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from allworlds.engines.single import SingleRun
-from allworlds.engines.sweep import tried_places
-from allworlds.engines.tally import Row
-from allworlds.engines.units import Given, Sample, Shard
+from allworlds.engines import single, sweep, tally, units
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Disagreed, Verdict
+from allworlds.reports.content import single_run
 from allworlds.reports.content.scope import (
     SAID,
     of_the_class,
     option_facts,
     places_facts,
     trust_facts,
-)
-from allworlds.reports.content.single_run import (
-    cost_words,
-    finding_section,
-    nothing_checked,
-    run_section,
 )
 from allworlds.reports.parts import (
     Block,
@@ -36,20 +28,19 @@ from allworlds.reports.parts import (
     Table,
     fact,
 )
-from allworlds.studies.check.exhaustive import Guess, TimeEstimate
+from allworlds.studies.check import exhaustive, tally_sweep
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
-from allworlds.studies.check.tally_sweep import CorpusReport
 from allworlds.words import about, counted, duration, listed, number, plural, size
 
 
-def check_content(report: CheckReport | TimeEstimate) -> ReportContent:
+def check_content(report: CheckReport | exhaustive.TimeEstimate) -> ReportContent:
     """The verdict, the findings, the scope and the counts; or the estimated duration.
 
     On the page of a check that holds also the most expensive runs.
     """
-    if isinstance(report, TimeEstimate):
+    if isinstance(report, exhaustive.TimeEstimate):
         return _estimate(report)
-    verb = "fuzz" if isinstance(report.asked.coverage, Sample) else "check"
+    verb = "fuzz" if isinstance(report.asked.coverage, units.Sample) else "check"
     findings = _findings(report, range(len(report.findings)))
     seen = Section("seen", "What was checked", [FactList(scope_words(report)), size_table(report)])
     return ReportContent(
@@ -107,10 +98,10 @@ def size_table(report: CheckReport) -> Table:
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
     if every:
         header[4:4], header[6:6] = ["schedules"], ["best cost"]
-    sampled = isinstance(report.asked.coverage, Sample)
-    groups: dict[tuple[int, int], tuple[list[int], Row]] = {}
+    sampled = isinstance(report.asked.coverage, units.Sample)
+    groups: dict[tuple[int, int], tuple[list[int], tally.Row]] = {}
     for (edges, vertices), row in sorted(report.tally.rows.items()):
-        met, total = groups.setdefault((edges, 0 if sampled else vertices), ([], Row()))
+        met, total = groups.setdefault((edges, 0 if sampled else vertices), ([], tally.Row()))
         met.append(vertices)
         total.add(row)
     rows: list[list[Cell]] = []
@@ -128,7 +119,7 @@ def verdict_of(report: CheckReport) -> Headline:
         f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
         f"{plural(report.tally.traversals, 'traversal')}"
     )
-    where = "drawn worlds" if isinstance(report.asked.coverage, Sample) else "finished levels"
+    where = "drawn worlds" if isinstance(report.asked.coverage, units.Sample) else "finished levels"
     if report.verdict in (Verdict.HOLDS, Verdict.NOT_REFUTED) and not report.runs:
         said = f"{done} fall to this shard, which is finished and has nothing to check"
         return Headline("EMPTY", said, "vacuous")
@@ -150,7 +141,7 @@ def verdict_of(report: CheckReport) -> Headline:
 def _in_shard(report: CheckReport) -> str:
     """A remark that this is only a shard; empty for a whole check."""
     shard = report.asked.portion
-    if not isinstance(shard, Shard):
+    if not isinstance(shard, units.Shard):
         return ""
     return f" in shard {shard}; the verdict on the whole needs the merge of all shards"
 
@@ -158,16 +149,16 @@ def _in_shard(report: CheckReport) -> str:
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts. A text without a name continues the one before."""
     scope, rules = report.asked, report.asked.rules
-    least = scope.coverage.min_edges if isinstance(scope.coverage, Sample) else 1
-    shard = f", shard {scope.portion}" if isinstance(scope.portion, Shard) else ""
+    least = scope.coverage.min_edges if isinstance(scope.coverage, units.Sample) else 1
+    shard = f", shard {scope.portion}" if isinstance(scope.portion, units.Shard) else ""
     what = (
         f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
         f"{of_the_class(scope.extent, least)}{shard}; {_schedules(report)}"
     )
     words = [("explorer", f"{report.explorer}, {report.engine} engine"), ("scope", what)]
-    words += places_facts(tried_places(rules.lighthouse, scope.extent))
+    words += places_facts(sweep.tried_places(rules.lighthouse, scope.extent))
     words += option_facts(report, CHECK_SAID)
-    if not report.complete and not isinstance(scope.coverage, Sample):
+    if not report.complete and not isinstance(scope.coverage, units.Sample):
         finished = ", ".join(map(str, report.levels)) or "none"
         why = "" if report.ending.final else f"{report.ending.reason}; "
         words.append(("", f"NOT complete: {why}finished levels (edges): {finished}"))
@@ -196,22 +187,22 @@ CHECK_SAID = (*SAID, "task", "laws", "schedules", "min_edges", "runs", "max_find
 
 
 def _which(report: CheckReport) -> str:
-    if isinstance(report.asked.coverage, Sample | Given):
+    if isinstance(report.asked.coverage, units.Sample | units.Given):
         return "one start and marker"
-    some = tried_places(report.asked.rules.lighthouse, report.extent)
+    some = sweep.tried_places(report.asked.rules.lighthouse, report.extent)
     return "every start and the places named below" if some else "every start and marker"
 
 
 def _maps(report: CheckReport) -> str:
     sample = report.asked.coverage
-    if isinstance(sample, Given):
+    if isinstance(sample, units.Given):
         return f"each of {plural(len(sample.worlds), 'given world')}"
-    if not isinstance(sample, Sample):
+    if not isinstance(sample, units.Sample):
         return "every map"
     return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
 
 
-def _corpus(past: CorpusReport) -> str:
+def _corpus(past: tally_sweep.CorpusReport) -> str:
     found = {
         "reproduced": past.reproduced,
         "still refuted, but beyond the scope": past.beyond_scope,
@@ -235,7 +226,7 @@ def _laws(report: CheckReport) -> str:
     if not report.runs:
         return "no run was made, so no law was checked"
     if not checked:
-        return nothing_checked(rules)
+        return single_run.nothing_checked(rules)
     bound = f"bound ({rules.the_bound.name})"
     laws = ", ".join(bound if law == "bound" else law for law in checked)
     if published:
@@ -247,11 +238,11 @@ def _laws(report: CheckReport) -> str:
 
 
 def _gate(report: CheckReport) -> str:
-    if isinstance(report.asked.coverage, Shard):
+    if isinstance(report.asked.coverage, units.Shard):
         return "deferred to the merge of all shards"
-    if isinstance(report.asked.coverage, Sample):
+    if isinstance(report.asked.coverage, units.Sample):
         return "absent: a sample is not to be counted"
-    if isinstance(report.asked.coverage, Given):
+    if isinstance(report.asked.coverage, units.Given):
         return "absent: the worlds were given"
     extent = report.asked.extent
     if extent.where is not None and source_of(extent) is None:
@@ -270,7 +261,7 @@ def _why_vacuous(report: CheckReport) -> str:
     if not report.runs:
         return "the scope holds no run"
     if not report.checked_laws:
-        return nothing_checked(report.asked.rules)
+        return single_run.nothing_checked(report.asked.rules)
     return "a witness is missing"
 
 
@@ -280,7 +271,7 @@ def _cases(report: CheckReport) -> Iterator[SuiteCase]:
     A level is passed; failed, with its findings; an error where the count gate or two engines
     disagree; skipped, with the reason, where it was not finished.  A sample is one case.
     """
-    if isinstance(report.asked.coverage, Sample):
+    if isinstance(report.asked.coverage, units.Sample):
         yield _sample(report, report.asked.coverage)
         return
     past, new = list[int](), list[int]()
@@ -288,7 +279,7 @@ def _cases(report: CheckReport) -> Iterator[SuiteCase]:
         (past if report.past and report.past.holds(finding) else new).append(i)
     if report.past:
         yield _failure(report, "past findings", past) if past else SuiteCase("past findings")
-    every = "every given world" if isinstance(report.asked.coverage, Given) else "every world"
+    every = "every given world" if isinstance(report.asked.coverage, units.Given) else "every world"
     for edges in report.asked.sizes:
         name = f"{every} with {plural(edges, 'edge')}"
         found = [i for i in new if report.findings[i].key[0] == edges]
@@ -318,7 +309,7 @@ def _cases(report: CheckReport) -> Iterator[SuiteCase]:
         yield SuiteCase("witnesses", *result)
 
 
-def _sample(report: CheckReport, sample: Sample) -> SuiteCase:
+def _sample(report: CheckReport, sample: units.Sample) -> SuiteCase:
     edges = plural(report.asked.extent.levels[-1], "edge")
     least = "up to" if sample.min_edges == 1 else f"{sample.min_edges} to"
     name = f"{plural(sample.runs, 'random world')} with {least} {edges}"
@@ -340,7 +331,7 @@ def _findings(report: CheckReport, found: Iterable[int]) -> list[Section]:
     for i in found:
         past = report.past and report.past.holds(report.findings[i])
         origin = "from the corpus" if past else ""
-        sections.append(finding_section(report.findings[i], i + 1, origin))
+        sections.append(single_run.finding_section(report.findings[i], i + 1, origin))
     return sections
 
 
@@ -351,7 +342,7 @@ def _mismatch(cell: GateCell) -> str:
     )
 
 
-def _estimate(guess: TimeEstimate) -> ReportContent:
+def _estimate(guess: exhaustive.TimeEstimate) -> ReportContent:
     """Estimated duration of the check, and of those with more edges if it is known."""
     if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: this takes very long"
@@ -365,7 +356,7 @@ def _estimate(guess: TimeEstimate) -> ReportContent:
     if guess.larger:
         names = ("worlds", "takes") if guess.counted else ("worlds <=", "takes <=")
         header = ("edges", names[0], "engine", "sampled", "a second", names[1])
-        every: list[TimeEstimate | Guess] = [guess, *guess.larger]
+        every: list[exhaustive.TimeEstimate | exhaustive.Guess] = [guess, *guess.larger]
         rows = [
             (
                 one.edges,
@@ -384,10 +375,10 @@ def _estimate(guess: TimeEstimate) -> ReportContent:
     return ReportContent("allworlds check", guess.explorer, guess, head, [seen])
 
 
-def most_expensive(runs: Iterable[SingleRun]) -> Iterator[Section]:
+def most_expensive(runs: Iterable[single.SingleRun]) -> Iterator[Section]:
     """The most expensive of some runs; no section if there is none."""
     if most := max(runs, key=lambda run: run.outcome.cost, default=None):
         map_ = most.world.map
         where = size(map_.edge_count, map_.vertex_count)
-        title = f"The most expensive run: {where}, {cost_words(most)}"
-        yield run_section(most, "most-expensive", title)
+        title = f"The most expensive run: {where}, {single_run.cost_words(most)}"
+        yield single_run.run_section(most, "most-expensive", title)

@@ -6,8 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from allworlds.document import replace
-from allworlds.engines.sweep import SweptReport, tried_places
-from allworlds.engines.units import Shard
+from allworlds.engines import sweep, units
 from allworlds.inputs.requests import given_again
 from allworlds.maps.classes import Extent
 from allworlds.studies.check.report import CheckReport
@@ -16,7 +15,7 @@ from allworlds.words import counted, plural
 if TYPE_CHECKING:
     from allworlds.studies.compare.entrants import ContestReport
 
-OfWorlds: TypeAlias = SweptReport | CheckReport
+OfWorlds: TypeAlias = sweep.SweptReport | CheckReport
 """A report about the worlds of an extent."""
 
 SAID = (
@@ -40,11 +39,11 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
 
 def maps_in_words(report: OfWorlds) -> str:
     """The maps that a report is about, or the shard of them."""
-    shard = f", shard {report.portion}" if isinstance(report.portion, Shard) else ""
+    shard = f", shard {report.portion}" if isinstance(report.portion, units.Shard) else ""
     return f"every rooted map {of_the_class(report.extent)}{shard}"
 
 
-def finished(report: SweptReport, last: int) -> str:
+def finished(report: sweep.SweptReport, last: int) -> str:
     """The maps of the finished levels, if ``last`` is the number of edges of the last one."""
     extent = report.extent
     return of_the_class(extent if report.complete else replace(extent, edges=last))
@@ -62,7 +61,7 @@ def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
         rules = one.rules
         how = f"lighthouse {rules.lighthouse}, policy {rules.policy}, bound {rules.the_bound}"
         words.append(("explorer", f"{one.name}: {how}"))
-        words += places_facts(tried_places(rules.lighthouse, report.extent))
+        words += places_facts(sweep.tried_places(rules.lighthouse, report.extent))
         words += trust_facts(rules.shared_file)
     return words
 

@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from allworlds.document import replace
+from allworlds import document as doc, words
 from allworlds.engines.single import SingleRun
 from allworlds.explorers.loading import is_program
 from allworlds.judging.episode import Answered, Over
@@ -36,7 +36,6 @@ from allworlds.reports.parts import (
     rows_of_walk,
 )
 from allworlds.studies.run import Replay, WorldNames
-from allworlds.words import listed, number, plural, size
 from allworlds.world.world import World
 
 if TYPE_CHECKING:
@@ -71,7 +70,7 @@ def run_content(run: SingleRun | WorldNames) -> ReportContent:
         return ReportContent("allworlds run", "names", run, None, [section], rows=lambda: made)
     headline = Headline(run.verdict.value.upper(), _said(run), run.verdict.value)
     whole = _section(run)
-    shown = whole if run.shows_walk or run.finding else replace(whole, blocks=whole.blocks[1:])
+    shown = whole if run.shows_walk or run.finding else doc.replace(whole, blocks=whole.blocks[1:])
     return ReportContent(
         "allworlds run",
         run.explorer,
@@ -129,8 +128,8 @@ def replay_content(replay: Replay) -> ReportContent:
 
 def cost_words(run: SingleRun) -> str:
     """The cost of the run, and the bound on it."""
-    bound = "" if run.outcome.bound is None else f" of at most {number(run.outcome.bound)}"
-    return f"{plural(run.outcome.cost, 'traversal')}{bound}"
+    bound = "" if run.outcome.bound is None else f" of at most {words.number(run.outcome.bound)}"
+    return f"{words.plural(run.outcome.cost, 'traversal')}{bound}"
 
 
 def _section(run: SingleRun) -> Section:
@@ -139,7 +138,7 @@ def _section(run: SingleRun) -> Section:
         return finding_section(run.finding, checked=False)
     section = run_section(run, "walk-1")
     laws = fact("laws", ", ".join(run.checked_laws) or nothing_checked(run.rules))
-    return replace(section, blocks=[*section.blocks, *printed(run.outcome.output), laws])
+    return doc.replace(section, blocks=[*section.blocks, *printed(run.outcome.output), laws])
 
 
 def run_section(run: SingleRun, name: str, title: str = "") -> Section:
@@ -152,12 +151,12 @@ def run_section(run: SingleRun, name: str, title: str = "") -> Section:
     seen = known(run)
     if seen is not None:
         title_of_s = "What the explorer knows (S)"
-        views.append(replace(views[0], name="known", title=title_of_s, known=seen))
+        views.append(doc.replace(views[0], name="known", title=title_of_s, known=seen))
     match ending:
         case Answered(Estimate() as estimate):
             belief = believed_walk(world, estimate, transcript)
             answer = answer_view(world, estimate, transcript, belief.trail)
-            views.append(replace(answer, still=seen is not None))
+            views.append(doc.replace(answer, still=seen is not None))
             agreement = belief.agreement
         case Answered(Ambiguous() as quotient):
             blocks += _quotient(quotient)
@@ -185,7 +184,7 @@ LONGEST_LIST = 60
 def headline_of(finding: Finding) -> str:
     """One line: the explorer, the broken law and the world's size."""
     map_ = finding.world.map
-    of_size = size(map_.edge_count, map_.vertex_count)
+    of_size = words.size(map_.edge_count, map_.vertex_count)
     return f"{finding.explorer} breaks the law '{finding.law}' in a world with {of_size}"
 
 
@@ -248,7 +247,7 @@ def printed(output: str, shown: str = "") -> list[Block]:
 
 def nothing_checked(rules: Rules) -> str:
     """The reason why runs have checked nothing: their laws are about checkpoints alone."""
-    laws = listed(rules.judged)
+    laws = words.listed(rules.judged)
     return f"nothing was checked: the explorer shows no checkpoint, as needed for {laws}"
 
 
@@ -263,7 +262,7 @@ def _law(finding: Finding) -> FactList:
     if str(finding.seen).startswith(NO_MAP):
         return fact("law", f"{finding.law}: the explorer's sigma and alpha are no map")
     expected, seen = (
-        plural(value, "traversal") if isinstance(value, int) else str(value)
+        words.plural(value, "traversal") if isinstance(value, int) else str(value)
         for value in (finding.expected, finding.seen)
     )
     if isinstance(finding.expected, int):
@@ -303,7 +302,7 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
         taken = [*map(str, finding.choices)]
         if len(taken) > LONGEST_LIST:
             half = LONGEST_LIST // 2
-            between = f"... ({number(len(taken) - 2 * half)} more) ..."
+            between = f"... ({words.number(len(taken) - 2 * half)} more) ..."
             taken = [*taken[:half], between, *taken[-half:]]
         yield "choices", ", ".join(taken)
     if checked:

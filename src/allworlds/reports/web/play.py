@@ -23,8 +23,7 @@ from allworlds.reports.parts import (
 from allworlds.reports.web.sections import figure, framed, read
 from allworlds.studies.play import Play, Walker
 from allworlds.words import plural
-from allworlds.world.lighthouses.kinds import parts_of
-from allworlds.world.lighthouses.placeless import Movable, Whiteboard
+from allworlds.world.lighthouses import kinds, placeless
 from allworlds.world.world import World
 
 NAMES = {
@@ -84,17 +83,17 @@ def world_data(world: World) -> dict[str, Any]:
         InputError: for a lighthouse of the user's under which the robot leaves marks.
     """
     map_ = world.map
-    marking = next((part for part in parts_of(world.lighthouse) if part.leaves_marks), None)
+    marking = next((part for part in kinds.parts_of(world.lighthouse) if part.leaves_marks), None)
     if marking is not None and marking.code is not None:
         raise InputError(
             f"under the lighthouse {world.lighthouse.written} the robot leaves marks in a way of "
             "your own, which a page cannot do; leave -o out to play in the terminal"
         )
-    written = marking if isinstance(marking, Whiteboard) else None
+    written = marking if isinstance(marking, placeless.Whiteboard) else None
     spots = None
     if written:
         spots = [written.place_of_number(map_, dart) for dart in map_.darts]
-    elif isinstance(marking, Movable) and marking.distinct:
+    elif isinstance(marking, placeless.Movable) and marking.distinct:
         spots = list(map_.vertex_of)
     return {
         "sigma": list(map_.sigma),

@@ -9,26 +9,9 @@ from msgspec import Struct, field
 from msgspec.structs import asdict
 from typing_extensions import override
 
-from allworlds.document import (
-    Document,
-    Edges,
-    IfAny,
-    Natural,
-    NotInDocument,
-    Text,
-    Vertices,
-    WhichShard,
-    about,
-    computed,
-    with_options,
-)
+from allworlds import document as doc, outcome
+from allworlds.engines import limits, units
 from allworlds.engines.engine_table import ReadyEngine, local_or_dask
-from allworlds.engines.limits import (
-    ClusterOptions,
-    ListenerOptions,
-    RunDirectoryOptions,
-    TimeLimitOptions,
-)
 from allworlds.engines.sweep import (
     Sweep,
     SweptReport,
@@ -37,13 +20,10 @@ from allworlds.engines.sweep import (
     told_scope,
     tried_places,
 )
-from allworlds.engines.units import WHOLE, LevelUnit, ShardOptions, SweptLevel
-from allworlds.inputs.checks import InputError, one_of
-from allworlds.inputs.requests import SCOPE, Converted, Option, answers
+from allworlds.inputs import checks, requests
 from allworlds.maps.classes import Extent, ExtentOptions, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, numbering, rooted_code
 from allworlds.maps.quotient import Quotient, class_size, is_ambiguous
-from allworlds.outcome import Disagreement, Ending
 from allworlds.studies.ambiguity.members import (
     ComparedWorlds,
     is_least_rooting,
@@ -51,9 +31,8 @@ from allworlds.studies.ambiguity.members import (
     standing,
     twins,
 )
-from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
+from allworlds.world.lighthouses import kinds, options
 from allworlds.world.lighthouses.marked import Position
-from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.selection import WhereOptions, tried_kind
 from allworlds.world.world import World
 
@@ -62,25 +41,25 @@ BATCH = 200
 
 
 class CensusRequest(
-    ListenerOptions,
-    ClusterOptions,
-    RunDirectoryOptions,
-    TimeLimitOptions,
-    ShardOptions,
+    limits.ListenerOptions,
+    limits.ClusterOptions,
+    limits.RunDirectoryOptions,
+    limits.TimeLimitOptions,
+    units.ShardOptions,
     WhereOptions,
     ExtentOptions,
 ):
     """Request of ``ambiguity census``: a class, its bounds and the effort."""
 
     lighthouse: Annotated[
-        Converted[GivenLighthouse, LighthouseKind],
-        Option(
-            SCOPE,
+        requests.Converted[kinds.GivenLighthouse, kinds.LighthouseKind],
+        requests.Option(
+            requests.SCOPE,
             "KIND",
-            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}.",
-            document_type=Annotated[Text, about("`KIND[:key=value,...]`")],
+            f"KIND[:key=value,...]: {checks.one_of(kinds.LIGHTHOUSES)}, or {kinds.OWN}.",
+            document_type=Annotated[doc.Text, doc.about("`KIND[:key=value,...]`")],
         ),
-    ] = Converted(tried_kind, Position.kind)
+    ] = requests.Converted(tried_kind, Position.kind)
 
 
 Size: TypeAlias = tuple[int, int]
@@ -123,7 +102,7 @@ class SensedParts(Struct):
             document of a world of each, up to isomorphism.
     """
 
-    worlds: Natural = 0
+    worlds: doc.Natural = 0
     alone: Counter[tuple[int, int]] = field(default_factory=Counter)
     parts: dict[str, dict[str, dict[str, Any]]] = field(default_factory=dict)
 
@@ -187,7 +166,7 @@ class SensedParts(Struct):
             world = World.from_json(next(iter(worlds.values())))
             quotient = projection_of(world).quotient
             if len(worlds) != class_size(quotient):
-                raise Disagreement(
+                raise outcome.Disagreement(
                     f"{len(worlds)} worlds were met of a class of {class_size(quotient)}, "
                     f"with the quotient {quotient}"
                 )
@@ -197,9 +176,9 @@ class PartBySensing(Struct, frozen=True):
     """The engine of the census."""
 
     extent: Extent
-    kind: LighthouseKind
+    kind: kinds.LighthouseKind
 
-    def parts(self, unit: LevelUnit) -> Iterator[SensedParts]:
+    def parts(self, unit: units.LevelUnit) -> Iterator[SensedParts]:
         """The maps of the unit, some at a time."""
         met, marked = SensedParts(), self.kind.name == Position.kind
         for map_ in unit.maps(self.extent):
@@ -251,7 +230,7 @@ def _apart(one: World, other: World) -> ComparedWorlds:
         for place in (other.lighthouse, *kind.places(other.map, start)):
             try:
                 world = World(other.map, place, start)
-            except InvalidWorld:  # the lighthouse cannot stand there when one starts here
+            except options.InvalidWorld:  # the lighthouse cannot stand there when one starts here
                 continue
             if _code(world, world.map) == code and (found := twins(one, world)).bisimulation:
                 return found
@@ -259,58 +238,59 @@ def _apart(one: World, other: World) -> ComparedWorlds:
 
 
 MarkedWorlds: TypeAlias = Annotated[
-    Natural, about("maps with a lighthouse in them, as one marked vertex, up to isomorphism")
+    doc.Natural,
+    doc.about("maps with a lighthouse in them, as one marked vertex, up to isomorphism"),
 ]
 AmbiguousWorlds: TypeAlias = Annotated[
-    Natural | None, about("those with a twin in the class of maps; null: of a shard")
+    doc.Natural | None, doc.about("those with a twin in the class of maps; null: of a shard")
 ]
 Classes: TypeAlias = Annotated[
-    Natural | None,
-    about("ambiguity classes of two or more worlds in the class of maps; null: of a shard"),
+    doc.Natural | None,
+    doc.about("ambiguity classes of two or more worlds in the class of maps; null: of a shard"),
 ]
 LargestClass: TypeAlias = Annotated[
-    Natural | None,
-    about("the size of the largest of these classes; 0: there is none, null: of a shard"),
+    doc.Natural | None,
+    doc.about("the size of the largest of these classes; 0: there is none, null: of a shard"),
 ]
 
 
-class CensusRow(Document, kw_only=True):
+class CensusRow(doc.Document, kw_only=True):
     """The marked maps with one number of edges.
 
     ``rooted`` is the number of rooted maps found, ``counted`` the number according to the
     independent source. A shard may hold some members of a class and not others.
     """
 
-    edges: Edges
+    edges: doc.Edges
     marked_worlds: MarkedWorlds
     ambiguous_worlds: AmbiguousWorlds = None
     classes: Classes = None
     largest_class: LargestClass = None
-    rooted: NotInDocument[int]
-    counted: NotInDocument[int]
+    rooted: doc.NotInDocument[int]
+    counted: doc.NotInDocument[int]
 
     def agrees(self, *, whole: bool) -> bool:
         """Whether as many rooted maps were met as the source counts; of a shard at most so many."""
         return self.rooted == self.counted if whole else self.rooted <= self.counted
 
 
-class CensusCell(Document):
+class CensusCell(doc.Document):
     """The marked maps of one size."""
 
-    edges: Edges
-    vertices: Vertices
+    edges: doc.Edges
+    vertices: doc.Vertices
     marked_worlds: MarkedWorlds
     ambiguous_worlds: AmbiguousWorlds = None
     classes: Classes = None
     largest_class: LargestClass = None
 
 
-@with_options(CensusRequest)
-class CensusScope(Document):
+@doc.with_options(CensusRequest)
+class CensusScope(doc.Document):
     """The scope of a census."""
 
     places: TriedPlaces
-    shard: WhichShard
+    shard: doc.WhichShard
 
 
 class AmbiguityCensus(SweptReport):
@@ -319,24 +299,24 @@ class AmbiguityCensus(SweptReport):
     Every level of a class of maps; twins are looked for inside the class only.
     """
 
-    rows: Annotated[tuple[CensusRow, ...], about("one a number of edges, ascending")]
+    rows: Annotated[tuple[CensusRow, ...], doc.about("one a number of edges, ascending")]
     by_vertices: Annotated[
-        tuple[CensusCell, ...], about("one for each (edges, vertices) with a world, ascending")
+        tuple[CensusCell, ...], doc.about("one for each (edges, vertices) with a world, ascending")
     ]
     pair: Annotated[
-        IfAny[tuple[World, ...]], about("the smallest worlds that are not told apart")
+        doc.IfAny[tuple[World, ...]], doc.about("the smallest worlds that are not told apart")
     ] = ()
     bisimulation: Annotated[
-        IfAny[tuple[tuple[Natural, ...], ...]],
-        about("of that pair: for each world the class of each dart"),
+        doc.IfAny[tuple[tuple[doc.Natural, ...], ...]],
+        doc.about("of that pair: for each world the class of each dart"),
     ] = ()
 
-    @computed
+    @doc.computed
     def scope(self) -> CensusScope:
         """All that was classified."""
         return told_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
 
-    @computed
+    @doc.computed
     def gate(self) -> ToldGate:
         """Count gate, if there is anything to compare."""
         return self.compared
@@ -357,7 +337,7 @@ class AmbiguityCensus(SweptReport):
         return not any(row.marked_worlds for row in self.rows)
 
 
-@answers(CensusRequest)
+@requests.answers(CensusRequest)
 def census(request: CensusRequest) -> AmbiguityCensus:
     """Classify every map of a class with every choice of a marked vertex, up to isomorphism.
 
@@ -377,11 +357,11 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
 
     def __init__(self, request: CensusRequest) -> None:
         super().__init__(request, request.extent)
-        self._levels: list[tuple[SweptLevel, int]] = []
+        self._levels: list[tuple[units.SweptLevel, int]] = []
         self._met = SensedParts()
-        self.kind: LighthouseKind = request.lighthouse
+        self.kind: kinds.LighthouseKind = request.lighthouse
         if self.kind.as_class.leaves_marks:
-            raise InputError(
+            raise checks.InputError(
                 f"under the lighthouse {self.kind} the robot leaves marks itself, and a census is "
                 f"of what motions alone can tell apart; legal are {standing()}"
             )
@@ -392,17 +372,17 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
         return ReadyEngine(local_or_dask(self.request.cluster, self.deadline), engine)
 
     @override
-    def finish(self, level: SweptLevel, total: SensedParts) -> None:
+    def finish(self, level: units.SweptLevel, total: SensedParts) -> None:
         all_maps = self.extent.map_class is MapClass.MAPS and self.extent.where is None
-        if self.portion == WHOLE and all_maps and self.kind.name == Position.kind:
+        if self.portion == units.WHOLE and all_maps and self.kind.name == Position.kind:
             total.ensure_counted()
         self._levels.append((level, total.worlds))
         # Worlds of different sizes may look alike.
         self._met.add(total)
 
     @override
-    def report(self, ending: Ending) -> AmbiguityCensus:
-        whole = self.portion == WHOLE
+    def report(self, ending: outcome.Ending) -> AmbiguityCensus:
+        whole = self.portion == units.WHOLE
         by_edges = self._met.counts(lambda size: size[0])
         by_size = self._met.counts(lambda size: size)
         pair = self._met.smallest_pair() if whole else None

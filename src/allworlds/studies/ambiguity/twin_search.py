@@ -10,19 +10,7 @@ from typing import Annotated, Any, TypeAlias
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.document import (
-    Document,
-    Natural,
-    NotInDocument,
-    Pair as Two,
-    Positive,
-    Text,
-    about,
-    computed,
-    narrowed,
-    one_of,
-    replace,
-)
+from allworlds import document as doc
 from allworlds.engines.limits import EndedReport, Listener, deadline_after
 from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
 from allworlds.inputs.requests import answers
@@ -63,38 +51,38 @@ from allworlds.world.world import World
 PROOF_LIMIT = 10_000_000
 """Bytes of DRAT that the checker of this package accepts: a minute or two."""
 
-Classes: TypeAlias = Two[Annotated[tuple[Natural, ...], narrowed(minItems=2)]]
+Classes: TypeAlias = doc.Pair[Annotated[tuple[doc.Natural, ...], doc.narrowed(minItems=2)]]
 
 
-class Twins(Document):
+class Twins(doc.Document):
     """Two worlds that no motion tells apart, and the bisimulation that proves it."""
 
-    pair: Two[World]
+    pair: doc.Pair[World]
     bisimulation: Classes
 
 
-class Searched(Document):
+class Searched(doc.Document):
     """One level of a search.
 
     Writing and solving took ``seconds``. ``same_map`` holds twins that turned out to be one world
     with two starts; ``twins`` holds the decoded worlds, if the formula has a model.
     """
 
-    status: Annotated[Status, about("the solver's answer to this formula")]
-    formula: Annotated[Path, about("the path of the DIMACS file")]
-    proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")]
-    sizes: NotInDocument[Sizes]
-    seconds: NotInDocument[float]
-    same_map: NotInDocument[tuple[Twins, ...]] = ()
-    twins: NotInDocument[Twins | None] = None
+    status: Annotated[Status, doc.about("the solver's answer to this formula")]
+    formula: Annotated[Path, doc.about("the path of the DIMACS file")]
+    proof: Annotated[Path | None, doc.about("the path of the LRAT proof; null: there is none")]
+    sizes: doc.NotInDocument[Sizes]
+    seconds: doc.NotInDocument[float]
+    same_map: doc.NotInDocument[tuple[Twins, ...]] = ()
+    twins: doc.NotInDocument[Twins | None] = None
 
-    @computed
-    def edges(self) -> Two[Positive]:
+    @doc.computed
+    def edges(self) -> doc.Pair[doc.Positive]:
         """Of each world."""
         return tuple(size.edges for size in self.sizes)
 
-    @computed
-    def vertices(self) -> Two[Two[Positive]]:
+    @doc.computed
+    def vertices(self) -> doc.Pair[doc.Pair[doc.Positive]]:
         """For each world the fewest and the most."""
         return tuple((size.fewest, size.most) for size in self.sizes)
 
@@ -105,44 +93,45 @@ class SearchResult(EndedReport, kw_only=True):
     If it was interrupted by the user, the status is `unknown`, or twins had been found before.
     """
 
-    status: Annotated[Status, about("`sat`: a pair; `unsat`: there is none in the bounds")]
-    pair: Annotated[Two[World] | None, about("two worlds that look alike; null unless `sat`")] = (
-        None
-    )
+    status: Annotated[Status, doc.about("`sat`: a pair; `unsat`: there is none in the bounds")]
+    pair: Annotated[
+        doc.Pair[World] | None, doc.about("two worlds that look alike; null unless `sat`")
+    ] = None
     bisimulation: Annotated[
-        Classes | None, about("for each of them the class of each dart; null unless `sat`")
+        Classes | None, doc.about("for each of them the class of each dart; null unless `sat`")
     ] = None
     certificate: Annotated[
-        Path | None, about("the path of the certificate; null: see [answers](ambiguity.md#answers)")
+        Path | None,
+        doc.about("the path of the certificate; null: see [answers](ambiguity.md#answers)"),
     ] = None
-    vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
-    directory: Annotated[Path, about("the directory of the formulas")]
-    levels: Annotated[tuple[Searched, ...], about("in the order of the search")]
-    notices: Annotated[tuple[Text, ...], about("sentences for the reader")]
-    question: NotInDocument[Question]
+    vacuous: Annotated[bool, doc.about("not even one world exists within the bounds")] = False
+    directory: Annotated[Path, doc.about("the directory of the formulas")]
+    levels: Annotated[tuple[Searched, ...], doc.about("in the order of the search")]
+    notices: Annotated[tuple[doc.Text, ...], doc.about("sentences for the reader")]
+    question: doc.NotInDocument[Question]
 
-    @computed
-    def lighthouse(self) -> Annotated[str, one_of(*SEARCHED)]:
+    @doc.computed
+    def lighthouse(self) -> Annotated[str, doc.one_of(*SEARCHED)]:
         """Its kind."""
         return self.question.lighthouse
 
-    @computed
+    @doc.computed
     def map_class(self) -> MapClass:
         """The class of maps."""
         return self.question.map_class
 
-    @computed
-    def vertices(self) -> Positive:
+    @doc.computed
+    def vertices(self) -> doc.Positive:
         """At most so many."""
         return self.question.vertices
 
-    @computed
-    def edges(self) -> Positive:
+    @doc.computed
+    def edges(self) -> doc.Positive:
         """At most so many."""
         return self.question.edges
 
-    @computed
-    def same_map(self) -> tuple[Two[World], ...]:
+    @doc.computed
+    def same_map(self) -> tuple[doc.Pair[World], ...]:
         """Pairs that look alike but are one map with two starts."""
         return tuple(same.pair for level in self.levels for same in level.same_map)
 
@@ -384,8 +373,8 @@ class _TwinsSearch(Struct):
     def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
         """Among the pairs with these numbers of edges one with the fewest vertices."""
         counts = [world.map.vertex_count for world in twins.pair]
-        one, two = (replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
-        less, less_too = (replace(size, most=size.most - 1) for size in (one, two))
+        one, two = (doc.replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
+        less, less_too = (doc.replace(size, most=size.most - 1) for size in (one, two))
         marked = self.question.sensing.marks_v0
         for smaller in (
             [Sizes(less, less_too)] if marked else [Sizes(one, less_too), Sizes(less, two)]
@@ -439,7 +428,7 @@ class _TwinsSearch(Struct):
             if searched.proof is None and (reason := self._write_proof(formula)):
                 missing.setdefault(reason, []).append(formula.name)
             else:
-                self.done[number] = replace(searched, proof=formula.with_suffix(".lrat"))
+                self.done[number] = doc.replace(searched, proof=formula.with_suffix(".lrat"))
         for reason, names in missing.items():
             more = f" and {len(names) - 1} more" if len(names) > 1 else ""
             self.notices.append(f"no certificate for {names[0]}{more}: {reason}")

@@ -20,10 +20,8 @@ from allworlds.document import (
     computed,
     with_options,
 )
-from allworlds.engines.engine_table import EngineName
-from allworlds.engines.lane import GOES_BY_HASHES
+from allworlds.engines import engine_table, lane, single
 from allworlds.engines.limits import EndedReport, Limits
-from allworlds.engines.single import SingleRun, single_run, subject_of
 from allworlds.engines.sweep import (
     TriedPlaces,
     told_scope,
@@ -36,13 +34,10 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import checked_laws
 from allworlds.judging.tasks import Task
+from allworlds.maps import classes, combinatorial, count_source
 from allworlds.maps.build import named_map
-from allworlds.maps.classes import Extent
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.count_source import source_of
 from allworlds.outcome import Completed, Verdict
-from allworlds.studies.check.requests import CheckRequest, SharedFile
-from allworlds.studies.check.tally_sweep import CorpusReport, UserCorpus
+from allworlds.studies.check import requests, tally_sweep
 from allworlds.world.world import World
 
 
@@ -61,12 +56,12 @@ class GateCell(Document):
         return self.counted == self.enumerated
 
 
-def count_gate(extent: Extent, edges: int, tally: Tally) -> list[GateCell]:
+def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCell]:
     """Counts of the enumerated maps of a level, beside those of an independent source.
 
     There are none under a condition that has no source.
     """
-    source = source_of(extent)
+    source = count_source.source_of(extent)
     if source is None:
         return []
     counted = source.cells(edges)
@@ -88,7 +83,7 @@ SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
 
 
 def missing_witnesses(
-    extent: Extent, subject: Subject, task: Task, seen: Mapping[str, int]
+    extent: classes.Extent, subject: Subject, task: Task, seen: Mapping[str, int]
 ) -> tuple[str, ...]:
     """The events that a check of the whole extent must have seen and has not.
 
@@ -117,12 +112,12 @@ Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the mer
 """The state of the count gate."""
 
 
-@with_options(CheckRequest)
+@with_options(requests.CheckRequest)
 class CheckedScope(Document):
     """The scope of a check: every option that its counts and its verdict depend on."""
 
     places: TriedPlaces
-    shared_file: SharedFile
+    shared_file: requests.SharedFile
     shard: WhichShard
     sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
     given: Annotated[
@@ -171,14 +166,14 @@ class CheckReport(EndedReport):
     """
 
     explorer: Annotated[Text, about("its name")]
-    engine: Annotated[EngineName, about("the engine that ran")]
+    engine: Annotated[engine_table.EngineName, about("the engine that ran")]
     asked: NotInDocument[Scope]
     request: NotInDocument[Any]
-    extent: NotInDocument[Extent]
+    extent: NotInDocument[classes.Extent]
     tally: NotInDocument[Tally]
     levels: NotInDocument[tuple[int, ...]]
     cells: NotInDocument[tuple[GateCell, ...]] = ()
-    past: NotInDocument[UserCorpus | None] = None
+    past: NotInDocument[tally_sweep.UserCorpus | None] = None
     symmetry: NotInDocument[str] = ""
 
     @computed
@@ -191,7 +186,7 @@ class CheckReport(EndedReport):
         """All that was checked."""
         extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
         gate: Gated = self.cells
-        if source_of(extent) is None or isinstance(coverage, Sample | Given):
+        if count_source.source_of(extent) is None or isinstance(coverage, Sample | Given):
             gate = "absent"
         elif isinstance(coverage, Shard):
             gate = "deferred to the merge of all shards"
@@ -263,7 +258,7 @@ class CheckReport(EndedReport):
         return tuple(_remarks(self.tally))
 
     @computed
-    def corpus(self) -> CorpusReport | None:
+    def corpus(self) -> tally_sweep.CorpusReport | None:
         """Null without ``--corpus``."""
         return self.past.report if self.past else None
 
@@ -325,13 +320,13 @@ def _rows(tally: Tally) -> Iterator[CheckRow]:
 def _remarks(tally: Tally) -> Iterator[str]:
     more_than_hashes = any(found.law == "nondeterministic" for found in tally.findings)
     for text, times in sorted(tally.remarks.items()):
-        if text != GOES_BY_HASHES:
+        if text != lane.GOES_BY_HASHES:
             yield text if times == 1 else f"{text} ({times} times)"
         elif not more_than_hashes:
             yield text
 
 
-def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
+def most_expensive_runs(report: CheckReport) -> Iterator[single.SingleRun]:
     """The most expensive run of each size, ascending; empty if the explorer has no name.
 
     Of several it is the least.
@@ -340,11 +335,11 @@ def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
     """
     limits, rules = Limits(), report.asked.rules
     try:
-        subject = subject_of(report.explorer, limits)
+        subject = single.subject_of(report.explorer, limits)
     except InputError:  # it was handed over as a function that no name leads to
         return
     for _, row in sorted(report.tally.rows.items()):
         if (run := row.most_expensive) is not None:
-            map_ = CombinatorialMap(run.sigma, run.alpha)
+            map_ = combinatorial.CombinatorialMap(run.sigma, run.alpha)
             world = World(map_, [*rules.kind.places(map_, 0)][run.place], 0)
-            yield single_run(subject, world, rules, run.choices, limits)
+            yield single.single_run(subject, world, rules, run.choices, limits)

@@ -7,15 +7,12 @@ from typing import Annotated, TypeAlias
 from allworlds.document import Bounded, IfAny, about, replace
 from allworlds.engines.limits import ClusterOptions, Limits, ListenerOptions, RunDirectoryOptions
 from allworlds.engines.units import ShardOptions
-from allworlds.explorers.loading import Subject
-from allworlds.explorers.sources import ExplorerOptions, files_of_explorer
-from allworlds.inputs.checks import InputError, an_integer, integer_of, show
-from allworlds.inputs.requests import RARE_EFFORT, RARE_RULES, SCOPE, Converted, Option
+from allworlds.explorers import loading, sources
+from allworlds.inputs import checks, requests
 from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
 from allworlds.protocol.choices import Schedule, a_schedule
-from allworlds.world.selection import LighthouseOptions, WhereOptions, files_of_condition
-from allworlds.world.world import World
+from allworlds.world import selection, world
 
 SharedFile: TypeAlias = Annotated[
     IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")
@@ -28,17 +25,17 @@ def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
 
     Such code runs where verdicts are made, and could make one.
     """
-    files = (*rules.files, *files_of_condition(where))
+    files = (*rules.files, *selection.files_of_condition(where))
     if not files:
         return ""
-    theirs = {file.resolve() for file in files_of_explorer(explorer)}
+    theirs = {file.resolve() for file in sources.files_of_explorer(explorer)}
     return next((file.name for file in files if file in theirs), "")
 
 
-class ManyWorlds(ListenerOptions, Limits, RuleOptions, LighthouseOptions, ClassOptions):
+class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptions, ClassOptions):
     """Many worlds of a class, under rules, with an effort."""
 
-    def rules(self, subject: Subject) -> Rules:
+    def rules(self, subject: loading.Subject) -> Rules:
         """The rules under which the explorer is run; its own lighthouse, if none is named.
 
         Raises:
@@ -53,9 +50,9 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, LighthouseOptions, ClassO
 
 
 def _max_findings(given: object) -> int:
-    number = an_integer("max-findings", given)
+    number = checks.an_integer("max-findings", given)
     if number < 1:
-        raise InputError(f"max-findings {show(number)} is not positive and finite")
+        raise checks.InputError(f"max-findings {checks.show(number)} is not positive and finite")
     return number
 
 
@@ -63,60 +60,60 @@ class CheckRequest(
     RunDirectoryOptions,
     ClusterOptions,
     ManyWorlds,
-    ExplorerOptions,
+    sources.ExplorerOptions,
     ShardOptions,
-    WhereOptions,
+    selection.WhereOptions,
     ExtentOptions,
 ):
     """Request of ``check``: an explorer, worlds, rules and limits."""
 
     edges: Annotated[
         int | None,
-        Option(
-            SCOPE,
+        requests.Option(
+            requests.SCOPE,
             "M",
             f"At most M edges (default, unless --vertices is given: {DEFAULT_EDGES}).",
-            parse=integer_of,
+            parse=checks.integer_of,
             document_type=Bounded,
         ),
     ] = None
     schedules: Annotated[
-        Converted[str, Schedule],
-        Option(
-            RARE_RULES,
+        requests.Converted[str, Schedule],
+        requests.Option(
+            requests.RARE_RULES,
             "one|all",
             "all: every sequence of choices, for an explorer that takes choices.",
             document_type=Annotated[Schedule, about("the policy's, or every sequence of choices")],
         ),
-    ] = Converted(a_schedule, "one")
+    ] = requests.Converted(a_schedule, "one")
     engine: Annotated[
         str,
-        Option(
-            RARE_EFFORT,
+        requests.Option(
+            requests.RARE_EFFORT,
             "auto|python|kernel",
             "python judges in Python, kernel in compiled code; auto takes the faster one that can.",
         ),
     ] = "auto"
 
     worlds: Annotated[
-        Iterable[World] | None,
+        Iterable[world.World] | None,
         "Worlds to be tried, each once with its own lighthouse, in place of every world of the "
         "class; they are counted by no source.",
     ] = None
 
     max_findings: Annotated[
-        Converted[int, int],
-        Option(
-            RARE_EFFORT,
+        requests.Converted[int, int],
+        requests.Option(
+            requests.RARE_EFFORT,
             "K",
             "Stop after the level with the K-th finding (the smallest of each law and map counts).",
-            parse=integer_of,
+            parse=checks.integer_of,
         ),
-    ] = Converted(_max_findings, 1)
+    ] = requests.Converted(_max_findings, 1)
     corpus: Annotated[
         str | Path | None,
-        Option(
-            RARE_EFFORT,
+        requests.Option(
+            requests.RARE_EFFORT,
             "DIR",
             "A directory of findings, which are tried first; new ones are added to it.",
             apart=True,

@@ -20,9 +20,7 @@ from allworlds.document import (
     about,
     replace,
 )
-from allworlds.engines.job_records import Identity
-from allworlds.engines.limits import Listener
-from allworlds.engines.single import SingleRun, single_run
+from allworlds.engines import job_records, limits, single
 from allworlds.engines.units import (
     WHOLE,
     GivenWorlds,
@@ -113,13 +111,13 @@ class Comparison(ContestReport):
     def agrees(self) -> bool:
         return self.all_counted
 
-    def walks(self) -> Iterator[SingleRun]:
+    def walks(self) -> Iterator[single.SingleRun]:
         """A run of each explorer in the world that differs most, at the first place."""
         if self.differ_most is None:
             return
         for entrant in self.entrants:
             world = entrant.first_world(self.differ_most.world.map)
-            yield single_run(entrant.subject, world, entrant.rules, (), self.request.limits)
+            yield single.single_run(entrant.subject, world, entrant.rules, (), self.request.limits)
 
 
 def compared(request: CompareRequest) -> Comparison | Growth:
@@ -202,7 +200,7 @@ class SameWorlds(Contest[Comparison]):
     @override
     @classmethod
     def known(
-        cls, identity: Identity, portion: Portion, listener: Listener
+        cls, identity: job_records.Identity, portion: Portion, listener: limits.Listener
     ) -> "SameWorlds | GrowingWorlds":
         request = cls.asked_then(identity, portion, listener)
         entrants = tuple(

@@ -10,25 +10,13 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.document import (
-    Document,
-    Figure,
-    Natural,
-    NotInDocument,
-    Pair,
-    Positive,
-    Some,
-    Text,
-    about,
-    computed,
-    replace,
-)
+from allworlds import document as doc, outcome
 from allworlds.engines.units import GivenWorlds, Shard, SweptLevel, dealt
 from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.maps.families import edges_of, rootings
-from allworlds.outcome import Ending
+from allworlds.studies.compare import intervals
 from allworlds.studies.compare.entrants import (
     CompareRequest,
     Contest,
@@ -38,13 +26,6 @@ from allworlds.studies.compare.entrants import (
     InWorld,
     UnitOfOne,
     key_of,
-)
-from allworlds.studies.compare.intervals import (
-    LEAST_WORLDS,
-    LEVEL,
-    Interval,
-    geometric_mean,
-    mean_interval,
 )
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.named import map_of_family
@@ -175,24 +156,24 @@ def _largest(growing: Growing, degree: int, edges: int) -> str:
 
 
 Range: TypeAlias = Annotated[
-    Pair[Figure] | None,
-    about(
-        f"by a bootstrap over the worlds, at {LEVEL:.0%}; null: exact, or fewer than "
-        f"{LEAST_WORLDS} worlds"
+    doc.Pair[doc.Figure] | None,
+    doc.about(
+        f"by a bootstrap over the worlds, at {intervals.LEVEL:.0%}; null: exact, or fewer than "
+        f"{intervals.LEAST_WORLDS} worlds"
     ),
 ]
 """An interval of a row."""
 
 
-class GrownWorld(Document):
+class GrownWorld(doc.Document):
     """One world of a family, and an explorer's runs in it."""
 
-    name: Annotated[Text, about("as `run --family` takes it")]
-    edges: Annotated[Positive, about("of the map")]
-    places: Annotated[Positive, about("places that the lighthouse has in this world")]
-    ran: Annotated[Some[Natural], about("the numbers of those in which it was run")]
-    costs: Annotated[Some[Natural], about("of these runs, in traversals")]
-    bound: Annotated[int | None, about("the largest of these runs; null without a bound")]
+    name: Annotated[doc.Text, doc.about("as `run --family` takes it")]
+    edges: Annotated[doc.Positive, doc.about("of the map")]
+    places: Annotated[doc.Positive, doc.about("places that the lighthouse has in this world")]
+    ran: Annotated[doc.Some[doc.Natural], doc.about("the numbers of those in which it was run")]
+    costs: Annotated[doc.Some[doc.Natural], doc.about("of these runs, in traversals")]
+    bound: Annotated[int | None, doc.about("the largest of these runs; null without a bound")]
 
     @property
     def mean(self) -> float:
@@ -204,57 +185,57 @@ class GrownWorld(Document):
         return member_named(self.name).map()
 
 
-class GrowRow(Document):
+class GrowRow(doc.Document):
     """Costs of an explorer in the members of a family of one size."""
 
-    family: Annotated[Text, about("as it was asked for")]
-    edges: Annotated[Positive, about("of the first member")]
-    vertices: Annotated[Positive, about("of the first member")]
-    explorer: Annotated[Text, about("its name")]
-    seeds: Annotated[Positive, about("members that were drawn; isomorphic ones count once")]
+    family: Annotated[doc.Text, doc.about("as it was asked for")]
+    edges: Annotated[doc.Positive, doc.about("of the first member")]
+    vertices: Annotated[doc.Positive, doc.about("of the first member")]
+    explorer: Annotated[doc.Text, doc.about("its name")]
+    seeds: Annotated[doc.Positive, doc.about("members that were drawn; isomorphic ones count once")]
     drawn_from: Annotated[
-        Positive | None,
-        about("different rooted maps that seeds draw; null: they draw more than the start"),
+        doc.Positive | None,
+        doc.about("different rooted maps that seeds draw; null: they draw more than the start"),
     ]
-    exact: Annotated[bool, about("every world that seeds draw was run, in every place")]
-    members: Annotated[Some[GrownWorld], about("the worlds, by seed")]
+    exact: Annotated[bool, doc.about("every world that seeds draw was run, in every place")]
+    members: Annotated[doc.Some[GrownWorld], doc.about("the worlds, by seed")]
 
-    @computed
-    def worlds(self) -> Positive:
+    @doc.computed
+    def worlds(self) -> doc.Positive:
         """Different rooted maps among them."""
         return len(self.members)
 
-    @computed
-    def places(self) -> Positive:
+    @doc.computed
+    def places(self) -> doc.Positive:
         """Places of the lighthouse in these worlds."""
         return sum(one.places for one in self.members)
 
-    @computed
-    def runs(self) -> Positive:
+    @doc.computed
+    def runs(self) -> doc.Positive:
         """Places in which it was run."""
         return sum(len(one.costs) for one in self.members)
 
-    @computed
-    def mean(self) -> Figure:
+    @doc.computed
+    def mean(self) -> doc.Figure:
         """Traversals: over the worlds, in each over the places of its runs."""
         return round(fsum(self.means) / len(self.members), 6)
 
-    @computed
+    @doc.computed
     def interval(self) -> Range:
         """Of the mean."""
-        return None if self.exact else _rounded(mean_interval(self.means))
+        return None if self.exact else _rounded(intervals.mean_interval(self.means))
 
-    @computed
-    def least(self) -> Natural:
+    @doc.computed
+    def least(self) -> doc.Natural:
         """Traversals of a run."""
         return min(min(one.costs) for one in self.members)
 
-    @computed
-    def worst(self) -> Natural:
+    @doc.computed
+    def worst(self) -> doc.Natural:
         """The most traversals of a run; of all, if ``runs`` = ``places``."""
         return max(max(one.costs) for one in self.members)
 
-    @computed
+    @doc.computed
     def bound(self) -> int | None:
         """The largest of a run; null without a bound."""
         return max((m.bound for m in self.members if m.bound is not None), default=None)
@@ -265,16 +246,16 @@ class GrowRow(Document):
         return [one.mean for one in self.members]
 
 
-class CostRatio(Document):
+class CostRatio(doc.Document):
     """Costs of an explorer divided by those of the first one, in the same worlds."""
 
-    family: Annotated[Text, about("as it was asked for")]
-    edges: Annotated[Positive, about("of the first member")]
-    explorer: Annotated[Text, about("its name")]
-    worlds: Annotated[Positive, about("in which both were run")]
-    ratio: Annotated[Figure, about("the geometric mean of the ratios in these worlds")]
-    exact: Annotated[bool, about("in every world that seeds draw, in every place")]
-    interval: Annotated[Range, about("of the ratio")]
+    family: Annotated[doc.Text, doc.about("as it was asked for")]
+    edges: Annotated[doc.Positive, doc.about("of the first member")]
+    explorer: Annotated[doc.Text, doc.about("its name")]
+    worlds: Annotated[doc.Positive, doc.about("in which both were run")]
+    ratio: Annotated[doc.Figure, doc.about("the geometric mean of the ratios in these worlds")]
+    exact: Annotated[bool, doc.about("in every world that seeds draw, in every place")]
+    interval: Annotated[Range, doc.about("of the ratio")]
 
 
 class Growth(ContestReport, kw_only=True):
@@ -283,11 +264,11 @@ class Growth(ContestReport, kw_only=True):
     Explorers in worlds that grow.
     """
 
-    rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
-    left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
-    families: NotInDocument[tuple[str, ...]]
+    rows: Annotated[tuple[GrowRow, ...], doc.about("one for each family, size and explorer")]
+    left_out: Annotated[doc.Natural, doc.about("members in which a lighthouse had no place")] = 0
+    families: doc.NotInDocument[tuple[str, ...]]
 
-    @computed
+    @doc.computed
     def ratios(self) -> tuple[CostRatio, ...]:
         """One for each family, size and explorer but the first."""
         return tuple(_ratios(self))
@@ -319,7 +300,7 @@ def _ratios(report: Growth) -> Iterator[CostRatio]:
             continue
         costs = {one.name: one.mean for one in beside.members}
         ratios = [one.mean / costs[one.name] for one in row.members if costs.get(one.name)]
-        if ratios and (mean := geometric_mean(ratios)) is not None:
+        if ratios and (mean := intervals.geometric_mean(ratios)) is not None:
             exact = row.exact and beside.exact and len(ratios) == len(row.members) == len(costs)
             yield CostRatio(
                 family=row.family,
@@ -332,7 +313,7 @@ def _ratios(report: Growth) -> Iterator[CostRatio]:
             )
 
 
-def _rounded(interval: Interval | None) -> Interval | None:
+def _rounded(interval: intervals.Interval | None) -> intervals.Interval | None:
     return interval and (round(interval[0], 6), round(interval[1], 6))
 
 
@@ -390,7 +371,7 @@ class GrowingWorlds(Contest[Growth]):
         self._sizes = sorted(sizes, key=lambda size: size.edges)
         edges = [edges_of(member.text) for size in self._sizes for member in size.maps]
         extent = Extent(MapClass.MAPS, max(edges))
-        super().__init__(entrants, replace(request, **numbers), extent)
+        super().__init__(entrants, doc.replace(request, **numbers), extent)
         self._mine = set(range(len(edges)))
         if isinstance(self.portion, Shard):
             self._mine = set(dealt([m * m for m in edges], self.portion))
@@ -402,7 +383,7 @@ class GrowingWorlds(Contest[Growth]):
         number = 0
         for size in self._sizes:
             numbered = enumerate(size.maps.items(), number)
-            mine = replace(size, maps=dict(one for n, one in numbered if n in self._mine))
+            mine = doc.replace(size, maps=dict(one for n, one in numbered if n in self._mine))
             number += len(size.maps)
             edges = max((m.edge_count for m in mine.maps.values()), default=1)
             chosen = (self._chosen(one, *m) for one in self.entrants for m in size.maps.items())
@@ -442,7 +423,7 @@ class GrowingWorlds(Contest[Growth]):
         self.leave(level, total)
 
     @override
-    def report(self, ending: Ending) -> Growth:
+    def report(self, ending: outcome.Ending) -> Growth:
         return Growth(
             **self.contest(ending),
             families=self._families,

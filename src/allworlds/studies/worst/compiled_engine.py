@@ -5,8 +5,7 @@ from typing import Any
 
 from msgspec import Struct, field
 
-from allworlds.engines.kernel.engine import flag
-from allworlds.engines.kernel.schedules import ScheduleCosts, schedule_costs_of_unit
+from allworlds.engines.kernel import engine, schedules
 from allworlds.engines.units import LevelUnit
 from allworlds.maps.classes import Extent
 from allworlds.studies.worst.every_schedule import Transit
@@ -15,7 +14,7 @@ from allworlds.studies.worst.every_schedule import Transit
 class ScheduleCostsBySize(Struct):
     """Costs over every schedule, by the number of vertices. They add up in any order."""
 
-    by_vertices: dict[int, ScheduleCosts] = field(default_factory=dict)
+    by_vertices: dict[int, schedules.ScheduleCosts] = field(default_factory=dict)
 
     @property
     def worlds(self) -> int:
@@ -29,7 +28,7 @@ class ScheduleCostsBySize(Struct):
             self.by_vertices[vertices] = _joined(mine, row) if mine else row
 
 
-def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
+def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules.ScheduleCosts:
     """Sums, maxima, and the least of the worlds that attain the worst cost."""
     most_expensive = min(
         (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a
@@ -47,7 +46,7 @@ class ScheduleSearch(Struct, frozen=True):
 
     extent: Extent
     transit: Transit
-    flag: Any = field(default_factory=flag)
+    flag: Any = field(default_factory=engine.flag)
 
     def halt(self) -> None:
         """Set the flag that ends the compiled search."""
@@ -56,7 +55,7 @@ class ScheduleSearch(Struct, frozen=True):
     def parts(self, unit: LevelUnit) -> Iterator[ScheduleCostsBySize]:
         """The most expensive worlds of the unit."""
         map_class = self.extent.map_class
-        rows = schedule_costs_of_unit(
+        rows = schedules.schedule_costs_of_unit(
             unit.edges,
             self.extent.vertex_limit(unit.edges),
             unit.prefix,

@@ -11,11 +11,9 @@ from typing import Any, ClassVar
 from typing_extensions import override
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.actions import Action, Percept
-from allworlds.protocol.player import Told
+from allworlds.protocol import actions, player
+from allworlds.world.lighthouses import options, placeless
 from allworlds.world.lighthouses.base import Lighthouse, State, WalkInAnswer
-from allworlds.world.lighthouses.options import InvalidWorld
-from allworlds.world.lighthouses.placeless import Knowledge
 
 PLUS = "+"
 """The text between the parts of a name."""
@@ -72,14 +70,14 @@ class Composed(Lighthouse):
         for part in self.parts:
             part.check(map_, start)
 
-    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+    def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
         """The marks of the part that has them, with the bearing of the part that has one."""
         marks, bearings = (
             next((part.percepts(map_) for part in self.parts if getattr(part, gives)), None)
             for gives in ("gives_marks", "gives_bearings")
         )
         return tuple(
-            Percept(
+            actions.Percept(
                 map_.degree_at[dart],
                 marks[dart].marks if marks else 0,
                 bearings[dart].bearing if bearings else None,
@@ -106,11 +104,11 @@ class Composed(Lighthouse):
         return self._marking.in_hand
 
     @override
-    def refusal(self, action: Action, lying: int, hand: int) -> str:
+    def refusal(self, action: actions.Action, lying: int, hand: int) -> str:
         return self._marking.refusal(action, lying, hand)
 
     @override
-    def acted(self, map_: CombinatorialMap, state: State, action: Action) -> State:
+    def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:
         return self._marking.acted(map_, state, action)
 
     @override
@@ -118,7 +116,7 @@ class Composed(Lighthouse):
         return self._marking.left_marks(map_, state)
 
     @override
-    def told(self, map_: CombinatorialMap) -> Told:
+    def told(self, map_: CombinatorialMap) -> player.Told:
         heard = (part.told(map_) for part in self.parts)
         return next((each for each in heard if each is not None), None)
 
@@ -156,7 +154,7 @@ def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> typ
 def _adds(kind: type[Lighthouse]) -> set[str]:
     """The kinds of knowledge that a robot has by a lighthouse, besides degrees."""
     found = {name for name in ("marks", "bearings") if getattr(kind, f"gives_{name}")}
-    if issubclass(kind, Knowledge):
+    if issubclass(kind, placeless.Knowledge):
         return found | {*kind.names}
     return found | ({"something else"} if _tells(kind) else set())
 
@@ -165,7 +163,7 @@ def check_together(names: Sequence[str], kinds: Sequence[type[Lighthouse]]) -> N
     """Raise InvalidWorld if two of these kinds, with their names, cannot be put together."""
     for number, kind in enumerate(kinds):
         if kind in kinds[:number]:
-            raise InvalidWorld(f"the lighthouse {names[number]} stands there twice")
+            raise options.InvalidWorld(f"the lighthouse {names[number]} stands there twice")
     for what, has in (
         ("have marks", [kind.gives_marks for kind in kinds]),
         ("have bearings", [kind.gives_bearings for kind in kinds]),
@@ -173,7 +171,7 @@ def check_together(names: Sequence[str], kinds: Sequence[type[Lighthouse]]) -> N
     ):
         if sum(has) > 1:
             one, other, *_ = compress(names, has)
-            raise InvalidWorld(
+            raise options.InvalidWorld(
                 f"the lighthouses {one} and {other} both {what}, and a robot could not tell which "
                 "is which; leave one out"
             )

@@ -16,10 +16,7 @@ from msgspec.structs import replace
 
 from allworlds.inputs.checks import InputError, a_text, integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.actions import Percept
-from allworlds.protocol.importing import attempted
-from allworlds.protocol.player import Told
-from allworlds.protocol.user_code import Role, UserCode
+from allworlds.protocol import actions, importing, player, user_code
 from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.composed import PLUS, Composed, composed
 from allworlds.world.lighthouses.marked import (
@@ -46,7 +43,7 @@ from allworlds.world.lighthouses.placeless import Knowledge, Movable, Nothing, P
 SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 
 
-def own_kind(code: UserCode) -> type[Lighthouse]:
+def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
     """The class that the code stands for, with its options, ready to be used as one of ours.
 
     Raises:
@@ -59,7 +56,7 @@ def own_kind(code: UserCode) -> type[Lighthouse]:
 
 
 @cache
-def _kind(code: UserCode) -> type[Lighthouse]:
+def _kind(code: user_code.UserCode) -> type[Lighthouse]:
     """The class, which is loaded once a process; of a factory one for each of its arguments."""
     kind = code.made()
     if not isinstance(kind, type) or not issubclass(kind, Lighthouse) or inspect.isabstract(kind):
@@ -101,7 +98,7 @@ METHODS = [
 """The methods that can be written anew: their errors are the user's."""
 
 
-def _named(kind: type[Lighthouse], code: UserCode) -> type[Lighthouse]:
+def _named(kind: type[Lighthouse], code: user_code.UserCode) -> type[Lighthouse]:
     """The class itself, which from now on names itself in errors, files and pickles."""
     kind.kind, kind.code = code.plain, code
     for name in METHODS:
@@ -129,7 +126,7 @@ def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> N
             returned = function(self, *args, **keywords)
             return tuple(returned) if method in ("places", "percepts") else returned
 
-        returned = attempted(what, act, InvalidWorld) if theirs else act()
+        returned = importing.attempted(what, act, InvalidWorld) if theirs else act()
         try:
             return check(returned, self, *args) if check else returned
         except (TypeError, ValidationError):
@@ -161,7 +158,7 @@ def _places(
 
 def _percepts(
     sensed: tuple[Any, ...], place: Lighthouse, map_: CombinatorialMap
-) -> tuple[Percept, ...]:
+) -> tuple[actions.Percept, ...]:
     """A percept for each dart, with its degree, in plain integers."""
     assert place.code is not None
     name = show(place.code.name)
@@ -182,16 +179,16 @@ def _percepts(
     return tuple(found)
 
 
-def _percept(degree: int, given: Any) -> Percept:
-    if type(given) is not Percept or integer(given.degree) != degree:
+def _percept(degree: int, given: Any) -> actions.Percept:
+    if type(given) is not actions.Percept or integer(given.degree) != degree:
         raise TypeError
     bearing = None if given.bearing is None else _natural(given.bearing)
     if (bearing or 0) >= degree:
         raise TypeError
-    return Percept(degree, _natural(given.marks), bearing)
+    return actions.Percept(degree, _natural(given.marks), bearing)
 
 
-def _told(told: Any, *_asked: object) -> Told:
+def _told(told: Any, *_asked: object) -> player.Told:
     if isinstance(told, Mapping):
         return {str.__str__(key): integer(value) for key, value in told.items()}
     return None if told is None else integer(told)
@@ -236,7 +233,7 @@ def _reduced(place: Lighthouse) -> tuple[Any, ...]:
     return _placed, (type(place).code, state)
 
 
-def _placed(code: UserCode, state: Mapping[str, Any]) -> Lighthouse:
+def _placed(code: user_code.UserCode, state: Mapping[str, Any]) -> Lighthouse:
     return _kind(code)(**state)
 
 
@@ -262,7 +259,7 @@ class LighthouseKind(Struct, frozen=True):
     """
 
     name: str
-    codes: tuple[UserCode, ...] = ()
+    codes: tuple[user_code.UserCode, ...] = ()
 
     @property
     def as_class(self) -> type[Lighthouse]:
@@ -286,12 +283,12 @@ def lighthouse_kind(given: object) -> LighthouseKind:
     if isinstance(given, LighthouseKind):
         return given
     if isinstance(given, type) and issubclass(given, Lighthouse):
-        parts: list[str | UserCode] = [_of_class(given)]
+        parts: list[str | user_code.UserCode] = [_of_class(given)]
     else:
         parts = [_part(part) for part in a_text("lighthouse", given).split(PLUS)]
     found = LighthouseKind(
         PLUS.join(part if isinstance(part, str) else part.name for part in parts),
-        tuple(part for part in parts if isinstance(part, UserCode)),
+        tuple(part for part in parts if isinstance(part, user_code.UserCode)),
     )
     found.as_class  # noqa: B018  # it is refused here, and not where it is used
     return found
@@ -321,7 +318,7 @@ def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
     return tuple(name for part in parts if issubclass(part, Knowledge) for name in part.names)
 
 
-def _part(text: str) -> str | UserCode:
+def _part(text: str) -> str | user_code.UserCode:
     """One part of a name: as it is for one of ours, else the code, with its text."""
     if text.partition(":")[0] in LIGHTHOUSES:
         return text
@@ -329,17 +326,17 @@ def _part(text: str) -> str | UserCode:
     return _found(f"{options[1]}?{options[2]}" if options else text)
 
 
-def _found(name: str) -> UserCode:
+def _found(name: str) -> user_code.UserCode:
     try:
         return LIGHTHOUSE.find(name)
     except InputError as error:
         raise InvalidWorld(str(error)) from None
 
 
-LIGHTHOUSE = Role("lighthouse", "allworlds.lighthouses", known=tuple(LIGHTHOUSES))
+LIGHTHOUSE = user_code.Role("lighthouse", "allworlds.lighthouses", known=tuple(LIGHTHOUSES))
 
 
-def _of_class(kind: type[Lighthouse]) -> str | UserCode:
+def _of_class(kind: type[Lighthouse]) -> str | user_code.UserCode:
     ours = kind.__module__.startswith("allworlds.")
     if {"code", "chosen"} & {*vars(kind)} or ours:
         name = named_with(kind, kind.chosen)
