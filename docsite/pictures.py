@@ -29,8 +29,8 @@ import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
 from allworlds.maps.combinatorial import CombinatorialMap, Mismatch, isomorphism
-from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.drawing.svg import picture
+from allworlds.reports.parts import Scene, scene_of
 from allworlds.world import Directional, World, world_named
 from allworlds.world.named import own_corpus
 

@@ -22,9 +22,8 @@ from allworlds.judging.episode import Answered, Ending, play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import rooted_code
 from allworlds.maps.combinatorial import Code
-from allworlds.protocol.actions import Checkpoint, Estimate, Move, Percept
+from allworlds.protocol.actions import Checkpoint, Estimate, Move, Percept, Player
 from allworlds.protocol.choices import Choices, policy_named
-from allworlds.protocol.player import Player
 from allworlds.world import worlds
 from certified_checker import agreement
 

@@ -15,8 +15,8 @@ from frame import framed
 from allworlds.document import replace
 from allworlds.maps import CombinatorialMap
 from allworlds.reports.drawing.layout import Layout, layout
-from allworlds.reports.drawing.scene import scene_of
 from allworlds.reports.drawing.svg import picture, tag
+from allworlds.reports.parts import scene_of
 from allworlds.world import Directional, World
 
 FILE = Path(__file__).parents[1] / "assets" / "darts.svg"

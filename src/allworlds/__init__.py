@@ -53,8 +53,7 @@ if TYPE_CHECKING:
     from allworlds.studies.init import init as init
     from allworlds.studies.ledger import ledger as ledger
     from allworlds.studies.merge import merge as merge, status as status
-    from allworlds.studies.play import play as play
-    from allworlds.studies.run import replay as replay, run as run
+    from allworlds.studies.run import play as play, replay as replay, run as run
     from allworlds.studies.worst.all_worlds import worst as worst
     from allworlds.version import __version__ as __version__
     from allworlds.world.lighthouses.base import Lighthouse as Lighthouse

@@ -15,8 +15,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import rooted_maps
-from allworlds.protocol.actions import Checkpoint, Drop
-from allworlds.protocol.player import ExplorerFault
+from allworlds.protocol.actions import Checkpoint, Drop, ExplorerFault
 
 NOT_MENDED = {"state-kept": "nondeterministic"}
 """The mutants that a shield cannot make right, and the law that they break all the same."""

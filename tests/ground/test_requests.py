@@ -13,7 +13,7 @@ from allworlds.engines.units import Shard
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import Option, Request, answer, fields_of, meant, remembered
 from allworlds.maps import MapClass
-from allworlds.studies.check.requests import CheckRequest
+from allworlds.studies.check.report import CheckRequest
 from allworlds.verbs import VERBS
 
 GIVEN = {"map_class": "simple", "shard": (0, 2), "laws": ["map", "pose"], "bound": 7}

@@ -12,8 +12,7 @@ from allworlds.judging.laws.law_table import (
     pose_law,
 )
 from allworlds.maps import CombinatorialMap, rooted_maps
-from allworlds.protocol.actions import Drop, Estimate, Move, Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
 from finished import finished
 from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS, stepped

@@ -4,8 +4,7 @@ import pytest
 
 from allworlds.document import replace
 from allworlds.judging.laws.law_table import PRECEDENCE, Case, judge
-from allworlds.protocol.actions import Ambiguous, Estimate, Move
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Ambiguous, Estimate, Move, Transcript
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Position, World
 from small import EDGE, PLANE, TORUS, all_maps

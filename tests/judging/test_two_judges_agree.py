@@ -12,8 +12,7 @@ import pytest
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.laws.law_table import Case
 from allworlds.maps import CombinatorialMap, rooted_maps, unrooted_code
-from allworlds.protocol.actions import Checkpoint, Estimate, Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Checkpoint, Estimate, Percept, Transcript
 from allworlds.world import Directional, World
 from second_opinion import verdict
 from small import all_maps, long, stepped

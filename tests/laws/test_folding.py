@@ -12,9 +12,8 @@ from allworlds.judging.episode import play
 from allworlds.judging.laws.folding import Contradiction, fold
 from allworlds.judging.laws.law_table import Case
 from allworlds.maps import CombinatorialMap, rooted_code
-from allworlds.protocol.actions import Estimate, Move
+from allworlds.protocol.actions import Estimate, Move, Transcript
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.transcript import Transcript
 from allworlds.strategies import choices, maps, motions, worlds
 
 LONG = 3000

@@ -10,9 +10,8 @@ from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import play
 from allworlds.judging.laws.folding import fold
 from allworlds.maps import rooted_code, rooted_maps
-from allworlds.protocol.actions import Estimate, Move
+from allworlds.protocol.actions import Estimate, Move, Transcript
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.transcript import Transcript
 from allworlds.strategies import choices, maps, motions, worlds
 
 WRONG = {

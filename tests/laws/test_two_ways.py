@@ -10,8 +10,7 @@ from hypothesis.strategies import composite, data, integers, permutations, sampl
 import bruteforce
 from allworlds.judging.laws.law_table import Case
 from allworlds.maps import MapClass, moved, rooted_code, rooted_maps
-from allworlds.protocol.actions import Estimate, Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Estimate, Percept, Transcript
 from allworlds.strategies import maps
 from enumerators import BROKEN_ENUMERATORS
 from second_opinion import verdict

@@ -23,8 +23,7 @@ from allworlds.studies.fuzz import fuzz
 from allworlds.studies.init import init
 from allworlds.studies.ledger import ledger
 from allworlds.studies.merge import merge, status
-from allworlds.studies.play import play
-from allworlds.studies.run import replay, run
+from allworlds.studies.run import play, replay, run
 from allworlds.studies.worst.all_worlds import worst
 from allworlds.verbs import VERBS
 from allworlds.world import LIGHTHOUSES, Directional, Position, World, worlds

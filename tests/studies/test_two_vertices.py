@@ -11,8 +11,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding, believed_percepts
 from allworlds.maps import from_cycles, named_map
 from allworlds.outcome import Verdict
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Move, Percept, Transcript
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.explain import explain

@@ -2,8 +2,7 @@
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.laws.law_table import Case
-from allworlds.protocol.actions import Checkpoint
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Checkpoint, Transcript
 from small import stepped
 
 

@@ -18,8 +18,8 @@ from allworlds.judging.episode import Episode, Fault, Over, fault_of, followed
 from allworlds.judging.laws.law_table import PRECEDENCE, Violation
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol import player, playing
-from allworlds.protocol.actions import Percept, action_numbered
+from allworlds.protocol import playing
+from allworlds.protocol.actions import IllegalAction, Percept, action_numbered
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script
 from allworlds.world.lighthouses import base, composed
 from allworlds.world.world import World
@@ -344,7 +344,7 @@ class PythonJudge:
         try:
             budget = rules.budget(world.map)
             return followed(log, world, budget, maps=rules.task.is_map)
-        except player.IllegalAction as error:
+        except IllegalAction as error:
             if world.lighthouse.code is None:
                 raise RuntimeError(f"the log of a run is no walk in its world: {error}") from None
             raise InputError(

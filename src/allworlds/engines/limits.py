@@ -14,7 +14,7 @@ from typing_extensions import override
 from allworlds import document as doc, outcome
 from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
 from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request, values_of
-from allworlds.protocol.player import ANSWER_TIMEOUT
+from allworlds.protocol.actions import ANSWER_TIMEOUT
 
 
 class Listener:

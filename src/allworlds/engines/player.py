@@ -24,15 +24,15 @@ from typing import TYPE_CHECKING, Any
 from allworlds.engines.linux import address_space, end_with_parent, limit_memory
 from allworlds.inputs.checks import InputError
 from allworlds.log import BEYOND
+from allworlds.protocol.actions import ExplorerFault
 from allworlds.protocol.choices import Choices, ScheduledChoices, policy_named
-from allworlds.protocol.player import ExplorerFault
 from allworlds.protocol.playing import Record, TableWorld, play_run
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.library_player import LibraryPlayer
     from allworlds.explorers.loading import Subject
     from allworlds.explorers.program import Program
-    from allworlds.protocol.player import Player
+    from allworlds.protocol.actions import Player
 
 LINK, BEAT = 3, 4
 """The descriptors of a player."""

@@ -43,7 +43,7 @@ from allworlds.engines.player import (
 from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers.loading import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs.checks import InputError, show
-from allworlds.protocol.player import Player as Explorer
+from allworlds.protocol.actions import Player as Explorer
 
 GRACE = 2.0
 """Extra seconds for a user's program, whose silence its player notices itself, and for an end."""

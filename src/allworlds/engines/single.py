@@ -40,8 +40,7 @@ from allworlds.judging.laws.law_table import checked_laws
 from allworlds.log import Log
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.outcome import Facts, Verdict
-from allworlds.protocol.actions import Ambiguous, Estimate, action_numbered
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Ambiguous, Estimate, Transcript, action_numbered
 from allworlds.world.world import World
 
 

@@ -17,8 +17,8 @@ from msgspec.structs import replace
 
 from allworlds.inputs.checks import InputError, show
 from allworlds.protocol import actions, importing
+from allworlds.protocol.actions import ANSWER_TIMEOUT, Player, Told
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.player import ANSWER_TIMEOUT, Player, Told
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint

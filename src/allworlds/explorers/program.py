@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, no_file, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol import actions, player, transcript
+from allworlds.protocol import actions
 from allworlds.words import ended_by, plural
 
 INTERPRETER = re.compile(r"(python|pypy|node|nodejs|ruby|perl|lua|php)[0-9.]*")
@@ -72,7 +72,7 @@ Message: TypeAlias = actions.Action | actions.Checkpoint | EpisodeEnd
 # ---------------------------------------------------------------- to the program
 
 
-def beginning(number: int, first: actions.Percept, told: player.Told) -> bytes:
+def beginning(number: int, first: actions.Percept, told: actions.Told) -> bytes:
     """The line that begins an episode."""
     heard = b"" if told is None else b'"told": %b, ' % json.dumps(told).encode()
     return b'{"episode": %d, ' % number + heard + answering(first)[1:]
@@ -102,7 +102,7 @@ def message_of(line: bytes) -> Message:
     if (said := sum(key in message for key in SAYINGS)) != 1:
         keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
         raise _illegal(f"the line {_short(message)}: {keys}")
-    action = transcript.action_from_json(message)
+    action = actions.action_from_json(message)
     if action is not None:
         return action
     if "checkpoint" in message:
@@ -122,8 +122,8 @@ def message_of(line: bytes) -> Message:
 _message_of_short = lru_cache(maxsize=1 << 12)(message_of)
 
 
-def _illegal(seen: str) -> player.ExplorerFault:
-    return player.ExplorerFault("illegal-action", seen)
+def _illegal(seen: str) -> actions.ExplorerFault:
+    return actions.ExplorerFault("illegal-action", seen)
 
 
 def _estimate(value: object) -> actions.Estimate:
@@ -131,15 +131,15 @@ def _estimate(value: object) -> actions.Estimate:
     try:
         return actions.Estimate(CombinatorialMap.from_json(value), here)  # type: ignore[arg-type]
     except InvalidMap as error:
-        raise player.ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
+        raise actions.ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
 
-def _values(value: object, what: str, law: player.FaultLaw, *keys: str) -> list[Any]:
+def _values(value: object, what: str, law: actions.FaultLaw, *keys: str) -> list[Any]:
     """The values of a checkpoint or an answer under these keys."""
     if not isinstance(value, dict):
-        raise player.ExplorerFault(law, f"{what} that is no object: {_short(value)}")
+        raise actions.ExplorerFault(law, f"{what} that is no object: {_short(value)}")
     if missing := [key for key in keys if key not in value]:
-        raise player.ExplorerFault(law, f"{what} without {' and '.join(missing)}: {_short(value)}")
+        raise actions.ExplorerFault(law, f"{what} without {' and '.join(missing)}: {_short(value)}")
     return [value[key] for key in keys]
 
 
@@ -192,7 +192,7 @@ class Program:
         self._in_to = self._out_of = -1
 
     def explore(
-        self, first: actions.Percept, *, told: player.Told = None
+        self, first: actions.Percept, *, told: actions.Told = None
     ) -> Generator[actions.Action | actions.Checkpoint, actions.Percept, object]:
         """Play one episode: turn the program's lines into actions and an answer.
 
@@ -221,7 +221,7 @@ class Program:
         line = self._line()
         try:
             message = (_message_of_short if len(line) < SHORT else message_of)(line)
-        except player.ExplorerFault as fault:
+        except actions.ExplorerFault as fault:
             raise self._fault(fault.law, fault.seen, fault.detail) from None
         if isinstance(message, EpisodeEnd) and self._out:
             raise self._fault("illegal-action", f"a line after its answer: {shown(self._out)}")
@@ -238,7 +238,7 @@ class Program:
             process.wait(1)
         self._kill()
 
-    def _begin(self, first: actions.Percept, told: player.Told) -> None:
+    def _begin(self, first: actions.Percept, told: actions.Told) -> None:
         if self._process is None:
             self._start()
         self._read(0)
@@ -260,7 +260,9 @@ class Program:
                 start_new_session=True,
             )
         except OSError as error:
-            raise player.ExplorerFault("crash", f"the program cannot be started: {error}") from None
+            raise actions.ExplorerFault(
+                "crash", f"the program cannot be started: {error}"
+            ) from None
         streams = self._process.stdin, self._process.stdout, self._process.stderr
         self._in_to, self._out_of, err_of = (each.fileno() for each in streams if each)
         os.set_blocking(self._in_to, False)
@@ -331,7 +333,7 @@ class Program:
                 self._said.unregister(descriptor)
         return goes_on
 
-    def _ended(self, seen: str) -> player.ExplorerFault:
+    def _ended(self, seen: str) -> actions.ExplorerFault:
         """The fault of a program that has ended, or has closed a pipe, which ``seen`` tells."""
         assert self._process is not None
         with contextlib.suppress(subprocess.TimeoutExpired):
@@ -349,9 +351,9 @@ class Program:
             sys.stderr.flush()
 
     def _fault(
-        self, law: player.FaultLaw, seen: str, detail: str = "", *, machine: bool = False
-    ) -> player.ExplorerFault:
+        self, law: actions.FaultLaw, seen: str, detail: str = "", *, machine: bool = False
+    ) -> actions.ExplorerFault:
         self._read(0)
         said = self._err.decode(errors="replace")
         details = [detail, f"stderr:\n{said}" if said else ""]
-        return player.ExplorerFault(law, seen, "\n\n".join(filter(None, details)), machine=machine)
+        return actions.ExplorerFault(law, seen, "\n\n".join(filter(None, details)), machine=machine)

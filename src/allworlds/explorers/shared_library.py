@@ -11,7 +11,7 @@ from typing import Any, TypeVar, cast
 
 from allworlds.inputs.checks import InputError, existing_file, is_loop_of_links, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol import actions, player
+from allworlds.protocol import actions
 from allworlds.protocol.choices import KINDS, Choices
 
 
@@ -189,7 +189,7 @@ class NativeExplorer:
         if self._state is None:
             self._state = self.library.new()
             if self._state is None:
-                raise player.ExplorerFault("crash", "allworlds_new returned NULL")
+                raise actions.ExplorerFault("crash", "allworlds_new returned NULL")
         return self._state
 
     def handed(self) -> tuple[Any, ...]:
@@ -203,7 +203,7 @@ class NativeExplorer:
             self.library.delete(state)
 
     def explore(
-        self, first: actions.Percept, *, told: player.Told = None, choices: Choices | None = None
+        self, first: actions.Percept, *, told: actions.Told = None, choices: Choices | None = None
     ) -> Generator[actions.Action | actions.Checkpoint, actions.Percept, actions.Answer]:
         """Play one episode.
 
@@ -233,12 +233,12 @@ class NativeExplorer:
                 answer = self._estimate() if kind == ANSWER else self._ambiguous()
                 if left := threads_left(threads):
                     what = "a thread" if left == 1 else f"{left} threads"
-                    raise player.ExplorerFault("crash", f"{what} left behind")
+                    raise actions.ExplorerFault("crash", f"{what} left behind")
                 return answer
             elif kind in (DROP, PICK):
                 self._sense((yield actions.Drop() if kind == DROP else actions.Pick()))
             else:
-                raise player.ExplorerFault("illegal-action", f"an action of kind {kind}")
+                raise actions.ExplorerFault("illegal-action", f"an action of kind {kind}")
             action.kind = action.motion = 0
             library.step(state, here, there)
 
@@ -249,7 +249,7 @@ class NativeExplorer:
         ours.degree, ours.marks = percept.degree, percept.marks
         ours.bearing = NOTHING if percept.bearing is None else percept.bearing
 
-    def _said(self, function: Any, lists: int, law: player.FaultLaw) -> list[tuple[int, ...]]:
+    def _said(self, function: Any, lists: int, law: actions.FaultLaw) -> list[tuple[int, ...]]:
         """Lists of integers, each with one entry for each dart, as the library fills them now."""
         if self._sensed > len(self._rooms[0]):
             self._rooms = [_integers(2 * self._sensed) for _ in range(4)]
@@ -258,7 +258,7 @@ class NativeExplorer:
         addresses = map(ctypes.addressof, (*rooms, self._here))
         darts = function(self.state(), capacity, *addresses)
         if not 0 <= darts <= capacity:
-            raise player.ExplorerFault(law, f"{darts} darts, where there is room for {capacity}")
+            raise actions.ExplorerFault(law, f"{darts} darts, where there is room for {capacity}")
         return [tuple(room[:darts]) for room in rooms]
 
     def _estimate(self) -> actions.Estimate:
@@ -266,18 +266,18 @@ class NativeExplorer:
         try:
             return actions.Estimate(CombinatorialMap(sigma, alpha), self._here[0])
         except InvalidMap as error:
-            raise player.ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
+            raise actions.ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
     def _ambiguous(self) -> actions.Ambiguous:
         quotient = self.library.quotient
         if quotient is None:
             there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
-            raise player.ExplorerFault("illegal-action", there_is_none)
+            raise actions.ExplorerFault("illegal-action", there_is_none)
         sigma, alpha, degree, marks = self._said(quotient, 4, "no-estimate")
         return actions.Ambiguous(sigma, alpha, degree, marks, self._here[0])
 
 
-def _one_number(told: player.Told) -> int:
+def _one_number(told: actions.Told) -> int:
     """The one number that a library is told; rules refuse a lighthouse that tells several."""
     if told is None or isinstance(told, int):
         return NOTHING if told is None else told
@@ -305,7 +305,7 @@ class _Asked:
     def complain(self) -> None:
         """Raise the error of an illegal choice, if there was one."""
         if self._wrong:
-            raise player.ExplorerFault("crash", f"a choice that is none: {self._wrong}")
+            raise actions.ExplorerFault("crash", f"a choice that is none: {self._wrong}")
 
 
 def threads_now() -> int:

@@ -18,12 +18,14 @@ from allworlds.protocol.actions import (
     Ambiguous,
     Checkpoint,
     Estimate,
+    IllegalAction,
     Percept,
+    Player,
+    Transcript,
     Write,
     action_numbered,
 )
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.player import IllegalAction, Player
 from allworlds.protocol.playing import (
     A_QUOTIENT,
     A_VALUE,
@@ -32,7 +34,6 @@ from allworlds.protocol.playing import (
     NO_MAP,
     play_run,
 )
-from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
 
 RECORD_ENDS = "nothing: the record ends here"

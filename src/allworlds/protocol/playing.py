@@ -23,16 +23,20 @@ from allworlds.inputs.checks import (
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol.actions import (
     Ambiguous,
+    BeyondRecord,
     Checkpoint,
     Drop,
     Estimate,
+    ExplorerFault,
+    IllegalAction,
     Move,
     Percept,
     Pick,
+    Player,
+    Told,
     Write,
 )
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.player import BeyondRecord, ExplorerFault, IllegalAction, Player, Told
 
 FREE = 10
 """The drops and picks that are legal for each traversal of the budget, and as many more: they are

@@ -23,8 +23,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from msgspec import Struct
 from msgspec.structs import replace
 
-from allworlds.inputs.checks import InputError, did_you_mean, show
-from allworlds.inputs.exit_code import exit_code_kept
+from allworlds.inputs.checks import InputError, did_you_mean, exit_code_kept, show
 from allworlds.protocol import importing
 
 if TYPE_CHECKING:

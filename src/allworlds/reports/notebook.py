@@ -6,7 +6,7 @@ from xml.etree import ElementTree as ET
 
 from allworlds.document import Report
 from allworlds.judging.findings.finding import Finding
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Transcript
 from allworlds.reports import formats, plain_text
 from allworlds.reports.content.single_run import finding_section, headline_of
 from allworlds.reports.parts import Cell, Table, rows_of

@@ -33,8 +33,16 @@ from allworlds.engines.engine_table import ENGINES
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
 from allworlds.maps.classes import MapClass
-from allworlds.protocol.actions import Estimate, RootedMap
-from allworlds.protocol.transcript import AtStart, Dropped, Moved, Picked, Transcript, Wrote
+from allworlds.protocol.actions import (
+    AtStart,
+    Dropped,
+    Estimate,
+    Moved,
+    Picked,
+    RootedMap,
+    Transcript,
+    Wrote,
+)
 from allworlds.studies.check.exhaustive import TimeEstimate
 from allworlds.studies.run import WorldNames
 from allworlds.world.lighthouses.base import Lighthouse

@@ -36,8 +36,7 @@ from allworlds.maps.classes import Condition, Extent, MapClass, narrowing
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.maps.enumeration import Gluing
 from allworlds.outcome import Completed, Ending
-from allworlds.studies.check.report import CheckReport
-from allworlds.studies.check.requests import ManyWorlds
+from allworlds.studies.check.report import CheckReport, ManyWorlds
 from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.selection import WhereOptions

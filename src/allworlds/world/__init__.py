@@ -20,14 +20,21 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.protocol.player import IllegalAction as IllegalAction
+    from allworlds.protocol.actions import IllegalAction as IllegalAction
     from allworlds.world.lighthouses.base import (
         Lighthouse as Lighthouse,
         Sensing as Sensing,
         State as State,
         Where as Where,
     )
-    from allworlds.world.lighthouses.composed import Composed as Composed
+    from allworlds.world.lighthouses.composed import (
+        Composed as Composed,
+        Knowledge as Knowledge,
+        Movable as Movable,
+        Nothing as Nothing,
+        Ports as Ports,
+        Whiteboard as Whiteboard,
+    )
     from allworlds.world.lighthouses.kinds import LIGHTHOUSES as LIGHTHOUSES
     from allworlds.world.lighthouses.marked import (
         Cluster as Cluster,
@@ -38,13 +45,6 @@ if TYPE_CHECKING:
         Position as Position,
     )
     from allworlds.world.lighthouses.options import InvalidWorld as InvalidWorld
-    from allworlds.world.lighthouses.placeless import (
-        Knowledge as Knowledge,
-        Movable as Movable,
-        Nothing as Nothing,
-        Ports as Ports,
-        Whiteboard as Whiteboard,
-    )
     from allworlds.world.named import (
         code_of as code_of,
         map_of_code as map_of_code,

@@ -9,8 +9,7 @@ from allworlds.document import Document, Pictured, about
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.maps.networks import from_networkx, to_networkx
-from allworlds.protocol.actions import Action, Move, Percept
-from allworlds.protocol.player import IllegalAction, Told
+from allworlds.protocol.actions import Action, IllegalAction, Move, Percept, Told
 from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional

@@ -3,8 +3,8 @@ import itertools
 import pytest
 
 from allworlds.maps import CombinatorialMap, InvalidMap, rooted_code
-from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.text import draw, rotation_table
+from allworlds.reports.parts import Scene
 from reports.test_text import parsed, parsed_table, without_numbers
 from small import long
 

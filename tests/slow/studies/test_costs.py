@@ -1,6 +1,6 @@
 """Costs beside the player's: those of runs, of the best strategy, and of the shortest walk."""
 
-from allworlds.studies.play import LARGEST, play
+from allworlds.studies.run import LARGEST, play
 from studies.test_costs import costs
 
 

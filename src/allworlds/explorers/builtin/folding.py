@@ -36,9 +36,8 @@ from typing import Any, TypeAlias
 from allworlds.explorers.builtin.algorithm1 import Walk, algorithm1, bearing_of, nobody
 from allworlds.inputs.checks import integer, let_users_interrupt, show
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol.actions import Checkpoint, Estimate, Move, Percept
+from allworlds.protocol.actions import Checkpoint, Estimate, ExplorerFault, Move, Percept
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.player import ExplorerFault
 
 OPEN = -1
 """The other end of a dart that the robot has not gone through."""

@@ -27,8 +27,8 @@ from allworlds.maps.combinatorial import (
     numbering,
     rooted_isomorphism,
 )
+from allworlds.protocol.actions import Transcript
 from allworlds.protocol.playing import BUILT, NO_MAP
-from allworlds.protocol.transcript import Transcript
 from allworlds.words import listed, plural, size
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.world import World

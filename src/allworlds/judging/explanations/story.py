@@ -19,8 +19,7 @@ from allworlds.maps.combinatorial import (
     isomorphism,
     rooted_isomorphism,
 )
-from allworlds.protocol.actions import Estimate, Move, Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Estimate, Move, Percept, Transcript
 from allworlds.world.world import World
 
 

@@ -33,8 +33,8 @@ from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Requ
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName, Value
 from allworlds.maps.combinatorial import Code, CombinatorialMap, Dart, numbering, rooted_code
-from allworlds.protocol import actions, player
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol import actions
+from allworlds.protocol.actions import Transcript
 from allworlds.world.lighthouses.base import State, WalkInAnswer
 from allworlds.world.world import World
 
@@ -328,7 +328,7 @@ def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
     """
     try:
         walk = true_walk(world, transcript)
-    except player.IllegalAction as error:
+    except actions.IllegalAction as error:
         raise InputError(f"the finding's transcript is no walk in its world: {error}") from None
     sensed = transcript.percepts
     for step, ((_, truth), percept) in enumerate(zip(walk, sensed, strict=True)):

@@ -8,8 +8,7 @@ with the log; without an open dart the result *is* the world.
 
 from msgspec import Struct
 
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Move, Percept, Transcript
 
 
 class Contradiction(ValueError):

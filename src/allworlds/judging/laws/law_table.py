@@ -23,8 +23,7 @@ from allworlds.inputs.checks import show
 from allworlds.judging.laws.folding import fold
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, carries, numbering
 from allworlds.maps.quotient import is_ambiguous, project
-from allworlds.protocol.actions import Ambiguous, Answer, Checkpoint, Estimate, Move
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Ambiguous, Answer, Checkpoint, Estimate, Move, Transcript
 
 
 class Case(Struct, frozen=True, dict=True):

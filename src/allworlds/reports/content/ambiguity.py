@@ -10,9 +10,8 @@ from allworlds.judging.explanations.story import Walked
 from allworlds.judging.findings.finding import true_trail
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.quotient import Quotient
-from allworlds.protocol import actions, transcript
+from allworlds.protocol import actions
 from allworlds.reports.content.scope import finished, gate_facts, maps_in_words, places_facts
-from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.parts import (
     Block,
     Cell,
@@ -22,11 +21,13 @@ from allworlds.reports.parts import (
     Headline,
     Paragraph,
     ReportContent,
+    Scene,
     Section,
     ShownWalk,
     Table,
     View,
     fact,
+    scene_of,
     so_far,
 )
 from allworlds.studies.ambiguity import marked_worlds, twin_search
@@ -327,13 +328,13 @@ def _why(result: twin_search.SearchResult) -> str:
     )
 
 
-def walk_along(world: World, motions: Sequence[int]) -> transcript.Transcript:
+def walk_along(world: World, motions: Sequence[int]) -> actions.Transcript:
     """The log of these motions from the start."""
     state, steps = world.initial, []
     for k in motions:
         state, percept = world.step(state, actions.Move(k))
         steps.append((actions.Move(k), percept))
-    return transcript.Transcript(world.first, tuple(steps))
+    return actions.Transcript(world.first, tuple(steps))
 
 
 def tour(worlds: Sequence[World]) -> list[int]:

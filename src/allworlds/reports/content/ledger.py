@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from allworlds.outcome import Exit
 from allworlds.reports import parts
-from allworlds.reports.drawing.scene import scene_of
+from allworlds.reports.parts import scene_of
 from allworlds.studies.ledger import CheckedClaim, LedgerReport
 from allworlds.words import number, plural
 

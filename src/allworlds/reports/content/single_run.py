@@ -16,7 +16,6 @@ from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import embed
 from allworlds.protocol.actions import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
-from allworlds.reports.drawing.scene import walk_in_answer, walk_in_world
 from allworlds.reports.parts import (
     Block,
     CsvRows,
@@ -34,6 +33,8 @@ from allworlds.reports.parts import (
     View,
     fact,
     rows_of_walk,
+    walk_in_answer,
+    walk_in_world,
 )
 from allworlds.studies.run import Replay, WorldNames
 from allworlds.world.world import World

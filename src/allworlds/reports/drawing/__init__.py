@@ -1,8 +1,8 @@
 """Pictures of maps and worlds.
 
-``scene``
-    what a picture shows: a map, and what is to be seen in it; no picture asks a lighthouse
-    what it is, for every scene is made of percepts;
+A scene (in ``reports.parts``) is what a picture shows: a map, and what is to be seen in it; no
+picture asks a lighthouse what it is, for every scene is made of percepts.
+
 ``text``
     the scene in characters, exact for every genus: an arc diagram, or a table;
 ``svg``

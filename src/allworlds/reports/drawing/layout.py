@@ -21,8 +21,7 @@ from allworlds.maps.combinatorial import (
     unrooted_code,
 )
 from allworlds.reports.drawing.planar import mesh, place, planar
-from allworlds.reports.drawing.scene import Names
-from allworlds.reports.parts import View
+from allworlds.reports.parts import Names, View
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:

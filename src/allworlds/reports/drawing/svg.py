@@ -17,8 +17,8 @@ from msgspec import Struct
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.drawing.layout import CHIP, DISC, HIGH, Layout, bridges_of, layout, rim
-from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.drawing.text import draw as drawn_in_characters
+from allworlds.reports.parts import Scene, scene_of
 from allworlds.words import escaped, harmless_json, size
 from allworlds.world.world import World
 

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.reports.drawing.scene import Scene
+from allworlds.reports.parts import Scene
 
 T = TypeVar("T")
 

@@ -20,7 +20,7 @@ from allworlds.inputs.checks import (
 from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Option
 from allworlds.maps import classes, combinatorial
 from allworlds.words import plural
-from allworlds.world.lighthouses import base, kinds, marked, placeless
+from allworlds.world.lighthouses import base, composed, kinds, marked
 
 
 def motion_list(text: str) -> tuple[int, ...]:
@@ -82,7 +82,7 @@ class SearchRequest(ListenerOptions, TimeLimitOptions, classes.ClassOptions):
 
 
 SEARCHED: Mapping[str, Callable[[Sequence[combinatorial.Dart]], base.Lighthouse]] = {
-    placeless.Nothing.kind: lambda _: placeless.Nothing(),
+    composed.Nothing.kind: lambda _: composed.Nothing(),
     marked.Position.kind: lambda _: marked.Position(0),
     marked.Directional.kind: lambda darts: marked.Directional(darts[0]),
     marked.Compass.kind: lambda darts: marked.Compass(tuple(darts)),

@@ -39,8 +39,13 @@ from allworlds.inputs.requests import answers
 from allworlds.judging.findings.finding import canonical_world, place_of
 from allworlds.maps import classes, count_source
 from allworlds.studies.check import tally_sweep
-from allworlds.studies.check.report import CheckReport, GateCell, count_gate, missing_witnesses
-from allworlds.studies.check.requests import CheckRequest
+from allworlds.studies.check.report import (
+    CheckReport,
+    CheckRequest,
+    GateCell,
+    count_gate,
+    missing_witnesses,
+)
 from allworlds.world.lighthouses.kinds import LighthouseKind, kind_of
 from allworlds.world.world import World
 

@@ -43,7 +43,7 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps import classes, combinatorial, families
 from allworlds.outcome import Completed, Ending, Verdict
-from allworlds.studies.check.requests import ManyWorlds, SharedFile
+from allworlds.studies.check.report import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
 from allworlds.world import named, selection
 from allworlds.world.world import World

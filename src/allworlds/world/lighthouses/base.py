@@ -14,7 +14,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 from allworlds.document import Natural, about, plain
 from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import actions, player, user_code
+from allworlds.protocol import actions, user_code
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
     OptionValue,
@@ -276,7 +276,7 @@ class Lighthouse(ABC):
         """The marks that the robot senses of what it has left itself."""
         return 0
 
-    def told(self, map_: CombinatorialMap) -> player.Told:  # noqa: ARG002  # for kinds that need it
+    def told(self, map_: CombinatorialMap) -> actions.Told:  # noqa: ARG002  # for kinds that need it
         """The value that the explorer is told before the start; by default None."""
         return None
 

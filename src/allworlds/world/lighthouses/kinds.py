@@ -16,9 +16,18 @@ from msgspec.structs import replace
 
 from allworlds.inputs.checks import InputError, a_text, integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import actions, importing, player, user_code
+from allworlds.protocol import actions, importing, user_code
 from allworlds.world.lighthouses.base import Lighthouse, State
-from allworlds.world.lighthouses.composed import PLUS, Composed, composed
+from allworlds.world.lighthouses.composed import (
+    PLUS,
+    Composed,
+    Knowledge,
+    Movable,
+    Nothing,
+    Ports,
+    Whiteboard,
+    composed,
+)
 from allworlds.world.lighthouses.marked import (
     Cluster,
     Compass,
@@ -38,7 +47,6 @@ from allworlds.world.lighthouses.options import (
     refuse_other_keys,
     with_arguments,
 )
-from allworlds.world.lighthouses.placeless import Knowledge, Movable, Nothing, Ports, Whiteboard
 
 SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 
@@ -188,7 +196,7 @@ def _percept(degree: int, given: Any) -> actions.Percept:
     return actions.Percept(degree, _natural(given.marks), bearing)
 
 
-def _told(told: Any, *_asked: object) -> player.Told:
+def _told(told: Any, *_asked: object) -> actions.Told:
     if isinstance(told, Mapping):
         return {str.__str__(key): integer(value) for key, value in told.items()}
     return None if told is None else integer(told)
