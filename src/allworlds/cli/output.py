@@ -17,15 +17,7 @@ from allworlds.cli.defaults import defaults_used, made_by, words_of_command
 from allworlds.engines import limits, prints
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Option, answer
-from allworlds.reports.formats import (
-    content_of,
-    document_text,
-    file_of,
-    form_and_path,
-    formats_of,
-    legal_files,
-)
-from allworlds.reports.plain_text import content_line, on_terminal
+from allworlds.reports import formats, plain_text
 
 Answer = TypeVar("Answer", bound=outcome.Result)
 
@@ -64,13 +56,13 @@ class OutputGroup:
     @cached_property
     def named(self) -> list[tuple[str, str]]:
         """The files that were named, each with its format before it."""
-        return [form_and_path(self.verb, name) for name in self.files or ()]
+        return [formats.form_and_path(self.verb, name) for name in self.files or ()]
 
 
 @cache
 def output_of(verb: str) -> type[OutputGroup]:
     """The options of a verb's output, which tell of the files that it can write."""
-    help_ = f"Also write this file, by its end: {legal_files(verb)}. Repeat it for more."
+    help_ = f"Also write this file, by its end: {formats.legal_files(verb)}. Repeat it for more."
     asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", help_, short="o", repeated=True)]
     options: list[tuple[str, Any, Any]] = [("files", asked, field(default=None))]
     if verbs.FINDINGS in verbs.BY_NAME[verb].has:
@@ -103,17 +95,17 @@ def _write_files(result: doc.Report, output: OutputGroup, document: Callable[[],
     A file that cannot be written is lost with a word on stderr; the verdict is not.
     """
     for form, path in output.named:
-        made = document() if form == "json" else file_of(form, result)
+        made = document() if form == "json" else formats.file_of(form, result)
         write_file(path, made if isinstance(made, bytes) else made.encode())
     if not hasattr(result, "findings"):
         return
-    for form, format_ in formats_of(output.verb).items():
+    for form, format_ in formats.formats_of(output.verb).items():
         if os.environ.get(format_.read_by) == "true":
-            print(file_of(form, result), end="", file=sys.stderr)
+            print(formats.file_of(form, result), end="", file=sys.stderr)
         if summary := os.environ.get(format_.summary):
             try:
                 with Path(summary).open("a", encoding="utf-8") as file:
-                    file.write(file_of(form, result))
+                    file.write(formats.file_of(form, result))
             except OSError as error:
                 complain(f"the file of {format_.summary} cannot be written: {error.strerror}")
 
@@ -206,18 +198,20 @@ def emit(result: doc.Report, output: OutputGroup, workers: int | None = None) ->
     """
 
     def document() -> str:
-        return document_text(result.to_json() | {"made_by": made_by(result, workers).to_json()})
+        return formats.document_text(
+            result.to_json() | {"made_by": made_by(result, workers).to_json()}
+        )
 
     _write_files(result, output, document)
     try:
         if output.as_json:
             print(document(), end="")
         else:
-            content, columns = content_of(result), width()
+            content, columns = formats.content_of(result), width()
             said = (
-                content_line(content, columns)
+                plain_text.content_line(content, columns)
                 if output.quiet
-                else on_terminal(content, columns, whole=output.verbose)
+                else plain_text.on_terminal(content, columns, whole=output.verbose)
             )
             for file, options in {} if output.quiet else defaults_used().items():
                 text = ", ".join(f"{key} = {value}" for key, value in options.items())

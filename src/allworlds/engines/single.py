@@ -21,17 +21,8 @@ from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, PlayerProcess, Setup, keep
 from allworlds.engines.tally import LOST, Examiner, Outcome, Referee, RunCounter, Tally, name_run
 from allworlds.engines.units import GivenWorlds, Scope
-from allworlds.explorers import program, sources
+from allworlds.explorers import loading, program, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.loading import (
-    Subject,
-    built_in,
-    command_or_path,
-    in_process_subject,
-    is_program,
-    source_of,
-    with_shield,
-)
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.episode import Answered, Fault, ending_of, fault_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
@@ -134,7 +125,7 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
     return ""
 
 
-def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
+def subject_of(explore: str | Callable[..., Any], limits: Limits) -> loading.Subject:
     """The subject for a name or a generator function.
 
     A named explorer is loaded in a process of its own: users' code does not get into this one.
@@ -145,15 +136,15 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     if not isinstance(explore, str):
         if not callable(explore):
             raise InputError(f"explore = {show(explore)} is neither a name nor a function")
-        return in_process_subject(explore)
+        return loading.in_process_subject(explore)
     explore = sources.whole_name(explore)
     if explore in BUILT_IN:
-        return built_in(explore)
-    if is_program(explore):
+        return loading.built_in(explore)
+    if loading.is_program(explore):
         # What cannot be run is refused here.
-        program.Program(command_or_path(explore), limits.answer_timeout)
-        return Subject(explore, frozenset({"told"}))
-    subject = Subject(explore, frozenset(), source=source_of(explore))
+        program.Program(loading.command_or_path(explore), limits.answer_timeout)
+        return loading.Subject(explore, frozenset({"told"}))
+    subject = loading.Subject(explore, frozenset(), source=loading.source_of(explore))
     player = PlayerProcess(Setup(subject, limits), 0)
     try:
         description = player.loaded()
@@ -161,7 +152,7 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
         player.close()
         raise
     found = doc.replace(subject, keywords=description.keywords)
-    found = with_shield(found) if description.has_shield else found
+    found = loading.with_shield(found) if description.has_shield else found
     keep(player, found)
     return found
 
@@ -187,7 +178,7 @@ class OutcomeCounter(RunCounter, frozen=True):
 
 
 def _outcome_of(
-    subject: Subject,
+    subject: loading.Subject,
     rules: Rules,
     world: World,
     script: tuple[int, ...],
@@ -208,7 +199,7 @@ def _outcome_of(
 
 
 def single_run(
-    subject: Subject,
+    subject: loading.Subject,
     world: World,
     rules: Rules,
     script: tuple[int, ...],
@@ -244,7 +235,9 @@ def single_run(
 class Plays:
     """Plays of one run by fresh players, whose prints are recorded."""
 
-    def __init__(self, subject: Subject, rules: Rules, world: World, limits: Limits) -> None:
+    def __init__(
+        self, subject: loading.Subject, rules: Rules, world: World, limits: Limits
+    ) -> None:
         self._setup = Setup(subject, limits, prints=True)
         self._rules, self._world = rules, world
         counter = RunCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
@@ -275,7 +268,7 @@ class Plays:
         return [*map(Log, logs)], player.prints.text
 
 
-def played_again(finding: Finding, subject: Subject, limits: Limits) -> Finding:
+def played_again(finding: Finding, subject: loading.Subject, limits: Limits) -> Finding:
     """The finding with the prints of a fresh process, and whether that repeated the run.
 
     A run that was lost is played in its world once more, and so gets its walk.  An explorer that

@@ -21,17 +21,9 @@ from typing import (
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
-from allworlds.engines import players, tally
+from allworlds.engines import limits, players, tally
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
-from allworlds.engines.limits import (
-    NOBODY,
-    ClusterLost,
-    Listener,
-    RowsReport,
-    TimeIsUp,
-    deadline_after,
-)
 from allworlds.engines.units import (
     WHOLE,
     Portion,
@@ -140,7 +132,7 @@ ToldGate: TypeAlias = Annotated[
 ]
 
 
-class SweptReport(RowsReport):
+class SweptReport(limits.RowsReport):
     """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
 
     request: doc.NotInDocument[Any]
@@ -190,7 +182,7 @@ def gather(
     engine: Any,
     units: Iterable[Unit],
     total: Sum,
-    listener: Listener,
+    listener: limits.Listener,
     records: Records = NO_RECORDS,
 ) -> None:
     """Add the results of all units to ``total``; the listener is told of each part.
@@ -236,17 +228,19 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def __init__(self, request: Any, extent: classes.Extent | None = None) -> None:
         self.request, self.extent = request, extent
-        self.listener: Listener = request.listener
+        self.listener: limits.Listener = request.listener
         self.portion: Portion = getattr(request, "shard", WHOLE)
-        self.deadline = deadline_after(request.time_limit)
+        self.deadline = limits.deadline_after(request.time_limit)
 
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> "Sweep[Any, Any]":
+    def known(
+        cls, identity: Identity, portion: Portion, listener: limits.Listener
+    ) -> "Sweep[Any, Any]":
         """Return the sweep of that identity, or of a shard of it, without loading an explorer."""
         return cls(cls.asked_then(identity, portion, listener))
 
     @classmethod
-    def asked_then(cls, identity: Identity, portion: Portion, listener: Listener) -> Any:
+    def asked_then(cls, identity: Identity, portion: Portion, listener: limits.Listener) -> Any:
         """Return the request of that identity, for a portion."""
         shard = {"shard": portion} if issubclass(cls.asked, ShardOptions) else {}
         options = remembered(cls.asked, identity.parameters)
@@ -310,7 +304,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
         """Return the keywords of every report; the extent where the sweep has no other."""
-        asked = doc.replace(without_effort(self.request), listener=NOBODY)
+        asked = doc.replace(without_effort(self.request), listener=limits.NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
     def begin(self) -> outcome.Ending | None:
@@ -373,11 +367,11 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Return the ending of a part of the job, or of the interruption that has stopped it."""
         try:
             return job()
-        except TimeIsUp:
+        except limits.TimeIsUp:
             return outcome.Stopped(f"the time limit of {self.request.time_limit:g} s was reached")
         except tally.EnginesDisagree as error:
             return outcome.Disagreed(str(error))
-        except ClusterLost as error:
+        except limits.ClusterLost as error:
             self.listener.notice(f"{error}; the report tells what was finished")
             return outcome.Stopped(str(error))
         except players.Unsettled as error:

@@ -14,11 +14,10 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from msgspec import Struct, field
 
-from allworlds import document as doc, words
+from allworlds import document as doc, outcome, words
 from allworlds.document import replace
 from allworlds.judging.findings.finding import believed_walk, true_walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.outcome import Result
 from allworlds.protocol.actions import Estimate, Move, Percept, Transcript
 from allworlds.world.world import World
 
@@ -406,7 +405,7 @@ class ReportContent(Struct, frozen=True):
 
     done: str
     subject: str
-    result: Result
+    result: outcome.Result
     headline: Headline | None
     sections: Sequence[Section]
     more: Callable[[], Iterable[Section]] = field(default=tuple)

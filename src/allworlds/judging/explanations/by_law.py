@@ -27,8 +27,7 @@ from allworlds.maps.combinatorial import (
     numbering,
     rooted_isomorphism,
 )
-from allworlds.protocol.actions import Transcript
-from allworlds.protocol.playing import BUILT, NO_MAP
+from allworlds.protocol import actions, playing
 from allworlds.words import listed, plural, size
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.world import World
@@ -112,14 +111,14 @@ ANTICLOCKWISE = (
 def tell_no_estimate(story: Story) -> Telling:
     """Tell the ending, and for a map that could not be built the law of maps that it breaks."""
     seen = str(story.finding.seen)
-    if not seen.startswith(NO_MAP):
+    if not seen.startswith(playing.NO_MAP):
         return ending("The explorer ended without an answer that could be judged.")(story)
-    built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
-    message = seen.removeprefix(NO_MAP)
+    built = [line for line in story.finding.detail.splitlines() if line.startswith(playing.BUILT)]
+    message = seen.removeprefix(playing.NO_MAP)
     sentences = [f"The answer is no map: {message}."]
     if built:
         sentences = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
-        sentences += [f"The call is {line.removeprefix(BUILT)}." for line in built]
+        sentences += [f"The call is {line.removeprefix(playing.BUILT)}." for line in built]
         if "must be a permutation" in message:
             sentences.append(ANTICLOCKWISE)
     return Telling([*sentences, *_tell_first_wrong(story), _say_last_step(story)], story.checkpoint)
@@ -406,7 +405,7 @@ def tell_open_darts(story: Story) -> list[str]:
     return sentences
 
 
-def another_world(world: World, transcript: Transcript) -> World | None:
+def another_world(world: World, transcript: actions.Transcript) -> World | None:
     """A world that is not this one, and agrees with the log; None if the log determines it.
 
     The other world extends the folded log: its open darts are joined with each other, or lead to

@@ -10,16 +10,8 @@ from msgspec.structs import asdict
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
-from allworlds.engines import limits, units
+from allworlds.engines import limits, sweep, units
 from allworlds.engines.engine_table import ReadyEngine, local_or_dask
-from allworlds.engines.sweep import (
-    Sweep,
-    SweptReport,
-    ToldGate,
-    TriedPlaces,
-    told_scope,
-    tried_places,
-)
 from allworlds.inputs import checks, requests
 from allworlds.maps.classes import Extent, ExtentOptions, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, numbering, rooted_code
@@ -289,11 +281,11 @@ class CensusCell(doc.Document):
 class CensusScope(doc.Document):
     """The scope of a census."""
 
-    places: TriedPlaces
+    places: sweep.TriedPlaces
     shard: doc.WhichShard
 
 
-class AmbiguityCensus(SweptReport):
+class AmbiguityCensus(sweep.SweptReport):
     """Report of 'ambiguity census'.
 
     Every level of a class of maps; twins are looked for inside the class only.
@@ -314,17 +306,19 @@ class AmbiguityCensus(SweptReport):
     @doc.computed
     def scope(self) -> CensusScope:
         """All that was classified."""
-        return told_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
+        return sweep.told_scope(
+            CensusScope, self.request, places=self.places, shard=str(self.portion)
+        )
 
     @doc.computed
-    def gate(self) -> ToldGate:
+    def gate(self) -> sweep.ToldGate:
         """Count gate, if there is anything to compare."""
         return self.compared
 
     @property
     def places(self) -> str:
         """The places of the lighthouse that were tried, in words."""
-        return tried_places(self.request.lighthouse, self.extent)
+        return sweep.tried_places(self.request.lighthouse, self.extent)
 
     @property
     @override
@@ -349,7 +343,7 @@ def census(request: CensusRequest) -> AmbiguityCensus:
     return CensusSweep(request).answer(request.run)
 
 
-class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
+class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
     """A census on its way."""
 
     verb, asked, result = "ambiguity census", CensusRequest, SensedParts

@@ -17,16 +17,7 @@ from allworlds.inputs.requests import answers
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.outcome import COMPLETED, Disagreement, Ending, ended
-from allworlds.studies.ambiguity.formulas import (
-    Block,
-    Formula,
-    OneWorld,
-    Pair,
-    forbid_other_start,
-    pair_formula,
-    read_dimacs,
-    world_formula,
-)
+from allworlds.studies.ambiguity import formulas
 from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat, write_lrat
 from allworlds.studies.ambiguity.question import (
     SEARCHED,
@@ -174,7 +165,7 @@ def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]]:
     return tuple(names[x] for x in ones), tuple(names[y] for y in twos)
 
 
-def decoded(pair: Pair, model: frozenset[int]) -> Twins:
+def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
     """The two worlds of a model, the set of its true variables.
 
     Raises:
@@ -196,7 +187,9 @@ def decoded(pair: Pair, model: frozenset[int]) -> Twins:
     return Twins(pair=(one, two), bisimulation=classes)
 
 
-def _world(asked: Question, world: OneWorld, pointed: Block | None, model: frozenset[int]) -> World:
+def _world(
+    asked: Question, world: formulas.OneWorld, pointed: formulas.Block | None, model: frozenset[int]
+) -> World:
     sigma, alpha = (
         [_only([y for y, variable in enumerate(row) if variable in model]) for row in block.rows()]
         for block in (world.sigma, world.alpha)
@@ -327,7 +320,7 @@ class _TwinsSearch(Struct):
     def _decide(self, sizes: Sizes) -> Searched:
         """Solve for two sizes. Pairs that are one world started twice are excluded one by one."""
         began = monotonic()
-        formula, pair = pair_formula(self.question, sizes)
+        formula, pair = formulas.pair_formula(self.question, sizes)
         path = self.directory / f"{sizes.name}.cnf"
         same: list[Twins] = []
         while True:
@@ -338,7 +331,7 @@ class _TwinsSearch(Struct):
             if twins is None or start is None:
                 break
             same.append(twins)
-            forbid_other_start(formula, pair, start)
+            formulas.forbid_other_start(formula, pair, start)
         status = solved.status
         proof = path.with_suffix(".lrat") if self.external and status == "unsat" else None
         if proof and not self._accepts(formula, proof):
@@ -361,7 +354,7 @@ class _TwinsSearch(Struct):
             return self.external.solve(path, path.with_suffix(".lrat"), self.deadline)
         return solve_with_z3(path, self.deadline)
 
-    def _accepts(self, formula: Formula, proof: Path) -> bool:
+    def _accepts(self, formula: formulas.Formula, proof: Path) -> bool:
         try:
             with proof.open(encoding="ascii", errors="replace") as lines:
                 check_lrat(formula.clauses, lines)
@@ -411,7 +404,7 @@ class _TwinsSearch(Struct):
         path = self.directory / "one-world.cnf"
         for sizes in self.question.sizes():
             if sizes.one == sizes.two:
-                world_formula(self.question, sizes).write(path)
+                formulas.world_formula(self.question, sizes).write(path)
                 if solve_with_z3(path, self.deadline).status != "unsat":
                     return True
         path.unlink(missing_ok=True)
@@ -450,7 +443,7 @@ class _TwinsSearch(Struct):
                 f"its DRAT proof ({drat}) has {size:,} bytes, and the checker of "
                 f"this package accepts {PROOF_LIMIT:,}; a CaDiCaL 2 named with --solver writes LRAT"
             )
-        variables, clauses = read_dimacs(formula)
+        variables, clauses = formulas.read_dimacs(formula)
         with drat.open(encoding="ascii") as lines:
             write_lrat(lrat_of_drat(variables, clauses, lines), formula.with_suffix(".lrat"))
         drat.unlink()
