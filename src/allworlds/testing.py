@@ -35,9 +35,8 @@ from allworlds.reports import formats, plain_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.fuzz import MapsRequest, fuzz, refuted_in
+from allworlds.world import named, selection
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
-from allworlds.world.named import own_corpus
-from allworlds.world.selection import a_condition, flaws_of
 
 __all__ = [
     "AtLevel",
@@ -93,7 +92,7 @@ def levels_of(options: Mapping[str, Any]) -> range:
     """
     bounds = _bounds(options)
     map_class = classes.MapClass.named(options.get("map_class", classes.MapClass.MAPS.value))
-    where = a_condition(options.get("where"))
+    where = selection.a_condition(options.get("where"))
     extent = classes.Extent(map_class, bounds["edges"], bounds.get("vertices"), where)
     first, last = extent.levels[0], extent.levels[-1]
     while where is not None and first < last and not _any_map(extent, first):
@@ -240,7 +239,7 @@ def assert_lighthouse(lighthouse: GivenLighthouse, *, edges: int = LIGHTHOUSE_ED
     """
     __tracebackhide__ = True
     kind = lighthouse_kind(lighthouse)
-    for wrong in flaws_of(kind, edges):
+    for wrong in selection.flaws_of(kind, edges):
         raise AssertionError(wrong)
 
 
@@ -250,7 +249,7 @@ def known_hard_maps() -> list[CombinatorialMap]:
     They have refuted explorers, look like another map to some of them, or are the smallest of
     their kind.
     """
-    corpus = own_corpus()
+    corpus = named.own_corpus()
     documents = [corpus.document(entry) for entry in corpus.of_kind("world")]
     documents += [corpus.document(entry)["world"] for entry in corpus.of_kind("finding")]
     for entry in corpus.of_kind("pair"):

@@ -18,8 +18,7 @@ from allworlds.judging.episode import Episode, Fault, Over, fault_of, followed
 from allworlds.judging.laws.law_table import PRECEDENCE, Violation
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol import playing
-from allworlds.protocol.actions import IllegalAction, Percept, action_numbered
+from allworlds.protocol import actions, playing
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script
 from allworlds.world.lighthouses import base, composed
 from allworlds.world.world import World
@@ -100,7 +99,7 @@ def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) ->
 
 def in_words(log: Log) -> tuple[list[str], str]:
     """The actions of a play and its ending."""
-    return [str(action_numbered(number)) for number in log.actions], _ending(log)
+    return [str(actions.action_numbered(number)) for number in log.actions], _ending(log)
 
 
 def _ending(log: Log) -> str:
@@ -153,7 +152,7 @@ class Recorded(NamedTuple):
         over: whether the run was ended, since all was done.
     """
 
-    percepts: Iterable[Percept]
+    percepts: Iterable[actions.Percept]
     world: World
     script: tuple[int, ...] = ()
     over: bool = False
@@ -344,7 +343,7 @@ class PythonJudge:
         try:
             budget = rules.budget(world.map)
             return followed(log, world, budget, maps=rules.task.is_map)
-        except IllegalAction as error:
+        except actions.IllegalAction as error:
             if world.lighthouse.code is None:
                 raise RuntimeError(f"the log of a run is no walk in its world: {error}") from None
             raise InputError(

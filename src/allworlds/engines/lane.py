@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 from allworlds import log as entries
 from allworlds.document import replace
-from allworlds.engines import tally, units
+from allworlds.engines import limits, tally, units
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
@@ -33,7 +33,6 @@ from allworlds.engines.judge import (
     nondeterministic,
     overruled,
 )
-from allworlds.engines.limits import POLL, Limits
 from allworlds.engines.players import (
     Logs,
     Lost,
@@ -117,7 +116,7 @@ class Lane:
         self,
         subject: Subject,
         engine: tally.RunCounter,
-        limits: Limits,
+        limits: limits.Limits,
         *,
         given: tuple[int, ...] | None = None,
         seeds: tuple[int, int] = (FIRST, SECOND),
@@ -216,7 +215,7 @@ class Lane:
             raise Unsettled(self.given_up)
         self._give()
         if any(player.jobs for player in self._players.values()):
-            wait([*self._players.values()], POLL, others)
+            wait([*self._players.values()], limits.POLL, others)
             for which in (FIRST, SECOND):
                 if which in self._players:
                     self._hear(which, self._players[which])
@@ -628,7 +627,7 @@ def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Seq
 def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
     """The logs that answer its only job; raises as :func:`answered` does."""
     while True:
-        wait([player], POLL)
+        wait([player], limits.POLL)
         try:
             for _, logs in player.heard():
                 assert logs is not None

@@ -24,8 +24,7 @@ from typing import TYPE_CHECKING, Any
 from allworlds.engines.linux import address_space, end_with_parent, limit_memory
 from allworlds.inputs.checks import InputError
 from allworlds.log import BEYOND
-from allworlds.protocol import actions, playing
-from allworlds.protocol.choices import Choices, ScheduledChoices, policy_named
+from allworlds.protocol import actions, choices, playing
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.library_player import LibraryPlayer
@@ -192,10 +191,10 @@ def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
     return AroundExplorer(world)
 
 
-def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:
+def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> choices.Choices:
     if batch["every"]:
-        return ScheduledChoices(script)
-    return Choices(policy_named(batch["policy"], name), script)
+        return choices.ScheduledChoices(script)
+    return choices.Choices(choices.policy_named(batch["policy"], name), script)
 
 
 def _sender() -> Callable[[bytearray], None]:

@@ -27,19 +27,8 @@ from msgspec import Struct
 from typing_extensions import override
 
 from allworlds import outcome, words
-from allworlds.engines import linux
+from allworlds.engines import linux, player
 from allworlds.engines.limits import Limits
-from allworlds.engines.player import (
-    FAILURE,
-    LOGS,
-    NO_ROOM,
-    NO_RUN,
-    PART,
-    READY,
-    REFUSAL,
-    logs_message,
-    played,
-)
 from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers.loading import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs.checks import InputError, show
@@ -112,7 +101,9 @@ class Logs(Sequence[bytes]):
     @classmethod
     def of(cls, logs: Sequence[bytes]) -> "Logs":
         """These logs."""
-        return logs if isinstance(logs, Logs) else cls(b"".join(logs_message(logs)), len(logs))
+        return (
+            logs if isinstance(logs, Logs) else cls(b"".join(player.logs_message(logs)), len(logs))
+        )
 
     @override
     def __len__(self) -> int:
@@ -186,7 +177,7 @@ class PlayerProcess:
         self._prints_come = True
         memory, beat = _shared(16)
         self.beat = memoryview(memory).cast("q")
-        self.beat[0] = NO_RUN
+        self.beat[0] = player.NO_RUN
         self._token = os.urandom(8).hex()
         self.pid = _spawned(self.seed, self._token, theirs.fileno(), beat, printing)
         self._status: int | None = None
@@ -269,23 +260,23 @@ class PlayerProcess:
 
     def _message(self, message: bytearray) -> Answer | None:
         letter = message[0] if message else -1
-        if letter == PART:
+        if letter == player.PART:
             self.part += message[1:]
             return None
-        if letter == REFUSAL:
+        if letter == player.REFUSAL:
             raise InputError(message[1:].decode(errors="surrogatepass"))
-        if letter == FAILURE:
+        if letter == player.FAILURE:
             raise HarnessError(message[1:].decode(errors="replace"))
         try:
-            if letter == READY and self.description is None:
+            if letter == player.READY and self.description is None:
                 self._hear_prints()  # those before it are of the loading
                 keywords, has_shield = marshal.loads(message[1:])  # noqa: S302  # honest
                 self.description = Description(frozenset(keywords), has_shield)
                 return None
-            if letter in (LOGS, NO_ROOM) and self.jobs:
+            if letter in (player.LOGS, player.NO_ROOM) and self.jobs:
                 job, asked = self.jobs[0]
                 runs = asked["runs"]
-                logs = None if letter == NO_ROOM else Logs(message, runs, at=1)
+                logs = None if letter == player.NO_ROOM else Logs(message, runs, at=1)
                 self.jobs.popleft()
                 self._seen, self._since = None, time.monotonic()
                 return job, logs
@@ -318,7 +309,7 @@ class PlayerProcess:
                 raise InputError(f"{show(name)} does not {loads}: it was at it for {limit:g} s")
             return 0.0
         seen = self.beat[0], self.beat[1]
-        if not self.jobs or seen[0] == NO_RUN or seen != self._seen:
+        if not self.jobs or seen[0] == player.NO_RUN or seen != self._seen:
             self._seen, self._since = seen, now
         return now - self._since
 
@@ -419,7 +410,7 @@ class PlayerHere:
     def __init__(self, explorer: Explorer, *, of_user: bool = True, prints: bool = False) -> None:
         self._explorer, self._of_user, self._recorded = explorer, of_user, prints
         self.jobs: deque[tuple[Any, dict[str, Any]]] = deque()
-        self.beat, self.part = [NO_RUN, 0], bytearray()
+        self.beat, self.part = [player.NO_RUN, 0], bytearray()
         self.prints = Prints()
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
@@ -433,7 +424,7 @@ class PlayerHere:
         job, message = self.jobs[0]
         sink = self.prints if self._recorded else Prints()
         with printing_to(sink) if self._of_user else nullcontext():
-            logs = played(message, self._explorer, self.beat)
+            logs = player.played(message, self._explorer, self.beat)
         self.jobs.popleft()
         return [(job, logs)]
 

@@ -7,6 +7,7 @@ from msgspec import UNSET, UnsetType, field
 from typing_extensions import override
 
 from allworlds import document as doc, log as entries
+from allworlds.engines import limits, players
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
@@ -17,8 +18,6 @@ from allworlds.engines.judge import (
     side_by_side,
 )
 from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
-from allworlds.engines.limits import Limits
-from allworlds.engines.players import Lost, PlayerProcess, Setup, keep
 from allworlds.engines.tally import LOST, Examiner, Outcome, Referee, RunCounter, Tally, name_run
 from allworlds.engines.units import GivenWorlds, Scope
 from allworlds.explorers import loading, program, sources
@@ -125,7 +124,7 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
     return ""
 
 
-def subject_of(explore: str | Callable[..., Any], limits: Limits) -> loading.Subject:
+def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> loading.Subject:
     """The subject for a name or a generator function.
 
     A named explorer is loaded in a process of its own: users' code does not get into this one.
@@ -145,7 +144,7 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> loading.Sub
         program.Program(loading.command_or_path(explore), limits.answer_timeout)
         return loading.Subject(explore, frozenset({"told"}))
     subject = loading.Subject(explore, frozenset(), source=loading.source_of(explore))
-    player = PlayerProcess(Setup(subject, limits), 0)
+    player = players.PlayerProcess(players.Setup(subject, limits), 0)
     try:
         description = player.loaded()
     except BaseException:
@@ -153,7 +152,7 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> loading.Sub
         raise
     found = doc.replace(subject, keywords=description.keywords)
     found = loading.with_shield(found) if description.has_shield else found
-    keep(player, found)
+    players.keep(player, found)
     return found
 
 
@@ -182,7 +181,7 @@ def _outcome_of(
     rules: Rules,
     world: World,
     script: tuple[int, ...],
-    limits: Limits,
+    limits: limits.Limits,
     hash_seed: int | None,
 ) -> Outcome:
     """The judged run of a user's explorer in a canonical world."""
@@ -203,7 +202,7 @@ def single_run(
     world: World,
     rules: Rules,
     script: tuple[int, ...],
-    limits: Limits,
+    limits: limits.Limits,
     hash_seed: int | None = None,
 ) -> SingleRun:
     """One episode in which the script answers the first choices, as far as it fits.
@@ -236,9 +235,9 @@ class Plays:
     """Plays of one run by fresh players, whose prints are recorded."""
 
     def __init__(
-        self, subject: loading.Subject, rules: Rules, world: World, limits: Limits
+        self, subject: loading.Subject, rules: Rules, world: World, limits: limits.Limits
     ) -> None:
-        self._setup = Setup(subject, limits, prints=True)
+        self._setup = players.Setup(subject, limits, prints=True)
         self._rules, self._world = rules, world
         counter = RunCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
         self.judge = PythonJudge(counter, subject.name)
@@ -261,14 +260,14 @@ class Plays:
         player = started(self._setup, seed)
         try:
             logs = answered(player, message)
-        except Lost as lost:
+        except players.Lost as lost:
             logs = [lost_log(bytes(player.part), lost)] * message["runs"]
         finally:
             player.close()
         return [*map(Log, logs)], player.prints.text
 
 
-def played_again(finding: Finding, subject: loading.Subject, limits: Limits) -> Finding:
+def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limits) -> Finding:
     """The finding with the prints of a fresh process, and whether that repeated the run.
 
     A run that was lost is played in its world once more, and so gets its walk.  An explorer that

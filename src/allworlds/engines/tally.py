@@ -21,8 +21,7 @@ from allworlds.judging.findings.finding import Finding, canonical_world, place_o
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import LAWS, Case, Violation, first_wrong, judge
 from allworlds.maps.combinatorial import rooted_code
-from allworlds.protocol.actions import Ambiguous
-from allworlds.protocol.choices import Choices
+from allworlds.protocol import actions, choices
 from allworlds.world.world import World
 
 
@@ -76,7 +75,7 @@ class Referee:
             return Violation(ending.law, ending.expected, ending.seen)
         task, answer = self.rules.task, ending.answer if isinstance(ending, Answered) else None
         leaves_open = world.lighthouse.as_kind.leaves_open
-        if task.is_map and isinstance(answer, Ambiguous) and not leaves_open:
+        if task.is_map and isinstance(answer, actions.Ambiguous) and not leaves_open:
             return Violation(
                 "no-estimate",
                 f"a map: the {world.lighthouse.kind} lighthouse has no answer without one",
@@ -142,7 +141,7 @@ class Examiner(Referee):
         super().__init__(subject.name, rules)
         self._player = subject.player()
 
-    def examine(self, world: World, choices: Choices) -> Outcome:
+    def examine(self, world: World, choices: choices.Choices) -> Outcome:
         """Play one episode, and judge it."""
         rules, task = self.rules, self.rules.task
         around, budget = task.environment(world), rules.budget(world.map)

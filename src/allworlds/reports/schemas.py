@@ -18,17 +18,7 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds import outcome, verbs
-from allworlds.document import (
-    IF_ANY,
-    Document,
-    MadeBy,
-    Text,
-    WrittenByFields,
-    about,
-    keys_of,
-    plain,
-)
+from allworlds import document as doc, outcome, verbs
 from allworlds.engines.engine_table import ENGINES
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
@@ -45,20 +35,18 @@ from allworlds.protocol.actions import (
 )
 from allworlds.studies.check.exhaustive import TimeEstimate
 from allworlds.studies.run import WorldNames
+from allworlds.world import named, world
+from allworlds.world.lighthouses import kinds, options
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.kinds import LIGHTHOUSES
-from allworlds.world.lighthouses.options import place_keys
-from allworlds.world.named import Manifest
-from allworlds.world.world import World, WorldDocument
 
 Schema: TypeAlias = dict[str, Any]
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 WRITTEN_AS = {
-    World: WorldDocument,
+    world.World: world.WorldDocument,
     Estimate: RootedMap,
-    Path: Text,
+    Path: doc.Text,
 }
 """The JSON that is written in place of a value that is no JSON."""
 
@@ -100,10 +88,10 @@ def pages() -> dict[str, Any]:
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
         "finding": Finding,
-        "world": WorldDocument,
+        "world": world.WorldDocument,
         "transcript": Transcript,
-        "made-by": MadeBy,
-        "manifest": Manifest,
+        "made-by": doc.MadeBy,
+        "manifest": named.Manifest,
     }
 
 
@@ -132,7 +120,7 @@ class Shapes:
             inner = self.of(kind)
             for note in shown:
                 if values := (note.extra_json_schema or {}).get("enum"):
-                    inner = Literal[*map(plain, values)]
+                    inner = Literal[*map(doc.plain, values)]
                     shown.remove(note)
             return Annotated[inner, *shown] if shown else inner
         if tp is outcome.Result:
@@ -143,8 +131,8 @@ class Shapes:
         if tp is Transcript:
             return self._transcript()
         if tp is Lighthouse:
-            return self._one_of([self._lighthouse(kind) for kind in LIGHTHOUSES.values()])
-        if isinstance(tp, type) and issubclass(tp, Document | WrittenByFields):
+            return self._one_of([self._lighthouse(kind) for kind in kinds.LIGHTHOUSES.values()])
+        if isinstance(tp, type) and issubclass(tp, doc.Document | doc.WrittenByFields):
             return self._struct(tp)
         arguments = get_args(tp)
         if get_origin(tp) in (Union, UnionType):
@@ -163,7 +151,7 @@ class Shapes:
 
     def _struct(self, kind: Any) -> Any:
         if kind not in self._made:
-            closed = issubclass(kind, Document) and kind.__struct_config__.forbid_unknown_fields
+            closed = issubclass(kind, doc.Document) and kind.__struct_config__.forbid_unknown_fields
             self._made[kind] = self._defined(
                 kind.__name__, kind.__doc__, self._keys(kind), closed=closed
             )
@@ -177,7 +165,7 @@ class Shapes:
                 yield field.name, hints[field.name], self.written or field.default is MISSING
             return
         needed = {field.name for field in fields(kind) if field.required}
-        for key in keys_of(kind):
+        for key in doc.keys_of(kind):
             tp = key.type
             bare = get_args(tp)[0] if get_origin(tp) is Annotated else tp
             sometimes = key.if_any or UnsetType in members(bare)
@@ -200,11 +188,11 @@ class Shapes:
 
     def _lighthouse(self, kind: type[Lighthouse]) -> Any:
         hints = get_type_hints(kind, include_extras=True)
-        named: Any = Annotated[Literal[kind.kind], about("which lighthouse it is")]
+        named: Any = Annotated[Literal[kind.kind], doc.about("which lighthouse it is")]
         keys: list[tuple[str, Any, bool]] = [("kind", named, True)]
         keys += [
-            (key, hints[key], self.written and IF_ANY not in get_args(hints[key])[1:])
-            for key in place_keys(kind)
+            (key, hints[key], self.written and doc.IF_ANY not in get_args(hints[key])[1:])
+            for key in options.place_keys(kind)
         ]
         self._made[kind] = self._defined(f"{kind.__name__}Lighthouse", kind.__doc__ or "", keys)
         return self._made[kind]
@@ -288,9 +276,9 @@ def _plain(schema: Any) -> Any:
         case {"enum": [only]}:
             del kept["enum"]
             kept["const"] = only
-        case {"anyOf": [{"type": str(plain), **more}, {"type": "null"}]} if plain in SIMPLE:
+        case {"anyOf": [{"type": str(doc.plain), **more}, {"type": "null"}]} if doc.plain in SIMPLE:
             del kept["anyOf"]
-            kept |= {"type": [plain, "null"], **more}
+            kept |= {"type": [doc.plain, "null"], **more}
     if kept.keys() & {"const", "enum"}:
         kept.pop("$ref", None)
     if "properties" in kept and "description" in kept:

@@ -38,9 +38,8 @@ from allworlds.maps.enumeration import Gluing
 from allworlds.outcome import Completed, Ending
 from allworlds.studies.check.report import CheckReport, ManyWorlds
 from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
+from allworlds.world import selection, world
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.selection import WhereOptions
-from allworlds.world.world import World
 
 Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
 """A function that draws a map of the size that is asked, or less."""
@@ -63,7 +62,7 @@ class SampleOptions(Request):
     seed: Annotated[int, Option(SCOPE, "S", "Which sample.", parse=integer_of)] = 0
 
 
-class MapsRequest(ManyWorlds, sources.ExplorerOptions, WhereOptions):
+class MapsRequest(ManyWorlds, sources.ExplorerOptions, selection.WhereOptions):
     """Request for runs in given maps: an explorer, the class and a condition, rules and effort."""
 
 
@@ -230,7 +229,7 @@ def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -
 
 def _placed(
     maps: Iterable[CombinatorialMap], scope: Scope
-) -> Iterator[tuple[tuple[int, int, Code, int], tuple[World, int]]]:
+) -> Iterator[tuple[tuple[int, int, Code, int], tuple[world.World, int]]]:
     """Rootings of these maps, each once and with every place; ascending by what is beside them.
 
     That is: edges, vertices, code, place.  The maps are of the class of the extent, and its
@@ -246,10 +245,10 @@ def _placed(
     for key in sorted(rootings):
         map_ = CombinatorialMap.trusted(*key[2])
         for place, lighthouse in enumerate(scope.rules.kind.places(map_, 0)):
-            yield (*key, place), (World(map_, lighthouse), place)
+            yield (*key, place), (world.World(map_, lighthouse), place)
 
 
-def _in_chunks(worlds: Sequence[tuple[World, int]]) -> list[GivenWorlds]:
+def _in_chunks(worlds: Sequence[tuple[world.World, int]]) -> list[GivenWorlds]:
     """Worlds with the numbers of their places, in pieces that one worker tries at a time."""
     return [GivenWorlds(tuple(worlds[i : i + CHUNK])) for i in range(0, len(worlds), CHUNK)]
 

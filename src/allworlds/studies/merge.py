@@ -6,8 +6,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds import document as doc
-from allworlds.engines import job_records, limits, run_directory
-from allworlds.engines.sweep import RowOptions, Sweep
+from allworlds.engines import job_records, limits, run_directory, sweep
 from allworlds.engines.units import WHOLE, is_counted, shards_of
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import Argument, Request, answers, given_again, takes_fields
@@ -15,7 +14,7 @@ from allworlds.protocol.user_code import as_recorded
 from allworlds.version import __version__
 
 
-class MergeRequest(RowOptions, limits.ListenerOptions):
+class MergeRequest(sweep.RowOptions, limits.ListenerOptions):
     """Request of ``merge``: the run directories, and the rows that are wanted."""
 
     runs: Annotated[
@@ -24,7 +23,7 @@ class MergeRequest(RowOptions, limits.ListenerOptions):
     ]
 
 
-def sweep_of(verb: str) -> type[Sweep[Any, Any]]:
+def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
     """The class of what goes through the units of a verb that a run directory keeps."""
     match verb:
         case "check":

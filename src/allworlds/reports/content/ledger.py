@@ -4,11 +4,10 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 
-from allworlds.outcome import Exit
+from allworlds import outcome, words
 from allworlds.reports import parts
 from allworlds.reports.parts import scene_of
 from allworlds.studies.ledger import CheckedClaim, LedgerReport
-from allworlds.words import number, plural
 
 LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"
 
@@ -16,10 +15,10 @@ SIGNS = {"as-expected": "=", "unexpected": "≠", "vacuous": "?", "not-checked":
 """Before each claim: whether it is what is expected."""
 
 VERDICTS = {
-    Exit.HOLDS: "holds",
-    Exit.REFUTED: "refuted",
-    Exit.VACUOUS: "vacuous",
-    Exit.INTERNAL: "error",
+    outcome.Exit.HOLDS: "holds",
+    outcome.Exit.REFUTED: "refuted",
+    outcome.Exit.VACUOUS: "vacuous",
+    outcome.Exit.INTERNAL: "error",
 }
 """The verdict by the exit code; inconclusive by any other."""
 
@@ -74,7 +73,7 @@ def _headline(report: LedgerReport) -> parts.Headline | None:
     errors = sum(one.verdict == "error" for one in report.claims)
     # The reasons why claims were not checked, each with the number of its claims.
     reasons = Counter(one.told for one in report.claims if one.standing == "not-checked")
-    needed = "; ".join(f"{number(count)}: {reason}" for reason, count in reasons.items())
+    needed = "; ".join(f"{words.number(count)}: {reason}" for reason, count in reasons.items())
     if len(reasons) == 1:
         (needed,) = reasons
     outcomes = (
@@ -85,9 +84,9 @@ def _headline(report: LedgerReport) -> parts.Headline | None:
         (standings["vacuous"], "vacuous"),
         (standings["not-checked"], f"not checked ({needed})"),
     )
-    counts = ", ".join(f"{number(count)} {outcome}" for count, outcome in outcomes if count)
+    counts = ", ".join(f"{words.number(count)} {outcome}" for count, outcome in outcomes if count)
     verdict = VERDICTS.get(report.exit_code, "inconclusive")
-    said = f"{plural(len(report.claims), 'claim')}: {counts}"
+    said = f"{words.plural(len(report.claims), 'claim')}: {counts}"
     return parts.so_far(report, parts.Headline(verdict.upper(), said, verdict))
 
 
@@ -129,6 +128,6 @@ def _listed(values: Mapping[str, object]) -> str:
     def text(value: object) -> str:
         if isinstance(value, list):
             return "[" + ", ".join(map(str, value)) + "]"
-        return number(value) if isinstance(value, int) else str(value)
+        return words.number(value) if isinstance(value, int) else str(value)
 
     return ", ".join(f"{name} {text(value)}" for name, value in values.items())

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from allworlds.document import replace
+from allworlds import document as doc, words
 from allworlds.engines import sweep, units
 from allworlds.inputs.requests import given_again
 from allworlds.maps.classes import Extent
 from allworlds.studies.check.report import CheckReport
-from allworlds.words import counted, plural
 
 if TYPE_CHECKING:
     from allworlds.studies.compare.entrants import ContestReport
@@ -29,11 +28,11 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
     """``of the class maps, trees, with at most 3 edges``; the condition stands there, if any."""
     where = f", {extent.where.name}," if extent.where else ""
     most = extent.edges
-    limits = [f"at most {plural(most, 'edge')}"] if most else []
+    limits = [f"at most {words.plural(most, 'edge')}"] if most else []
     if most and least > 1:
-        limits = [f"{least} to {plural(most, 'edge')}"]
+        limits = [f"{least} to {words.plural(most, 'edge')}"]
     if extent.vertices:
-        limits.append(f"at most {plural(extent.vertices, 'vertex', 'vertices')}")
+        limits.append(f"at most {words.plural(extent.vertices, 'vertex', 'vertices')}")
     return f"of the class {extent.map_class}{where} with {' and '.join(limits)}"
 
 
@@ -46,7 +45,7 @@ def maps_in_words(report: OfWorlds) -> str:
 def finished(report: sweep.SweptReport, last: int) -> str:
     """The maps of the finished levels, if ``last`` is the number of edges of the last one."""
     extent = report.extent
-    return of_the_class(extent if report.complete else replace(extent, edges=last))
+    return of_the_class(extent if report.complete else doc.replace(extent, edges=last))
 
 
 def places_facts(places: str) -> list[tuple[str, str]]:
@@ -91,7 +90,7 @@ def gate_facts(report: Any, what: str, *, rows: bool) -> list[tuple[str, str]]:
     elif not report.whole:
         said = f"of the shard {report.portion} alone; the merge of all shards compares"
     elif rows:
-        said = f"no {what} was forgotten: {counted(report.source)}"
+        said = f"no {what} was forgotten: {words.counted(report.source)}"
     else:
         said = "no level was finished, so nothing was compared"
     return [("gate", said)]

@@ -13,8 +13,7 @@ from allworlds import document as doc, outcome
 from allworlds.engines import limits, sweep, units
 from allworlds.engines.engine_table import ReadyEngine, local_or_dask
 from allworlds.inputs import checks, requests
-from allworlds.maps.classes import Extent, ExtentOptions, MapClass
-from allworlds.maps.combinatorial import CombinatorialMap, numbering, rooted_code
+from allworlds.maps import classes, combinatorial
 from allworlds.maps.quotient import Quotient, class_size, is_ambiguous
 from allworlds.studies.ambiguity.members import (
     ComparedWorlds,
@@ -39,7 +38,7 @@ class CensusRequest(
     limits.TimeLimitOptions,
     units.ShardOptions,
     WhereOptions,
-    ExtentOptions,
+    classes.ExtentOptions,
 ):
     """Request of ``ambiguity census``: a class, its bounds and the effort."""
 
@@ -112,7 +111,7 @@ class SensedParts(Struct):
         key = _code(world, projection_of(world).quotient)
         self.parts.setdefault(key, {}).setdefault(_code(world, world.map), world.to_json())
 
-    def meet_marked(self, map_: CombinatorialMap) -> None:
+    def meet_marked(self, map_: combinatorial.CombinatorialMap) -> None:
         """Take in a map with its root's vertex marked; of all roots there one is taken in.
 
         Of such worlds the quotient alone tells whether there is a twin.
@@ -167,7 +166,7 @@ class SensedParts(Struct):
 class PartBySensing(Struct, frozen=True):
     """The engine of the census."""
 
-    extent: Extent
+    extent: classes.Extent
     kind: kinds.LighthouseKind
 
     def parts(self, unit: units.LevelUnit) -> Iterator[SensedParts]:
@@ -188,11 +187,11 @@ class PartBySensing(Struct, frozen=True):
 
 def _size(world: Mapping[str, Any]) -> Size:
     """The size of a world, by its document."""
-    map_ = CombinatorialMap.trusted(tuple(world["sigma"]), tuple(world["alpha"]))
+    map_ = combinatorial.CombinatorialMap.trusted(tuple(world["sigma"]), tuple(world["alpha"]))
     return map_.edge_count, map_.vertex_count
 
 
-def _code(world: World, of: CombinatorialMap | Quotient) -> str:
+def _code(world: World, of: combinatorial.CombinatorialMap | Quotient) -> str:
     """The map or the quotient of a world, what is sensed and told, whatever the start: a text."""
     labels: Sequence[Any] = of.labels if isinstance(of, Quotient) else world.percepts
     sensed = [[p.marks, -1 if p.bearing is None else p.bearing] for p in labels]
@@ -202,8 +201,8 @@ def _code(world: World, of: CombinatorialMap | Quotient) -> str:
     told = sorted(world.told.items()) if isinstance(world.told, Mapping) else world.told
     codes = (
         [
-            rooted_code(of.sigma, of.alpha, dart),
-            [sensed[d] for d in numbering(of.sigma, of.alpha, dart)],
+            combinatorial.rooted_code(of.sigma, of.alpha, dart),
+            [sensed[d] for d in combinatorial.numbering(of.sigma, of.alpha, dart)],
             told,
         ]
         for dart in range(len(of.sigma))
@@ -347,7 +346,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
     """A census on its way."""
 
     verb, asked, result = "ambiguity census", CensusRequest, SensedParts
-    extent: Extent
+    extent: classes.Extent
 
     def __init__(self, request: CensusRequest) -> None:
         super().__init__(request, request.extent)
@@ -367,7 +366,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
 
     @override
     def finish(self, level: units.SweptLevel, total: SensedParts) -> None:
-        all_maps = self.extent.map_class is MapClass.MAPS and self.extent.where is None
+        all_maps = self.extent.map_class is classes.MapClass.MAPS and self.extent.where is None
         if self.portion == units.WHOLE and all_maps and self.kind.name == Position.kind:
             total.ensure_counted()
         self._levels.append((level, total.worlds))

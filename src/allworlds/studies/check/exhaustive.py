@@ -10,7 +10,7 @@ from typing import Annotated, Any, TypeAlias
 from typing_extensions import override
 
 from allworlds import document as doc, outcome, words
-from allworlds.engines import players, single, tally
+from allworlds.engines import limits, players, single, tally
 from allworlds.engines.engine_table import (
     ENGINES,
     EngineKind,
@@ -21,7 +21,6 @@ from allworlds.engines.engine_table import (
     why_not_compiled,
 )
 from allworlds.engines.job_records import Identity
-from allworlds.engines.limits import ClusterLost, Listener, NoticeOnce, Silent, TimeIsUp
 from allworlds.engines.units import (
     WHOLE,
     Given,
@@ -126,7 +125,7 @@ def estimate(request: CheckRequest) -> "TimeEstimate":
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    heard = doc.replace(request, listener=NoticeOnce(request.listener))
+    heard = doc.replace(request, listener=limits.NoticeOnce(request.listener))
     job, chosen = _job(heard)
     guess, larger = estimated(job, chosen), tuple[Guess, ...]()
     if guess.rate and (extent := one_larger(job)):
@@ -184,7 +183,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> "CheckSweep":
+    def known(cls, identity: Identity, portion: Portion, listener: limits.Listener) -> "CheckSweep":
         request = cls.asked_then(identity, portion, listener)
         rules = tally_sweep.rules_known(request, identity.parameters)
         scope = Scope(request.extent, rules, request.schedules, portion)
@@ -205,7 +204,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     def begin(self) -> outcome.Ending | None:
         """Try past findings, and announce the estimated time of a long check to a listener."""
         job, corpus = self.job, self._corpus
-        if not isinstance(self.listener, Silent) and is_worth_a_guess(job, self._engine):
+        if not isinstance(self.listener, limits.Silent) and is_worth_a_guess(job, self._engine):
             seconds = estimated(job, self._engine).seconds
             if seconds is not None and seconds > LONG:
                 said = f"this will take about {words.duration(seconds)}: a guess from a sample"
@@ -403,7 +402,7 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
                 sampled, ended = sampled + part.result.worlds, now
                 if sampled and now > began + SECONDS:
                     break
-    except (TimeIsUp, tally.EnginesDisagree, ClusterLost, players.Unsettled):
+    except (limits.TimeIsUp, tally.EnginesDisagree, limits.ClusterLost, players.Unsettled):
         pass  # the check itself will say so
     rate = sampled / (ended - began) if ended > began and sampled else None
     return Guess(

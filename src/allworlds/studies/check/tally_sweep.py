@@ -16,18 +16,11 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document import Document, IfAny, Text, about, replace
-from allworlds.engines import lanes, single, sweep, units
+from allworlds.engines import lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
 from allworlds.engines.job_records import Records, canonical, from_kept
 from allworlds.engines.judge import nondeterministic
 from allworlds.engines.limits import Limits
-from allworlds.engines.tally import (
-    LOST,
-    RunCounter,
-    Tally,
-    finding_from_record,
-    finding_to_record,
-)
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import DIGITS, Finding, digest_of
@@ -60,7 +53,7 @@ class Confirmation(Struct, frozen=True):
         """The findings, each played again in a fresh process."""
         return [self.replaced("confirmed", found, self._again) for found in findings]
 
-    def settle(self, tally: Tally, known: Callable[[Finding], bool] | None = None) -> bool:
+    def settle(self, tally: tally.Tally, known: Callable[[Finding], bool] | None = None) -> bool:
         """Confirm the findings of a tally. Return whether there is more to report than they say.
 
         A crash or a time-out that a fresh process does not repeat refutes nothing: it becomes a
@@ -96,7 +89,7 @@ class Confirmation(Struct, frozen=True):
     def _settled(self, found: Finding) -> Finding | str:
         """Confirm in a fresh process. A crash that is not repeated becomes a remark."""
         again = self._again(found)
-        if again.law not in LOST or not self.subject.importable or again.confirmed:
+        if again.law not in tally.LOST or not self.subject.importable or again.confirmed:
             return again
         if not again.machine:
             broken = nondeterministic(f"{again.law}, and not in a fresh process: {again.seen}")
@@ -117,7 +110,7 @@ class Confirmation(Struct, frozen=True):
         After the deadline nothing new is made.
         """
         plain = replace(found, minimal=False)
-        digest = hashlib.sha256(canonical(finding_to_record(plain)).encode()).hexdigest()
+        digest = hashlib.sha256(canonical(tally.finding_to_record(plain)).encode()).hexdigest()
         record: Any = self.records.recall(f"{name} {digest}")
         if record is None:
             if self.is_late:
@@ -126,12 +119,12 @@ class Confirmation(Struct, frozen=True):
             if isinstance(settled, str):
                 record = {"remark": settled}
             else:
-                record = {"finding": finding_to_record(settled)}
+                record = {"finding": tally.finding_to_record(settled)}
             if not self.is_late:  # else it may have been given up
                 self.records.note(f"{name} {digest}", record)
         if "remark" in record:
             return str(record["remark"])
-        again = finding_from_record(record["finding"])
+        again = tally.finding_from_record(record["finding"])
         return replace(again, under=self.scope.rules, minimal=found.minimal)
 
 
@@ -270,7 +263,7 @@ def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Findin
 
     with lanes.workers_for(subject, limits, limits.deadline()) as workers:
         world = units.GivenWorlds(((finding.world, finding.place),))
-        for part in workers.map(RunCounter(scope, keep=1), [world]):
+        for part in workers.map(tally.RunCounter(scope, keep=1), [world]):
             for found in part.result.findings:
                 return single.played_again(found, subject, limits)
     return None
@@ -316,7 +309,7 @@ def subject_of_record(record: Mapping[str, Any]) -> loading.Subject:
 Answer = TypeVar("Answer")
 
 
-class TallySweep(sweep.Sweep[Tally, Answer]):
+class TallySweep(sweep.Sweep[tally.Tally, Answer]):
     """The sweep of one explorer through many worlds.
 
     Args:
@@ -356,15 +349,15 @@ class TallySweep(sweep.Sweep[Tally, Answer]):
         return self.scope.levels
 
     @override
-    def empty(self) -> Tally:
-        return Tally(self.job.keep)
+    def empty(self) -> tally.Tally:
+        return tally.Tally(self.job.keep)
 
     @override
-    def read(self, kept: Any) -> Tally:
-        return from_kept(kept, Tally).under(self.scope.rules)
+    def read(self, kept: Any) -> tally.Tally:
+        return from_kept(kept, tally.Tally).under(self.scope.rules)
 
     @override
-    def costs(self, total: Tally) -> Iterable[tuple[int, int, int]]:
+    def costs(self, total: tally.Tally) -> Iterable[tuple[int, int, int]]:
         return total.costs_by_size
 
     @property

@@ -35,8 +35,7 @@ from allworlds.inputs.requests import takes_fields
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Ending, Stopped
-from allworlds.studies.check.report import GateCell, count_gate
-from allworlds.studies.check.tally_sweep import rules_known, subject_of_record
+from allworlds.studies.check import report, tally_sweep
 from allworlds.studies.compare.entrants import (
     CompareRequest,
     Contest,
@@ -192,7 +191,7 @@ class SameWorlds(Contest[Comparison]):
         super().__init__(entrants, request, extent, every=member is None)
         self._member = member
         self._rows: list[ComparedRow] = []
-        self._gate: list[GateCell] = []
+        self._gate: list[report.GateCell] = []
         self._difference = Fraction(0)
         self._differ_most: DifferMost | None = None
         self._in_worlds: list[InWorld] = []
@@ -204,7 +203,7 @@ class SameWorlds(Contest[Comparison]):
     ) -> "SameWorlds | GrowingWorlds":
         request = cls.asked_then(identity, portion, listener)
         entrants = tuple(
-            Entrant(subject_of_record(one), rules_known(request, one))
+            Entrant(tally_sweep.subject_of_record(one), tally_sweep.rules_known(request, one))
             for one in identity.explorer["explorers"]
         )
         return _contest(entrants, request)
@@ -237,7 +236,7 @@ class SameWorlds(Contest[Comparison]):
     @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:
         if self._map is None and self.portion == WHOLE:
-            self._gate += count_gate(self.bounds, level.edges, total.one(0))
+            self._gate += report.count_gate(self.bounds, level.edges, total.one(0))
         tallies = [total.one(number) for number in range(len(self.entrants))]
         first, *others = [tally.costs for tally in tallies]
         shared = sorted(set(first).intersection(*others))

@@ -12,7 +12,7 @@ from typing import Annotated, Any, NamedTuple, Self, TypeAlias, TypeVar
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds import document as doc
+from allworlds import document as doc, outcome
 from allworlds.engines import job_records, single
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
 from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions
@@ -42,11 +42,9 @@ from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Opti
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps import classes, combinatorial, families
-from allworlds.outcome import Completed, Ending, Verdict
 from allworlds.studies.check.report import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
-from allworlds.world import named, selection
-from allworlds.world.world import World
+from allworlds.world import named, selection, world
 
 
 def _families(given: object) -> tuple[str, ...] | None:
@@ -181,7 +179,7 @@ class CostEngine(RunCounter, frozen=True):
         """An empty tally."""
         return CostTally(self.keep)
 
-    def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
+    def count_outcome(self, world: world.World, place: int, outcome: Outcome, tally: Tally) -> None:
         """Add a run, which has one episode, to the tally, and its cost."""
         super().count_outcome(world, place, outcome, tally)
         assert isinstance(tally, CostTally)
@@ -298,9 +296,9 @@ class Entrant(Struct, frozen=True):
         """The scope of its runs in the worlds of an extent, or in a shard of them."""
         return Scope(extent, self.rules, coverage=portion)
 
-    def first_world(self, map_: combinatorial.CombinatorialMap) -> World:
+    def first_world(self, map_: combinatorial.CombinatorialMap) -> world.World:
         """A rooted map with its lighthouse at the first place."""
-        return World(map_, next(iter(self.rules.kind.places(map_, 0))), 0)
+        return world.World(map_, next(iter(self.rules.kind.places(map_, 0))), 0)
 
 
 def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
@@ -352,7 +350,7 @@ class ContestReport(SweptReport, kw_only=True):
     by: doc.NotInDocument[By | None] = None
 
     @doc.computed
-    def verdict(self) -> Verdict:
+    def verdict(self) -> outcome.Verdict:
         """Whether a run of any explorer broke a law."""
         return self.facts.verdict if self.request.to is None else self.facts.sample_verdict
 
@@ -450,7 +448,7 @@ class Contest(Sweep[CostsOfAll, Answer]):
     def list_by(self, by: By) -> None:
         self.request = doc.replace(self.request, by=by)
 
-    def contest(self, ending: Ending) -> dict[str, Any]:
+    def contest(self, ending: outcome.Ending) -> dict[str, Any]:
         """Return the keywords of the report of any contest."""
         return {
             **self.ended(ending, self.bounds),
@@ -460,10 +458,10 @@ class Contest(Sweep[CostsOfAll, Answer]):
         }
 
     @override
-    def conclude(self, ending: Ending) -> Ending:
+    def conclude(self, ending: outcome.Ending) -> outcome.Ending:
         """Confirm the findings of all entrants."""
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits
             job = one.subject, limits, one.scope(self.bounds), self.deadline, self.records
             self.findings += Confirmation(*job).confirmed(tally.findings)
-        return Completed() if ending.final and self.findings else ending
+        return outcome.Completed() if ending.final and self.findings else ending

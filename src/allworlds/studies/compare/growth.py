@@ -13,20 +13,9 @@ from typing_extensions import override
 from allworlds import document as doc, outcome
 from allworlds.engines.units import GivenWorlds, Shard, SweptLevel, dealt
 from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps import classes, families
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
-from allworlds.maps.families import edges_of, rootings
-from allworlds.studies.compare import intervals
-from allworlds.studies.compare.entrants import (
-    CompareRequest,
-    Contest,
-    ContestReport,
-    CostsOfAll,
-    Entrant,
-    InWorld,
-    UnitOfOne,
-    key_of,
-)
+from allworlds.studies.compare import entrants, intervals
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.named import map_of_family
 from allworlds.world.world import World
@@ -149,10 +138,10 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 def _largest(growing: Growing, degree: int, edges: int) -> str:
     """The largest member with at most ``edges`` edges before holes are made; empty if too small."""
     number = 1
-    while edges_of(growing.member(number + 1, degree)) <= edges:
+    while families.edges_of(growing.member(number + 1, degree)) <= edges:
         number += 1
     text = growing.member(number, degree)
-    return text if LEAST <= edges_of(text) <= edges else ""
+    return text if LEAST <= families.edges_of(text) <= edges else ""
 
 
 Range: TypeAlias = Annotated[
@@ -258,7 +247,7 @@ class CostRatio(doc.Document):
     interval: Annotated[Range, doc.about("of the ratio")]
 
 
-class Growth(ContestReport, kw_only=True):
+class Growth(entrants.ContestReport, kw_only=True):
     """Report of 'compare --to'.
 
     Explorers in worlds that grow.
@@ -273,7 +262,7 @@ class Growth(ContestReport, kw_only=True):
         """One for each family, size and explorer but the first."""
         return tuple(_ratios(self))
 
-    def in_worlds(self) -> Iterator[InWorld]:
+    def in_worlds(self) -> Iterator[entrants.InWorld]:
         """The runs in each world, row by row.
 
         Cost: each world is built once again.
@@ -281,7 +270,7 @@ class Growth(ContestReport, kw_only=True):
         built = cache(lambda name: member_named(name).map())
         for row in self.rows:
             for one in row.members:
-                yield InWorld(
+                yield entrants.InWorld(
                     built(one.name),
                     one.name,
                     row.explorer,
@@ -336,7 +325,7 @@ class _Size(Struct, frozen=True):
     drawn_from: int | None
 
 
-class GrowingWorlds(Contest[Growth]):
+class GrowingWorlds(entrants.Contest[Growth]):
     """The sweep of explorers through growing worlds, from the smallest size of any family on.
 
     So what is finished when the time is up is a part of each family.
@@ -352,7 +341,9 @@ class GrowingWorlds(Contest[Growth]):
     Cost: that of the walks, which grow with the square of the edges and more.
     """
 
-    def __init__(self, entrants: Sequence[Entrant], request: CompareRequest, to: int) -> None:
+    def __init__(
+        self, entrants: Sequence[entrants.Entrant], request: entrants.CompareRequest, to: int
+    ) -> None:
         _ensure_grows(entrants, request)
         defaults = {"worlds": WORLDS, "places": PLACES, "seed": SEED}
         numbers = {"to": to}
@@ -369,8 +360,8 @@ class GrowingWorlds(Contest[Growth]):
             for members in members_of(family, to, numbers["worlds"], numbers["seed"])
         ]
         self._sizes = sorted(sizes, key=lambda size: size.edges)
-        edges = [edges_of(member.text) for size in self._sizes for member in size.maps]
-        extent = Extent(MapClass.MAPS, max(edges))
+        edges = [families.edges_of(member.text) for size in self._sizes for member in size.maps]
+        extent = classes.Extent(classes.MapClass.MAPS, max(edges))
         super().__init__(entrants, doc.replace(request, **numbers), extent)
         self._mine = set(range(len(edges)))
         if isinstance(self.portion, Shard):
@@ -390,7 +381,7 @@ class GrowingWorlds(Contest[Growth]):
             runs = sum(len(ran) for _, ran in chosen)
             yield SweptLevel(edges, runs, self._units(mine), mine)
 
-    def _units(self, size: _Size) -> Iterator[UnitOfOne]:
+    def _units(self, size: _Size) -> Iterator[entrants.UnitOfOne]:
         """A unit for each entrant and world, with the places of the lighthouse that are run."""
         for number, one in enumerate(self.entrants):
             for member, map_ in size.maps.items():
@@ -398,10 +389,10 @@ class GrowingWorlds(Contest[Growth]):
                 if ran:
                     given = tuple((World(map_, lighthouse, 0), i) for i, lighthouse in ran.items())
                     unit = GivenWorlds(given, f"{size.family}/{member.name}")
-                    yield UnitOfOne(number, unit)
+                    yield entrants.UnitOfOne(number, unit)
 
     def _chosen(
-        self, one: Entrant, member: Member, map_: CombinatorialMap
+        self, one: entrants.Entrant, member: Member, map_: CombinatorialMap
     ) -> tuple[int, dict[int, Lighthouse]]:
         """The number of places of a lighthouse in a world, and those that are run, by number.
 
@@ -415,7 +406,7 @@ class GrowingWorlds(Contest[Growth]):
         return len(places), {i: places[i] for i in drawn}
 
     @override
-    def finish(self, level: SweptLevel, total: CostsOfAll) -> None:
+    def finish(self, level: SweptLevel, total: entrants.CostsOfAll) -> None:
         self._rows += self._rows_of(level.of, total)
         for one in self.entrants:
             chosen = (self._chosen(one, *member) for member in level.of.maps.items())
@@ -431,13 +422,13 @@ class GrowingWorlds(Contest[Growth]):
             left_out=self._left_out,
         )
 
-    def _rows_of(self, size: _Size, total: CostsOfAll) -> Iterator[GrowRow]:
+    def _rows_of(self, size: _Size, total: entrants.CostsOfAll) -> Iterator[GrowRow]:
         """The row of each entrant that was run in every chosen place of one of the members."""
         for number, one in enumerate(self.entrants):
             costs, members = total.one(number).costs, dict[CombinatorialMap, GrownWorld]()
             for member, map_ in size.maps.items():
                 places, ran = self._chosen(one, member, map_)
-                known = costs.get(key_of(map_), {})
+                known = costs.get(entrants.key_of(map_), {})
                 if ran and ran.keys() <= known.keys():
                     members[map_] = GrownWorld(
                         name=member.name,
@@ -462,7 +453,7 @@ class GrowingWorlds(Contest[Growth]):
                 )
 
 
-def _ensure_grows(entrants: Sequence[Entrant], request: CompareRequest) -> None:
+def _ensure_grows(entrants: Sequence[entrants.Entrant], request: entrants.CompareRequest) -> None:
     """Raise InputError for an option without effect on worlds that grow, and for none to run."""
     given = {name: getattr(request, name) for name in ("edges", "vertices", "holes")}
     for name, value in given.items():
@@ -470,7 +461,7 @@ def _ensure_grows(entrants: Sequence[Entrant], request: CompareRequest) -> None:
             raise InputError(f"{name} = {show(value)} has no effect on worlds that grow")
     if request.where is not None:
         raise InputError(f"where {show(request.where.name)} has no effect on worlds that grow")
-    if request.map_class is not MapClass.MAPS:
+    if request.map_class is not classes.MapClass.MAPS:
         raise InputError(f"class {show(request.map_class.value)} has no effect on worlds that grow")
     if not entrants:
         raise InputError("compare with to takes an explorer at least, not none")
@@ -482,5 +473,5 @@ def _size(number: int, family: str, members: Sequence[Member]) -> _Size:
     """The size with these members."""
     maps = distinct(members)
     member, map_ = next(iter(maps.items()))
-    drawn_from = rootings(member.text, map_, member.holes)
-    return _Size(number, family, edges_of(member.text), len(members), maps, drawn_from)
+    drawn_from = families.rootings(member.text, map_, member.holes)
+    return _Size(number, family, families.edges_of(member.text), len(members), maps, drawn_from)
