@@ -7,7 +7,6 @@ from typing import Annotated
 import allworlds
 from allworlds import Drop, Move, Percept, Pick, Write, document as doc
 from allworlds.cli.output import OutputGroup, complain, emit, printable
-from allworlds.document import replace
 from allworlds.explorers.sources import ProgramWords, names_explorer
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, answer, values_of
@@ -64,7 +63,7 @@ def run(words: RunWords, *, asked: RunOptions, output: OutputGroup) -> int:
     """
     told = _listed() if words.listed else answer(allworlds.run, words.request(asked))
     if words.without_walk and not isinstance(told, WorldNames):
-        told = replace(told, shows_walk=False)
+        told = doc.replace(told, shows_walk=False)
     return emit(told, output)
 
 

@@ -90,9 +90,9 @@ def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) ->
     differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first[0]))
     begin, end = max(0, differ - SHOWN_BEFORE), differ + SHOWN_AFTER
     lines = []
-    for which, (actions, ending) in (("first", first), ("second", second)):
-        more = len(actions) - end
-        shown = [*actions[begin:end], f"and {more} more" if more > 0 else ending]
+    for which, (moves, ending) in (("first", first), ("second", second)):
+        more = len(moves) - end
+        shown = [*moves[begin:end], f"and {more} more" if more > 0 else ending]
         lines.append(f"{which} play, from step {begin + 1} on: {', '.join(shown)}")
     return "\n".join(lines)
 

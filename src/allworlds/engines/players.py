@@ -448,12 +448,12 @@ def keep(player: PlayerProcess, subject: Subject) -> None:
 def fresh(setup: Setup, seed: int) -> PlayerProcess:
     """A player that has played nothing: one that was kept, or a new one."""
     wanted = os.getpid(), seed, setup.message()
-    for player in [*_spare]:
-        if (player.owner, player.seed, player.setup.message()) == wanted:
-            _spare.remove(player)
-            if player.lives:
-                return player
-            player.close()
+    for spare in [*_spare]:
+        if (spare.owner, spare.seed, spare.setup.message()) == wanted:
+            _spare.remove(spare)
+            if spare.lives:
+                return spare
+            spare.close()
     return PlayerProcess(setup, seed)
 
 
@@ -468,13 +468,13 @@ def wait(
 ) -> bool:
     """Wait until something may have come; return whether one of the others is ready."""
     poll = select.poll()
-    for player in players:
-        if isinstance(player, PlayerHere):
-            seconds = 0 if player.jobs else seconds
-        for file in player.files:
+    for one in players:
+        if isinstance(one, PlayerHere):
+            seconds = 0 if one.jobs else seconds
+        for file in one.files:
             poll.register(file, select.POLLIN)
-        if isinstance(player, PlayerProcess) and player._out:  # noqa: SLF001  # this module's
-            poll.register(player.files[0], select.POLLIN | select.POLLOUT)
+        if isinstance(one, PlayerProcess) and one._out:  # noqa: SLF001  # this module's
+            poll.register(one.files[0], select.POLLIN | select.POLLOUT)
     for file in others:
         poll.register(file, select.POLLIN)
     ready = {file for file, _ in poll.poll(1000 * seconds)}

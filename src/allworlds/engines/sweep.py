@@ -21,23 +21,9 @@ from typing import (
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
-from allworlds.engines import limits, players, tally
+from allworlds.engines import limits, players, tally, units
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
-from allworlds.engines.units import (
-    WHOLE,
-    Portion,
-    Shard,
-    ShardOptions,
-    Sum,
-    SweptLevel,
-    Transport,
-    Unit,
-    level_size,
-    shards_of,
-    tell_of_size,
-    units_of_level,
-)
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import (
     OUTPUT,
@@ -144,15 +130,15 @@ class SweptReport(limits.RowsReport):
         return self.ending.stopped
 
     @property
-    def portion(self) -> Portion:
+    def portion(self) -> units.Portion:
         """The part of the job that was to be done."""
-        portion: Portion = self.request.shard
+        portion: units.Portion = self.request.shard
         return portion
 
     @property
     @override
     def whole(self) -> bool:
-        return self.portion == WHOLE
+        return self.portion == units.WHOLE
 
     @property
     @override
@@ -173,15 +159,15 @@ class SweptReport(limits.RowsReport):
         return Gate(source=self.source, agrees=self.agrees) if some else None
 
 
-Total = TypeVar("Total", bound=Sum)
+Total = TypeVar("Total", bound=units.Sum)
 Answer = TypeVar("Answer")
 
 
 def gather(
-    transport: Transport[Any],
+    transport: units.Transport[Any],
     engine: Any,
-    units: Iterable[Unit],
-    total: Sum,
+    undone: Iterable[units.Unit],
+    total: units.Sum,
     listener: limits.Listener,
     records: Records = NO_RECORDS,
 ) -> None:
@@ -192,8 +178,8 @@ def gather(
     Raises:
         TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.
     """
-    begun: dict[str, Sum] = {}
-    for part in transport.map(engine, units):
+    begun: dict[str, units.Sum] = {}
+    for part in transport.map(engine, undone):
         key, result = part.unit.key, part.result
         total.add(result)
         listener.progress(result.worlds)
@@ -229,20 +215,22 @@ class Sweep(ABC, Generic[Total, Answer]):
     def __init__(self, request: Any, extent: classes.Extent | None = None) -> None:
         self.request, self.extent = request, extent
         self.listener: limits.Listener = request.listener
-        self.portion: Portion = getattr(request, "shard", WHOLE)
+        self.portion: units.Portion = getattr(request, "shard", units.WHOLE)
         self.deadline = limits.deadline_after(request.time_limit)
 
     @classmethod
     def known(
-        cls, identity: Identity, portion: Portion, listener: limits.Listener
+        cls, identity: Identity, portion: units.Portion, listener: limits.Listener
     ) -> "Sweep[Any, Any]":
         """Return the sweep of that identity, or of a shard of it, without loading an explorer."""
         return cls(cls.asked_then(identity, portion, listener))
 
     @classmethod
-    def asked_then(cls, identity: Identity, portion: Portion, listener: limits.Listener) -> Any:
+    def asked_then(
+        cls, identity: Identity, portion: units.Portion, listener: limits.Listener
+    ) -> Any:
         """Return the request of that identity, for a portion."""
-        shard = {"shard": portion} if issubclass(cls.asked, ShardOptions) else {}
+        shard = {"shard": portion} if issubclass(cls.asked, units.ShardOptions) else {}
         options = remembered(cls.asked, identity.parameters)
         return cls.asked(**options, **shard, listener=listener)
 
@@ -273,12 +261,12 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Return the data of the explorer: by default there is none."""
         return {"name": ""}
 
-    def levels(self) -> Iterable[SweptLevel]:
+    def levels(self) -> Iterable[units.SweptLevel]:
         """Return its levels, in their order."""
         assert self.extent is not None
         for edges in self.extent.levels:
-            units = units_of_level(self.extent, edges, self.portion)
-            yield SweptLevel(edges, level_size(self.extent, edges), units)
+            mine = units.units_of_level(self.extent, edges, self.portion)
+            yield units.SweptLevel(edges, units.level_size(self.extent, edges), mine)
 
     @abstractmethod
     def ready(self) -> ReadyEngine:
@@ -295,7 +283,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         return made
 
     @abstractmethod
-    def finish(self, level: SweptLevel, total: Total) -> outcome.Ending | None:
+    def finish(self, level: units.SweptLevel, total: Total) -> outcome.Ending | None:
         """Take in a finished level; an ending ends the job with it."""
 
     @abstractmethod
@@ -311,7 +299,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Do what comes before the first level; an ending ends the job before it."""
         return None
 
-    def leave(self, level: SweptLevel, total: Total) -> None:
+    def leave(self, level: units.SweptLevel, total: Total) -> None:
         """Take in the finished units of an unfinished level: by default none."""
 
     def conclude(self, ending: outcome.Ending) -> outcome.Ending:
@@ -330,7 +318,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         Raises:
             InputError: if the directory is of another job, in use, damaged, or not writable.
         """
-        if run is None and isinstance(self.portion, Shard):
+        if run is None and isinstance(self.portion, units.Shard):
             self.listener.notice(
                 "without --run DIR the report of this shard cannot be merged with others"
             )
@@ -378,10 +366,10 @@ class Sweep(ABC, Generic[Total, Answer]):
             return outcome.Stopped(str(error))
 
     def _through(self) -> outcome.Ending | None:
-        made, shards = self.ready(), shards_of(self.portion)
+        made, shards = self.ready(), units.shards_of(self.portion)
         with made.transport as there:
             if self.extent is not None:
-                tell_of_size(self.extent, self.listener, shards)
+                units.tell_of_size(self.extent, self.listener, shards)
             for level in self.levels():
                 self.listener.level(level.edges, level.worlds // shards)
                 total = self.empty()
@@ -395,7 +383,7 @@ class Sweep(ABC, Generic[Total, Answer]):
                     return ending
         return None
 
-    def _is_kept(self, unit: Unit, total: Total) -> bool:
+    def _is_kept(self, unit: units.Unit, total: Total) -> bool:
         """Return whether a unit was finished before; then its result is added to the total."""
         kept = self.records.result(unit.key)
         if kept is None:

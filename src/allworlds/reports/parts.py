@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 from msgspec import Struct, field
 
 from allworlds import document as doc, outcome, words
-from allworlds.document import replace
 from allworlds.judging.findings.finding import believed_walk, true_walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Estimate, Move, Percept, Transcript
@@ -104,7 +103,7 @@ def walk_in_world(world: World, transcript: Transcript) -> Scene:
     states = [state for state, _ in true_walk(world, transcript)]
     trail = [state.dart for state in states]
     scene = scene_of(world, states[-1].lying)
-    return replace(scene, robot=trail[-1], walked=_arrivals(trail, transcript))
+    return doc.replace(scene, robot=trail[-1], walked=_arrivals(trail, transcript))
 
 
 def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Scene:
@@ -113,7 +112,7 @@ def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Sc
     # Where the answer has no place for the lighthouse it says nothing of markers.
     percepts = zip(walk.trail, walk.percepts or [], strict=False)
     scene = Scene.sensed(answer.map, walk.trail[0], percepts)
-    return replace(scene, robot=answer.here, walked=_arrivals(walk.trail, transcript))
+    return doc.replace(scene, robot=answer.here, walked=_arrivals(walk.trail, transcript))
 
 
 def _arrivals(trail: Sequence[Dart], transcript: Transcript) -> set[Dart]:

@@ -196,10 +196,10 @@ def table(
             wrap(cell, wide, break_on_hyphens=False) if len(cell) > wide else [cell]
             for cell, wide in zip(line, widths, strict=True)
         ]
-        for parts in zip_longest(*cells, fillvalue=""):
+        for row in zip_longest(*cells, fillvalue=""):
             flushed = [
                 part.rjust(wide) if side == "r" else part.ljust(wide)
-                for part, wide, side in zip(parts, widths, right, strict=True)
+                for part, wide, side in zip(row, widths, right, strict=True)
             ]
             lines.append((" " * GAP).join(flushed).rstrip())
     return lines

@@ -14,8 +14,6 @@ from typing import Annotated, Any, Literal, TypeAlias
 from allworlds import document as doc
 from allworlds.document import Document, Natural, Report, about, computed
 from allworlds.engines import limits, single
-from allworlds.engines.limits import TimeoutOptions
-from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
 from allworlds.explorers import loading, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs import checks, requests
@@ -28,7 +26,6 @@ from allworlds.maps.build import covering_walk
 from allworlds.outcome import Facts
 from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript
 from allworlds.world.lighthouses import kinds, marked
-from allworlds.world.lighthouses.kinds import kind_of
 from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, WorldOptions, world_named
 from allworlds.world.world import World
 
@@ -46,7 +43,7 @@ def _indices(choices: object) -> tuple[int, ...]:
     return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
 
 
-class RunOptions(TimeoutOptions, RuleOptions, WorldOptions):
+class RunOptions(limits.TimeoutOptions, RuleOptions, WorldOptions):
     """Options for one run: the world, how it is played and judged."""
 
     choices: Annotated[
@@ -83,7 +80,7 @@ class WorldNames(doc.Report):
 
 
 @answers(RunRequest)
-def run(request: RunRequest) -> SingleRun:
+def run(request: RunRequest) -> single.SingleRun:
     """Run an explorer once, and judge the run.
 
     A user's explorer that another process can import is played in a process of its own, as in a
@@ -95,11 +92,11 @@ def run(request: RunRequest) -> SingleRun:
             that was not taken.
     """
     limits = request.patience
-    subject = subject_of(request.explore, limits)
+    subject = single.subject_of(request.explore, limits)
     world = request.meant(request.world, subject.lighthouse)
-    rules = request.rules_of(subject, kind_of(world.lighthouse))
-    played = single_run(subject, world, rules, request.choices, limits, _asked_hash_seed())
-    if unused := unused_choice(request.choices, played):
+    rules = request.rules_of(subject, kinds.kind_of(world.lighthouse))
+    played = single.single_run(subject, world, rules, request.choices, limits, _asked_hash_seed())
+    if unused := single.unused_choice(request.choices, played):
         raise InputError(unused)
     return played
 
@@ -122,7 +119,7 @@ class AnotherExplorer(sources.ProgramWords):
         return self.named(self.explorer)
 
 
-class ReplayRequest(TimeoutOptions, FindingOptions, kw_only=False):
+class ReplayRequest(limits.TimeoutOptions, FindingOptions, kw_only=False):
     """Request of ``replay``: a finding, and another explorer if wanted."""
 
     explore: Annotated[
@@ -145,7 +142,7 @@ class Replay(doc.Report):
     ran, not a built-in one.
     """
 
-    again: Annotated[SingleRun, doc.about("the run of today")] = doc.key(name="run")
+    again: Annotated[single.SingleRun, doc.about("the run of today")] = doc.key(name="run")
     recorded: doc.NotInDocument[Finding]
     notice: doc.NotInDocument[str] = ""
     users: doc.NotInDocument[bool] = False
@@ -199,7 +196,7 @@ def replay(request: ReplayRequest) -> Replay:
     limits = request.patience
     recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
-    subject = subject_of(finding.explorer if explore is None else explore, limits)
+    subject = single.subject_of(finding.explorer if explore is None else explore, limits)
     if explore is None and finding.choices and not subject.takes_choices:
         raise InputError(
             f"the finding records the choices {show(list(finding.choices))}, but "
@@ -215,10 +212,10 @@ def replay(request: ReplayRequest) -> Replay:
     )
     script = finding.choices if same else ()
     for _ in range(TRIES if finding.law == "nondeterministic" else 1):
-        again = single_run(subject, finding.world, rules, script, limits, finding.hash_seed)
+        again = single.single_run(subject, finding.world, rules, script, limits, finding.hash_seed)
         if again.finding:
             break
-    notice = unused_choice(finding.choices, again) if same else ""
+    notice = single.unused_choice(finding.choices, again) if same else ""
     if notice:
         notice = f"the recorded {notice}; choices are repeated as far as they fit"
     return Replay(again=again, recorded=finding, notice=notice, users=subject.from_user)

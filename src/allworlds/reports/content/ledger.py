@@ -6,7 +6,6 @@ from collections.abc import Mapping
 
 from allworlds import outcome, words
 from allworlds.reports import parts
-from allworlds.reports.parts import scene_of
 from allworlds.studies.ledger import CheckedClaim, LedgerReport
 
 LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"
@@ -96,7 +95,7 @@ def _section(one: CheckedClaim) -> parts.Section:
     if one.differences:
         facts.append(("differs", "; ".join(one.differences)))
     captioned = zip(one.captions, one.worlds, strict=True)
-    pictures = [(caption.capitalize(), scene_of(world)) for caption, world in captioned]
+    pictures = [(caption.capitalize(), parts.scene_of(world)) for caption, world in captioned]
     drawn = [parts.MapPictures(pictures)] if pictures else []
     blocks: list[parts.Block] = [parts.Paragraph(one.statement), *drawn, parts.FactList(facts)]
     return parts.Section(one.id, f"{_heading(one.section)}: {one.id}", blocks)

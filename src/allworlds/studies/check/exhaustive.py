@@ -392,9 +392,9 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
     extent, draw = job.scope.extent, Random(0)  # noqa: S311  # the same pieces each time
     sampled, began, ended = 0, 0.0, 0.0
     try:
-        units = drawn_units(extent, extent.levels[-1], PIECE[_plays(job, engine)], draw)
+        drawn = drawn_units(extent, extent.levels[-1], PIECE[_plays(job, engine)], draw)
         with ready.transport as transport:
-            for part in transport.map(ready.engine, islice(units, PIECES)):
+            for part in transport.map(ready.engine, islice(drawn, PIECES)):
                 now = time.monotonic()
                 if not began:
                     began = now

@@ -43,9 +43,7 @@ from allworlds.engines.sweep import (
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import WHOLE, Given, Portion, Sample, Scope, Shard, ShardOptions
 from allworlds.explorers import loading, sources
-from allworlds.explorers.loading import Subject
 from allworlds.inputs import checks, requests
-from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.judging.laws.law_table import checked_laws
@@ -219,7 +217,7 @@ SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
 
 
 def missing_witnesses(
-    extent: classes.Extent, subject: Subject, task: Task, seen: Mapping[str, int]
+    extent: classes.Extent, subject: loading.Subject, task: Task, seen: Mapping[str, int]
 ) -> tuple[str, ...]:
     """The events that a check of the whole extent must have seen and has not.
 
@@ -472,7 +470,7 @@ def most_expensive_runs(report: CheckReport) -> Iterator[single.SingleRun]:
     limits, rules = Limits(), report.asked.rules
     try:
         subject = single.subject_of(report.explorer, limits)
-    except InputError:  # it was handed over as a function that no name leads to
+    except checks.InputError:  # it was handed over as a function that no name leads to
         return
     for _, row in sorted(report.tally.rows.items()):
         if (run := row.most_expensive) is not None:

@@ -20,16 +20,7 @@ from allworlds.document import (
     about,
     replace,
 )
-from allworlds.engines import job_records, limits, single
-from allworlds.engines.units import (
-    WHOLE,
-    GivenWorlds,
-    Portion,
-    Shard,
-    SweptLevel,
-    UnitOfRuns,
-    level_size,
-)
+from allworlds.engines import job_records, limits, single, units
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import takes_fields
 from allworlds.maps.classes import Extent
@@ -199,7 +190,7 @@ class SameWorlds(Contest[Comparison]):
     @override
     @classmethod
     def known(
-        cls, identity: job_records.Identity, portion: Portion, listener: limits.Listener
+        cls, identity: job_records.Identity, portion: units.Portion, listener: limits.Listener
     ) -> "SameWorlds | GrowingWorlds":
         request = cls.asked_then(identity, portion, listener)
         entrants = tuple(
@@ -209,23 +200,23 @@ class SameWorlds(Contest[Comparison]):
         return _contest(entrants, request)
 
     @override
-    def levels(self) -> Iterator[SweptLevel]:
+    def levels(self) -> Iterator[units.SweptLevel]:
         for edges in self.bounds.levels[-1 if self._map else 0 :]:
             if self._map:
                 size = sum(len(self._placed(one, self._map)) for one in self.entrants)
             else:
-                size = level_size(self.bounds, edges) * len(self.entrants)
-            yield SweptLevel(edges, size, self._units(edges))
+                size = units.level_size(self.bounds, edges) * len(self.entrants)
+            yield units.SweptLevel(edges, size, self._units(edges))
 
     def _units(self, edges: int) -> Iterator[UnitOfOne]:
         for number, one in enumerate(self.entrants):
-            units: Iterable[UnitOfRuns] = ()
+            mine: Iterable[units.UnitOfRuns] = ()
             if self._map is None:
-                units = one.scope(self.bounds, self.portion).units(edges)
-            elif not isinstance(self.portion, Shard) or self.portion.index == 0:
+                mine = one.scope(self.bounds, self.portion).units(edges)
+            elif not isinstance(self.portion, units.Shard) or self.portion.index == 0:
                 given = self._placed(one, self._map)
-                units = [GivenWorlds(given)] if given else ()
-            for unit in units:
+                mine = [units.GivenWorlds(given)] if given else ()
+            for unit in mine:
                 yield UnitOfOne(number, unit)
 
     def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
@@ -234,8 +225,8 @@ class SameWorlds(Contest[Comparison]):
         return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 
     @override
-    def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:
-        if self._map is None and self.portion == WHOLE:
+    def finish(self, level: units.SweptLevel, total: CostsOfAll) -> Ending | None:
+        if self._map is None and self.portion == units.WHOLE:
             self._gate += report.count_gate(self.bounds, level.edges, total.one(0))
         tallies = [total.one(number) for number in range(len(self.entrants))]
         first, *others = [tally.costs for tally in tallies]

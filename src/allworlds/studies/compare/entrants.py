@@ -268,10 +268,10 @@ class SideBySide:
         self._stack.__exit__(*raised)
 
     def map(
-        self, engine: Sequence[CostEngine], units: Iterable[UnitOfOne]
+        self, engine: Sequence[CostEngine], given: Iterable[UnitOfOne]
     ) -> Iterator[PartialResult[UnitOfOne, CostsOfAll]]:
         """Yield the parts of all units as they come. The units of an entrant stand together."""
-        for number, own in groupby(units, key=lambda unit: unit.number):
+        for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
             for part in transport.map(engine[number], (each.unit for each in own)):
                 result = CostsOfAll({number: part.result})

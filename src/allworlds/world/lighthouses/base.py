@@ -206,8 +206,8 @@ class Lighthouse(ABC):
         kind: Any = type(self)
         code, where = kind.code, {key: plain(getattr(self, key)) for key in place_keys(kind)}
         if code is not None:
-            options = code.arguments or values_in(self)
-            return {"kind": code.plain, "options": options, "digest": code.digest, **where}
+            given = code.arguments or values_in(self)
+            return {"kind": code.plain, "options": given, "digest": code.digest, **where}
         usual = [
             key
             for key, option in options_of(kind).items()

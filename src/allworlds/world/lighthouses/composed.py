@@ -18,7 +18,6 @@ from typing_extensions import override
 from allworlds.document import Different, IfAny, Positive, about, narrowed
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions
-from allworlds.protocol.actions import Action, Drop, Pick, Write
 from allworlds.world.lighthouses import options
 from allworlds.world.lighthouses.base import Lighthouse, PlacelessLighthouse, State, WalkInAnswer
 
@@ -87,20 +86,20 @@ class Movable(PlacelessLighthouse):
         return self.markers
 
     @override
-    def refusal(self, action: Action, lying: int, hand: int) -> str:
-        if type(action) is Drop:
+    def refusal(self, action: actions.Action, lying: int, hand: int) -> str:
+        if type(action) is actions.Drop:
             return "" if hand else "a Drop only with a marker in hand"
-        if type(action) is not Pick:
+        if type(action) is not actions.Pick:
             return "a Move, Drop or Pick"
         if not self.pick:
             return "no Pick: under pick=false a marker stays where it was dropped"
         return "" if lying else "a Pick only where a marker lies"
 
     @override
-    def acted(self, map_: CombinatorialMap, state: State, action: Action) -> State:
+    def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:
         here, lying = map_.vertex_of[state.dart], [*state.lying]
         after = state
-        if type(action) is Drop:
+        if type(action) is actions.Drop:
             lying.append(here)
             if self.distinct:
                 dropped = sum(bits for _, bits in state.written)
@@ -145,15 +144,15 @@ class Whiteboard(PlacelessLighthouse):
         return map_.vertex_of[dart]
 
     @override
-    def refusal(self, action: Action, lying: int, hand: int) -> str:
-        if type(action) is not Write:
+    def refusal(self, action: actions.Action, lying: int, hand: int) -> str:
+        if type(action) is not actions.Write:
             return "a Move or Write"
         legal = 0 <= action.k < self.states
         return "" if legal else f"a Write(k) with k from 0 to {self.states - 1}"
 
     @override
-    def acted(self, map_: CombinatorialMap, state: State, action: Action) -> State:
-        assert type(action) is Write
+    def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:
+        assert type(action) is actions.Write
         return state.with_number(self.place_of_number(map_, state.dart), action.k)
 
     @override

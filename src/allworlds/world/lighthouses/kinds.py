@@ -330,8 +330,8 @@ def _part(text: str) -> str | user_code.UserCode:
     """One part of a name: as it is for one of ours, else the code, with its text."""
     if text.partition(":")[0] in LIGHTHOUSES:
         return text
-    options = re.fullmatch(r"([^?]+):([^:?=]+=[^?]*)", text)
-    return _found(f"{options[1]}?{options[2]}" if options else text)
+    parts = re.fullmatch(r"([^?]+):([^:?=]+=[^?]*)", text)
+    return _found(f"{parts[1]}?{parts[2]}" if parts else text)
 
 
 def _found(name: str) -> user_code.UserCode:
@@ -386,14 +386,14 @@ def lighthouse_from_json(
         return _of_parts(name, document["parts"], map_, start)
     if name in LIGHTHOUSES:
         kind, apart = LIGHTHOUSES[name], ["kind"]
-        options = {key: document[key] for key in options_of(kind) if key in document}
+        given = {key: document[key] for key in options_of(kind) if key in document}
     else:
         kind, apart = _own_of(document), ["kind", "options", "digest"]
         made = kind.code is not None and kind.code.arguments  # by a factory, which has taken them
-        options = {} if made else document.get("options", {})
+        given = {} if made else document.get("options", {})
     refuse_other_keys(f"{name} lighthouse", document, (*apart, *place_keys(kind)))
-    chosen = kind_with(kind, ensure_options(kind, name, options))
-    where = {key: document[key] for key in place_keys(kind) if key in document.keys() - options}
+    chosen = kind_with(kind, ensure_options(kind, name, given))
+    where = {key: document[key] for key in place_keys(kind) if key in document.keys() - given}
     place: Lighthouse = chosen.at(**where) if where else chosen.usual(map_, start)
     return place
 
@@ -416,9 +416,9 @@ def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
     Raises:
         InputError: if there is none, or it has another text than the one in the document.
     """
-    name, options = document["kind"], document.get("options", {})
-    if not isinstance(options, Mapping):
-        raise InvalidWorld(f"lighthouse.options = {show(options)} is no object")
+    name, given = document["kind"], document.get("options", {})
+    if not isinstance(given, Mapping):
+        raise InvalidWorld(f"lighthouse.options = {show(given)} is no object")
     if PLUS in name:
         raise InvalidWorld(f"lighthouse.kind = {show(name)} needs the key parts")
     if name.partition(":")[0] in LIGHTHOUSES or "?" in name or "=" in name:
@@ -428,6 +428,6 @@ def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
         )
     code = _found(name)
     code.ensure_recorded(document.get("digest"))
-    if options and not isinstance(code.load(), type):
-        code = replace(code, name=with_arguments(name, options))
+    if given and not isinstance(code.load(), type):
+        code = replace(code, name=with_arguments(name, given))
     return own_kind(code)
