@@ -16,13 +16,7 @@ from msgspec import Struct
 
 from allworlds.document import one_of, replace
 from allworlds.engines import lanes, tally
-from allworlds.engines.kernel.capabilities import (
-    CHECKED,
-    EXPLORERS,
-    LIGHTHOUSES,
-    MOST_BUDGET,
-    MOST_EDGES,
-)
+from allworlds.engines.kernel import capabilities
 from allworlds.engines.limits import POLL, DaskCluster, Limits, TimeIsUp, check_deadline
 from allworlds.engines.units import Given, PartialResult, Scope, Transport, U, UnitEngine
 from allworlds.explorers.loading import Subject
@@ -178,31 +172,33 @@ class ReadyEngine(Struct, frozen=True):
 def obstacle(scope: Scope, subject: Subject) -> str:
     """The reason why the kernel cannot do a check; empty if it can."""
     rules, extent = scope.rules, scope.extent
-    if not subject.from_user and subject.name not in EXPLORERS:
-        return f"runs only {', '.join(EXPLORERS)}, not {show(subject.name)}"
+    if not subject.from_user and subject.name not in capabilities.EXPLORERS:
+        return f"runs only {', '.join(capabilities.EXPLORERS)}, not {show(subject.name)}"
     if subject.from_user and not hasattr(os, "memfd_create"):
         return "judges users' explorers on Linux alone"
-    if kind_of(rules.kind) not in LIGHTHOUSES:
+    if kind_of(rules.kind) not in capabilities.LIGHTHOUSES:
         return f"does not know the lighthouse {show(str(rules.lighthouse))}"
     if isinstance(scope.coverage, Given):
         return "tries every map of a class, and no given worlds"
     if extent.where is not None:
         return f"does not know the condition {show(extent.where.name)}"
-    if extent.levels[-1] > MOST_EDGES:
-        return f"has room for {MOST_EDGES} edges, not for {extent.levels[-1]}"
+    if extent.levels[-1] > capabilities.MOST_EDGES:
+        return f"has room for {capabilities.MOST_EDGES} edges, not for {extent.levels[-1]}"
     if not rules.task.is_map:
         return f"judges the task map alone, not {show(rules.task.name)}"
     if rules.policy not in ("fifo", "lifo", "nearest"):
         return f"knows the policies fifo, lifo and nearest, not {show(rules.policy)}"
-    if unknown := [law for law in rules.applying if law not in CHECKED]:
+    if unknown := [law for law in rules.applying if law not in capabilities.CHECKED]:
         return f"does not check the law {unknown[0]!r}"
     if scope.schedules != "one":
         return "plays one schedule a run (see worst for algorithm1)"
     if beyond := rules.the_bound.variables & {"d", "g"}:
         named = " and ".join(sorted(beyond))
         return f"does not know {named} of the bound {show(rules.the_bound.name)}"
-    if rules.step_budget is not None and rules.step_budget > MOST_BUDGET:
-        return f"has room for a step budget of {MOST_BUDGET}, not of {rules.step_budget}"
+    if rules.step_budget is not None and rules.step_budget > capabilities.MOST_BUDGET:
+        return (
+            f"has room for a step budget of {capabilities.MOST_BUDGET}, not of {rules.step_budget}"
+        )
     return ""
 
 

@@ -24,18 +24,7 @@ from allworlds import document as doc, outcome
 from allworlds.engines import limits, players, tally, units
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
-from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import (
-    OUTPUT,
-    Converted,
-    Option,
-    Request,
-    as_json,
-    in_scope,
-    meant,
-    remembered,
-    without_effort,
-)
+from allworlds.inputs import checks, requests
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import classes, count_source
 from allworlds.world.lighthouses.kinds import LighthouseKind
@@ -52,22 +41,22 @@ def by_named(given: str | None) -> By | None:
     """
     if given in (None, "size", "world", "run"):
         return given  # type: ignore[return-value]  # one of these
-    raise InputError(f"by {show(given)} is not one of size, world, run")
+    raise checks.InputError(f"by {checks.show(given)} is not one of size, world, run")
 
 
-class RowOptions(Request):
+class RowOptions(requests.Request):
     """The part of a request that says for what there are rows."""
 
     by: Annotated[
-        Converted[str | None, By | None],
-        Option(
-            OUTPUT,
+        requests.Converted[str | None, By | None],
+        requests.Option(
+            requests.OUTPUT,
             "size|world|run",
             "Rows of -o FILE.csv: one for each size, world, or run, and explorer [default: size; "
             "of worlds that grow: run].",
             apart=True,
         ),
-    ] = Converted(by_named, None)
+    ] = requests.Converted(by_named, None)
 
 
 TriedPlaces = Annotated[
@@ -97,7 +86,10 @@ def told_scope(
         more: further keys, or other values.
     """
     keys = {*kind.__struct_fields__}
-    asked = {one.name: as_json(getattr(request, one.name)) for one in in_scope(type(request))}
+    asked = {
+        one.name: requests.as_json(getattr(request, one.name))
+        for one in requests.in_scope(type(request))
+    }
     told = {**asked, **(rules.in_effect if rules else {})}
     return kind(**({name: told[name] for name in told if name in keys} | more))
 
@@ -231,7 +223,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     ) -> Any:
         """Return the request of that identity, for a portion."""
         shard = {"shard": portion} if issubclass(cls.asked, units.ShardOptions) else {}
-        options = remembered(cls.asked, identity.parameters)
+        options = requests.remembered(cls.asked, identity.parameters)
         return cls.asked(**options, **shard, listener=listener)
 
     def list_by(self, by: By) -> None:
@@ -240,7 +232,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         Raises:
             InputError: if there are none to choose from.
         """
-        raise InputError(f"by {by} has no effect on a job of {self.verb}")
+        raise checks.InputError(f"by {by} has no effect on a job of {self.verb}")
 
     # ------------------------------------------------------------ what a study says
 
@@ -255,7 +247,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def parameters(self) -> dict[str, Any]:
         """Return everything that its report depends on but the explorer: by default all options."""
-        return meant(self.request)
+        return requests.meant(self.request)
 
     def explorer(self) -> dict[str, Any]:
         """Return the data of the explorer: by default there is none."""
@@ -292,7 +284,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
         """Return the keywords of every report; the extent where the sweep has no other."""
-        asked = doc.replace(without_effort(self.request), listener=limits.NOBODY)
+        asked = doc.replace(requests.without_effort(self.request), listener=limits.NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
     def begin(self) -> outcome.Ending | None:

@@ -14,19 +14,7 @@ from typing import Annotated, Any, Final, Literal, NamedTuple
 
 from msgspec import Struct
 
-from allworlds.document import (
-    SCHEMA,
-    Document,
-    FromJson,
-    IfAny,
-    Natural,
-    NotInDocument,
-    Paged,
-    about,
-    computed,
-    parse,
-    read_by,
-)
+from allworlds import document as doc
 from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
 from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request
@@ -55,11 +43,11 @@ def _value(name: str, given: Any) -> Value:
     raise InputError(f"{name} is a rooted map, an integer or a text, not {show(given)}")
 
 
-EXPECTED, SEEN = (read_by(Value, partial(_value, name)) for name in ("expected", "seen"))
+EXPECTED, SEEN = (doc.read_by(Value, partial(_value, name)) for name in ("expected", "seen"))
 """How the values of two keys are read."""
 
 
-class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
+class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
     A refuting run, as it is written: enough to replay it with nothing else. Where one is read,
@@ -69,66 +57,70 @@ class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
     options. The ``machine`` may be the cause.
     """
 
-    version: Annotated[Literal[2], about("the version of findings")]
-    explorer: Annotated[str, about("its name")]
-    law: Annotated[LawName, about("the broken law")]
+    version: Annotated[Literal[2], doc.about("the version of findings")]
+    explorer: Annotated[str, doc.about("its name")]
+    law: Annotated[LawName, doc.about("the broken law")]
     world: Annotated[
-        FromJson[World],
-        about("in canonical numbering: the start is dart 0; any numbering where it is read"),
+        doc.FromJson[World],
+        doc.about("in canonical numbering: the start is dart 0; any numbering where it is read"),
     ]
-    options: Annotated[RecordedRules, about("how the run was played and judged")] = RecordedRules()
+    options: Annotated[RecordedRules, doc.about("how the run was played and judged")] = (
+        RecordedRules()
+    )
     choices: Annotated[
-        tuple[Natural, ...],
-        about("the index taken at each choice; of a turn that never ended the first 1000"),
+        tuple[doc.Natural, ...],
+        doc.about("the index taken at each choice; of a turn that never ended the first 1000"),
     ] = ()
-    transcript: Annotated[FromJson[Transcript], about("the log, which must be a walk in the world")]
+    transcript: Annotated[
+        doc.FromJson[Transcript], doc.about("the log, which must be a walk in the world")
+    ]
     expected: Annotated[
         Any,
         EXPECTED,
-        about("a rooted map for `map` and `pose`, an integer for `bound`, else a sentence"),
+        doc.about("a rooted map for `map` and `pose`, an integer for `bound`, else a sentence"),
     ] = NOT_RECORDED
     seen: Annotated[
         Any,
         SEEN,
-        about("the same of what was found"),
+        doc.about("the same of what was found"),
     ] = NOT_RECORDED
     confirmed: Annotated[
-        bool, about("a fresh process did the same, from the recorded percepts alone")
+        bool, doc.about("a fresh process did the same, from the recorded percepts alone")
     ] = False
-    minimal: Annotated[bool, about("no smaller world of the scope refutes")] = False
+    minimal: Annotated[bool, doc.about("no smaller world of the scope refutes")] = False
     step: Annotated[
-        IfAny[Natural | None],
-        about(
+        doc.IfAny[doc.Natural | None],
+        doc.about(
             "how many steps came before the checkpoint that breaks the law; in a run without an "
             "answer, before the first wrong checkpoint"
         ),
     ] = None
     wrong_checkpoint: Annotated[
-        IfAny[str], about("what is wrong with that checkpoint, in a run without an answer")
+        doc.IfAny[str], doc.about("what is wrong with that checkpoint, in a run without an answer")
     ] = ""
     detail: Annotated[
-        IfAny[str],
-        about(
+        doc.IfAny[str],
+        doc.about(
             "a traceback, the end of a program's stderr, two plays that differ, side by side, "
             "or the permutations that are no map"
         ),
     ] = ""
     hash_seed: Annotated[
-        IfAny[Natural | None],
-        about("the `PYTHONHASHSEED` with which it is so, where another one makes a difference"),
+        doc.IfAny[doc.Natural | None],
+        doc.about("the `PYTHONHASHSEED` with which it is so, where another one makes a difference"),
     ] = None
     output: Annotated[
-        IfAny[str],
-        about(
+        doc.IfAny[str],
+        doc.about(
             "what the explorer printed in this run, to stdout and stderr; at most 4 KiB, of more "
             "the first and the last half, with control characters escaped"
         ),
     ] = ""
-    at: NotInDocument[int | None] = None
-    under: NotInDocument[Rules | None] = None
-    machine: NotInDocument[bool] = False
+    at: doc.NotInDocument[int | None] = None
+    under: doc.NotInDocument[Rules | None] = None
+    machine: doc.NotInDocument[bool] = False
 
-    @computed
+    @doc.computed
     def reproduce(self) -> str:
         """A shell command that runs it again."""
         return self.command
@@ -210,7 +202,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
             raise InputError(f"a finding names its explorer, not {show(explorer)}")
         if law not in PRECEDENCE:
             raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
-        found = parse(document, cls, "finding")
+        found = doc.parse(document, cls, "finding")
         found.rules  # noqa: B018  # wrong options are refused here, and not where they are used
         return found
 
@@ -222,8 +214,8 @@ def findings_of(document: Any) -> Sequence[Any]:
         InputError: if the report holds none, or is of another version.
     """
     match document:
-        case {"schema": schema} if schema != SCHEMA:
-            raise InputError(f"report of schema {show(schema)}; this program reads {SCHEMA}")
+        case {"schema": schema} if schema != doc.SCHEMA:
+            raise InputError(f"report of schema {show(schema)}; this program reads {doc.SCHEMA}")
         case {"schema": _, "findings": [_, *_]}:
             findings: Sequence[Any] = document["findings"]
             return findings

@@ -6,6 +6,7 @@ from typing import Any
 from allworlds.engines import single, sweep, tally, units
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Disagreed, Verdict
+from allworlds.reports import parts
 from allworlds.reports.content import single_run
 from allworlds.reports.content.scope import (
     SAID,
@@ -14,26 +15,12 @@ from allworlds.reports.content.scope import (
     places_facts,
     trust_facts,
 )
-from allworlds.reports.parts import (
-    Block,
-    Cell,
-    CsvRows,
-    FactList,
-    Headline,
-    Paragraph,
-    ReportContent,
-    RightText,
-    Section,
-    SuiteCase,
-    Table,
-    fact,
-)
 from allworlds.studies.check import exhaustive, tally_sweep
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
 from allworlds.words import about, counted, duration, listed, number, plural, size
 
 
-def check_content(report: CheckReport | exhaustive.TimeEstimate) -> ReportContent:
+def check_content(report: CheckReport | exhaustive.TimeEstimate) -> parts.ReportContent:
     """The verdict, the findings, the scope and the counts; or the estimated duration.
 
     On the page of a check that holds also the most expensive runs.
@@ -42,8 +29,10 @@ def check_content(report: CheckReport | exhaustive.TimeEstimate) -> ReportConten
         return _estimate(report)
     verb = "fuzz" if isinstance(report.asked.coverage, units.Sample) else "check"
     findings = _findings(report, range(len(report.findings)))
-    seen = Section("seen", "What was checked", [FactList(scope_words(report)), size_table(report)])
-    return ReportContent(
+    seen = parts.Section(
+        "seen", "What was checked", [parts.FactList(scope_words(report)), size_table(report)]
+    )
+    return parts.ReportContent(
         f"allworlds {verb}",
         report.explorer,
         report,
@@ -80,16 +69,16 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
     return words
 
 
-def _rows(report: CheckReport) -> CsvRows:
+def _rows(report: CheckReport) -> parts.CsvRows:
     """A row for each number of edges and of vertices, of a sample too."""
     played = {"worlds": int, "runs": int, "episodes": int}
     costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
     if report.asked.schedules == "all":
         costs["best_cost"] = int
-    return CsvRows.of(report.rows, edges=int, vertices=int, **played, **costs)
+    return parts.CsvRows.of(report.rows, edges=int, vertices=int, **played, **costs)
 
 
-def size_table(report: CheckReport) -> Table:
+def size_table(report: CheckReport) -> parts.Table:
     """Counts for each number of edges and vertices.
 
     Of a sample, which has a few worlds of very many sizes, for each number of edges.
@@ -104,16 +93,16 @@ def size_table(report: CheckReport) -> Table:
         met, total = groups.setdefault((edges, 0 if sampled else vertices), ([], tally.Row()))
         met.append(vertices)
         total.add(row)
-    rows: list[list[Cell]] = []
+    rows: list[list[parts.Cell]] = []
     for (edges, _), (met, row) in groups.items():
-        between: Cell = met[0] if len(met) == 1 else RightText(f"{met[0]}-{met[-1]}")
+        between: parts.Cell = met[0] if len(met) == 1 else parts.RightText(f"{met[0]}-{met[-1]}")
         played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
         best = [row.best_cost] if every else []
         rows.append([edges, between, *played, *best, row.max_cost, row.bound])
-    return Table(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
+    return parts.Table(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
 
 
-def verdict_of(report: CheckReport) -> Headline:
+def verdict_of(report: CheckReport) -> parts.Headline:
     """The verdict and its explanation."""
     done = (
         f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
@@ -122,7 +111,7 @@ def verdict_of(report: CheckReport) -> Headline:
     where = "drawn worlds" if isinstance(report.asked.coverage, units.Sample) else "finished levels"
     if report.verdict in (Verdict.HOLDS, Verdict.NOT_REFUTED) and not report.runs:
         said = f"{done} fall to this shard, which is finished and has nothing to check"
-        return Headline("EMPTY", said, "vacuous")
+        return parts.Headline("EMPTY", said, "vacuous")
     match report.verdict:
         case Verdict.HOLDS | Verdict.NOT_REFUTED:
             text = f"{done}: no law is broken{_in_shard(report)}"
@@ -135,7 +124,7 @@ def verdict_of(report: CheckReport) -> Headline:
             text = _why_vacuous(report)
         case Verdict.ERROR:
             text = report.ending.reason
-    return Headline(report.verdict.value.upper(), text, report.verdict.value)
+    return parts.Headline(report.verdict.value.upper(), text, report.verdict.value)
 
 
 def _in_shard(report: CheckReport) -> str:
@@ -265,7 +254,7 @@ def _why_vacuous(report: CheckReport) -> str:
     return "a witness is missing"
 
 
-def _cases(report: CheckReport) -> Iterator[SuiteCase]:
+def _cases(report: CheckReport) -> Iterator[parts.SuiteCase]:
     """A case for each number of edges, of past findings before and of witnesses after; or one.
 
     A level is passed; failed, with its findings; an error where the count gate or two engines
@@ -278,7 +267,7 @@ def _cases(report: CheckReport) -> Iterator[SuiteCase]:
     for i, finding in enumerate(report.findings):
         (past if report.past and report.past.holds(finding) else new).append(i)
     if report.past:
-        yield _failure(report, "past findings", past) if past else SuiteCase("past findings")
+        yield _failure(report, "past findings", past) if past else parts.SuiteCase("past findings")
     every = "every given world" if isinstance(report.asked.coverage, units.Given) else "every world"
     for edges in report.asked.sizes:
         name = f"{every} with {plural(edges, 'edge')}"
@@ -287,18 +276,21 @@ def _cases(report: CheckReport) -> Iterator[SuiteCase]:
             _mismatch(cell) for cell in report.cells if cell.edges == edges and not cell.agrees
         ]
         if wrong:
-            said = [Section("gate", "", [Paragraph("\n".join(wrong))]), *_findings(report, found)]
-            yield SuiteCase(name, "error", "count-gate", wrong[0], said)
+            said = [
+                parts.Section("gate", "", [parts.Paragraph("\n".join(wrong))]),
+                *_findings(report, found),
+            ]
+            yield parts.SuiteCase(name, "error", "count-gate", wrong[0], said)
         elif found:
             yield _failure(report, name, found)
         elif edges in report.levels:
-            yield SuiteCase(name)
+            yield parts.SuiteCase(name)
         else:
             why = report.ending.reason or "the level was not finished"
-            yield SuiteCase(name, "skipped", message=why)
+            yield parts.SuiteCase(name, "skipped", message=why)
     if isinstance(report.ending, Disagreed) and all(cell.agrees for cell in report.cells):
-        said = [Section("engines", "", [Paragraph(report.ending.reason)])]
-        yield SuiteCase("engines", "error", "engines-disagree", "two engines disagree", said)
+        said = [parts.Section("engines", "", [parts.Paragraph(report.ending.reason)])]
+        yield parts.SuiteCase("engines", "error", "engines-disagree", "two engines disagree", said)
     if report.complete and report.asked.whole:
         missing = ""
         if not report.checked_laws:
@@ -306,26 +298,26 @@ def _cases(report: CheckReport) -> Iterator[SuiteCase]:
         elif report.missing_witnesses:
             missing = f"never seen: {', '.join(report.missing_witnesses)}"
         result: Any = ("failure", "vacuous", missing) if missing else ()
-        yield SuiteCase("witnesses", *result)
+        yield parts.SuiteCase("witnesses", *result)
 
 
-def _sample(report: CheckReport, sample: units.Sample) -> SuiteCase:
+def _sample(report: CheckReport, sample: units.Sample) -> parts.SuiteCase:
     edges = plural(report.asked.extent.levels[-1], "edge")
     least = "up to" if sample.min_edges == 1 else f"{sample.min_edges} to"
     name = f"{plural(sample.runs, 'random world')} with {least} {edges}"
     if report.findings:
         return _failure(report, name, range(len(report.findings)))
     if report.verdict is Verdict.NOT_REFUTED:
-        return SuiteCase(name)
-    return SuiteCase(name, "skipped", message=report.ending.reason or "no world was tried")
+        return parts.SuiteCase(name)
+    return parts.SuiteCase(name, "skipped", message=report.ending.reason or "no world was tried")
 
 
-def _failure(report: CheckReport, name: str, found: Sequence[int]) -> SuiteCase:
+def _failure(report: CheckReport, name: str, found: Sequence[int]) -> parts.SuiteCase:
     law = report.findings[found[0]].law
-    return SuiteCase(name, "failure", law, f"law '{law}' is broken", _findings(report, found))
+    return parts.SuiteCase(name, "failure", law, f"law '{law}' is broken", _findings(report, found))
 
 
-def _findings(report: CheckReport, found: Iterable[int]) -> list[Section]:
+def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
     """Sections for the findings at these places, each with its origin."""
     sections = []
     for i in found:
@@ -342,17 +334,17 @@ def _mismatch(cell: GateCell) -> str:
     )
 
 
-def _estimate(guess: exhaustive.TimeEstimate) -> ReportContent:
+def _estimate(guess: exhaustive.TimeEstimate) -> parts.ReportContent:
     """Estimated duration of the check, and of those with more edges if it is known."""
     if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: this takes very long"
-        head = Headline("estimate", text, "inconclusive")
-        return ReportContent("allworlds check", guess.explorer, guess, head, [])
+        head = parts.Headline("estimate", text, "inconclusive")
+        return parts.ReportContent("allworlds check", guess.explorer, guess, head, [])
     most = "" if guess.counted else "at most "
     worlds = f"{most}{about(guess.worlds)} world{'' if guess.worlds == 1 else 's'}"
     text = f"{most}{duration(guess.seconds)} for {worlds}: a guess"
     of = f"{plural(guess.sampled, 'world')} of the last level, {number(round(guess.rate))} a second"
-    blocks: list[Block] = [fact("sample", of)]
+    blocks: list[parts.Block] = [parts.fact("sample", of)]
     if guess.larger:
         names = ("worlds", "takes") if guess.counted else ("worlds <=", "takes <=")
         header = ("edges", names[0], "engine", "sampled", "a second", names[1])
@@ -360,22 +352,22 @@ def _estimate(guess: exhaustive.TimeEstimate) -> ReportContent:
         rows = [
             (
                 one.edges,
-                RightText(about(one.worlds)),
+                parts.RightText(about(one.worlds)),
                 one.engine,
-                one.sampled or RightText("none"),
+                one.sampled or parts.RightText("none"),
                 round(one.rate),
-                RightText(duration(one.seconds)),
+                parts.RightText(duration(one.seconds)),
             )
             for one in every
             if one.rate is not None and one.seconds is not None
         ]
-        blocks.append(Table(header, rows))
-    head = Headline("estimate", text, "inconclusive")
-    seen = Section("sample", "", blocks)
-    return ReportContent("allworlds check", guess.explorer, guess, head, [seen])
+        blocks.append(parts.Table(header, rows))
+    head = parts.Headline("estimate", text, "inconclusive")
+    seen = parts.Section("sample", "", blocks)
+    return parts.ReportContent("allworlds check", guess.explorer, guess, head, [seen])
 
 
-def most_expensive(runs: Iterable[single.SingleRun]) -> Iterator[Section]:
+def most_expensive(runs: Iterable[single.SingleRun]) -> Iterator[parts.Section]:
     """The most expensive of some runs; no section if there is none."""
     if most := max(runs, key=lambda run: run.outcome.cost, default=None):
         map_ = most.world.map

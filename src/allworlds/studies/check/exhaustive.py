@@ -10,7 +10,7 @@ from typing import Annotated, Any, TypeAlias
 from typing_extensions import override
 
 from allworlds import document as doc, outcome, words
-from allworlds.engines import limits, players, single, tally
+from allworlds.engines import limits, players, single, tally, units
 from allworlds.engines.engine_table import (
     ENGINES,
     EngineKind,
@@ -21,17 +21,6 @@ from allworlds.engines.engine_table import (
     why_not_compiled,
 )
 from allworlds.engines.job_records import Identity
-from allworlds.engines.units import (
-    WHOLE,
-    Given,
-    Portion,
-    Scope,
-    SweptLevel,
-    drawn_units,
-    is_counted,
-    level_size,
-    shards_of,
-)
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import answers
@@ -52,7 +41,9 @@ EXCLUSIVE = ("edges", "vertices", "where", "lighthouse", "run", "corpus")
 """The options that name other worlds, or need worlds that another command can name."""
 
 
-def given_worlds(worlds: Iterable[object], request: CheckRequest) -> tuple[Given, LighthouseKind]:
+def given_worlds(
+    worlds: Iterable[object], request: CheckRequest
+) -> tuple[units.Given, LighthouseKind]:
     """The worlds of a request as a check goes through them, and the lighthouse of all of them.
 
     Raises:
@@ -63,7 +54,7 @@ def given_worlds(worlds: Iterable[object], request: CheckRequest) -> tuple[Given
         if getattr(request, name) is not None:
             given = show(str(getattr(request, name)))
             raise InputError(f"{name} = {given} cannot be given together with worlds")
-    if request.shard != WHOLE:
+    if request.shard != units.WHOLE:
         raise InputError(f"shard = {request.shard} cannot be given together with worlds")
     try:
         every = [*worlds]
@@ -80,7 +71,7 @@ def given_worlds(worlds: Iterable[object], request: CheckRequest) -> tuple[Given
                 f"{show(str(kinds[0]))}; legal is one lighthouse for all"
             )
     placed = [(world, place_of(world)) for world in rooted]
-    return Given(tuple(sorted(placed, key=lambda each: each[0].map.edge_count))), kinds[0]
+    return units.Given(tuple(sorted(placed, key=lambda each: each[0].map.edge_count))), kinds[0]
 
 
 def _rooted(world: object, number: int, request: CheckRequest) -> World:
@@ -132,7 +123,7 @@ def estimate(request: CheckRequest) -> "TimeEstimate":
         # What an engine cannot do ends the table.
         with suppress(InputError):
             larger = (estimated(*_job(doc.replace(heard, edges=extent.edges))),)
-    counted = is_counted(job.scope.extent)
+    counted = units.is_counted(job.scope.extent)
     first = {name: getattr(guess, name) for name in guess.__struct_fields__}
     return TimeEstimate(explorer=job.subject.name, larger=larger, counted=counted, **first)
 
@@ -150,14 +141,14 @@ def _job(request: CheckRequest, keep: int = 1) -> tuple[Job, EngineKind]:
     return job, engine_for(request.engine, scope, subject, limits.memory)
 
 
-def _scope(request: CheckRequest, subject: Subject) -> Scope:
+def _scope(request: CheckRequest, subject: Subject) -> units.Scope:
     """The scope of a request: every world of an extent, or the given ones."""
     if not isinstance(request, CheckRequest) or request.worlds is None:
-        return Scope(request.extent, request.rules(subject), request.schedules, request.shard)
+        return units.Scope(request.extent, request.rules(subject), request.schedules, request.shard)
     given, lighthouse = given_worlds(request.worlds, request)
     rules = doc.replace(request, worlds=None, lighthouse=lighthouse).rules(subject)
     extent = classes.Extent(request.map_class, given.sizes[-1])
-    return Scope(extent, rules, request.schedules, given)
+    return units.Scope(extent, rules, request.schedules, given)
 
 
 class CheckSweep(tally_sweep.TallySweep[CheckReport]):
@@ -172,7 +163,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     verb, asked = "check", CheckRequest
 
     def __init__(self, request: CheckRequest, job: Job, engine: EngineKind) -> None:
-        extent = None if isinstance(job.scope.coverage, Given) else job.scope.extent
+        extent = None if isinstance(job.scope.coverage, units.Given) else job.scope.extent
         super().__init__(request, job.scope, job.subject, job.keep, extent)
         self._engine = engine
         named = request.corpus
@@ -183,10 +174,12 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: limits.Listener) -> "CheckSweep":
+    def known(
+        cls, identity: Identity, portion: units.Portion, listener: limits.Listener
+    ) -> "CheckSweep":
         request = cls.asked_then(identity, portion, listener)
         rules = tally_sweep.rules_known(request, identity.parameters)
-        scope = Scope(request.extent, rules, request.schedules, portion)
+        scope = units.Scope(request.extent, rules, request.schedules, portion)
         subject = tally_sweep.subject_of_record(identity.explorer)
         job = Job(scope, subject, request.limits, request.max_findings, None, listener.notice)
         return cls(request, job, ENGINES[request.engine])
@@ -217,7 +210,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
         return None
 
     @override
-    def finish(self, level: SweptLevel, total: tally.Tally) -> outcome.Ending | None:
+    def finish(self, level: units.SweptLevel, total: tally.Tally) -> outcome.Ending | None:
         scope, extent = self.scope, self.scope.extent
         total.findings = [doc.replace(found, minimal=scope.whole) for found in total.findings]
         self._tally.add(total)
@@ -235,7 +228,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
         return None
 
     @override
-    def leave(self, level: SweptLevel, total: tally.Tally) -> None:
+    def leave(self, level: units.SweptLevel, total: tally.Tally) -> None:
         """Store the findings. Counts enter the report only if their level is finished."""
         for found in total.findings:
             self._tally.find(doc.replace(found, minimal=False))
@@ -369,14 +362,14 @@ def _plays(job: Job, engine: EngineKind) -> str:
 def worlds_of(job: Job) -> int:
     """The number of worlds to be tried; for a shard an estimate."""
     extent = job.scope.extent
-    worlds = sum(level_size(extent, edges) for edges in extent.levels)
-    return worlds // shards_of(job.scope.coverage)
+    worlds = sum(units.level_size(extent, edges) for edges in extent.levels)
+    return worlds // units.shards_of(job.scope.coverage)
 
 
 def is_worth_a_guess(job: Job, engine: EngineKind) -> bool:
     """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
     extent = job.scope.extent
-    if count_source.source_of(extent) is None or isinstance(job.scope.coverage, Given):
+    if count_source.source_of(extent) is None or isinstance(job.scope.coverage, units.Given):
         return False  # how many worlds there are is not known
     soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
     return soon and worlds_of(job) > MANY[_plays(job, engine)]
@@ -392,7 +385,7 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
     extent, draw = job.scope.extent, Random(0)  # noqa: S311  # the same pieces each time
     sampled, began, ended = 0, 0.0, 0.0
     try:
-        drawn = drawn_units(extent, extent.levels[-1], PIECE[_plays(job, engine)], draw)
+        drawn = units.drawn_units(extent, extent.levels[-1], PIECE[_plays(job, engine)], draw)
         with ready.transport as transport:
             for part in transport.map(ready.engine, islice(drawn, PIECES)):
                 now = time.monotonic()
@@ -421,4 +414,4 @@ def one_larger(job: Job) -> classes.Extent | None:
         return None
     edges = extent.edges + 1
     larger = doc.replace(extent, edges=edges)
-    return larger if level_size(larger, edges) else None
+    return larger if units.level_size(larger, edges) else None

@@ -9,23 +9,12 @@ from typing import Annotated, Any
 
 from typing_extensions import override
 
-from allworlds.document import (
-    Document,
-    Edges,
-    Figure,
-    Natural,
-    NotInDocument,
-    Positive,
-    Vertices,
-    about,
-    replace,
-)
+from allworlds import document as doc, outcome
 from allworlds.engines import job_records, limits, single, units
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import takes_fields
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.outcome import Ending, Stopped
 from allworlds.studies.check import report, tally_sweep
 from allworlds.studies.compare.entrants import (
     CompareRequest,
@@ -41,39 +30,42 @@ from allworlds.studies.compare.growth import GrowingWorlds, Growth, Member, form
 from allworlds.world.world import World
 
 
-class ComparedRow(Document):
+class ComparedRow(doc.Document):
     """Costs in the worlds of one size. The first explorer is compared with each other one."""
 
-    edges: Edges
-    vertices: Vertices
+    edges: doc.Edges
+    vertices: doc.Vertices
     worlds: Annotated[
-        Positive, about("rooted maps in which every explorer's lighthouse has a place")
+        doc.Positive, doc.about("rooted maps in which every explorer's lighthouse has a place")
     ]
-    runs: Annotated[Positive, about("judged in them, of all explorers together")]
+    runs: Annotated[doc.Positive, doc.about("judged in them, of all explorers together")]
     mean: Annotated[
-        dict[str, Figure],
-        about("for each explorer the mean over these maps of its mean over the places"),
+        dict[str, doc.Figure],
+        doc.about("for each explorer the mean over these maps of its mean over the places"),
     ]
-    worst: Annotated[dict[str, Natural], about("for each explorer the largest cost of a run")]
+    worst: Annotated[
+        dict[str, doc.Natural], doc.about("for each explorer the largest cost of a run")
+    ]
     ratio: Annotated[
-        dict[str, Figure | None],
-        about(
+        dict[str, doc.Figure | None],
+        doc.about(
             "for each explorer its mean in a map divided by that of the first there: the geometric "
             "mean over these maps; null where one is 0"
         ),
     ]
     less: Annotated[
-        dict[str, Natural], about("in how many maps the first one's mean is less than this one's")
+        dict[str, doc.Natural],
+        doc.about("in how many maps the first one's mean is less than this one's"),
     ]
-    equal: Annotated[dict[str, Natural], about("in how many it is equal")]
-    more: Annotated[dict[str, Natural], about("in how many it is more")]
+    equal: Annotated[dict[str, doc.Natural], doc.about("in how many it is equal")]
+    more: Annotated[dict[str, doc.Natural], doc.about("in how many it is more")]
 
 
-class DifferMost(Document):
+class DifferMost(doc.Document):
     """The smallest of the worlds in which the first explorer differs most from another."""
 
-    world: Annotated[World, about("the rooted map, with the first one's lighthouse")]
-    costs: Annotated[dict[str, Figure], about("for each explorer its mean over the places")]
+    world: Annotated[World, doc.about("the rooted map, with the first one's lighthouse")]
+    costs: Annotated[dict[str, doc.Figure], doc.about("for each explorer its mean over the places")]
 
 
 class Comparison(ContestReport):
@@ -87,14 +79,14 @@ class Comparison(ContestReport):
     """
 
     rows: Annotated[
-        tuple[ComparedRow, ...], about("one for each (edges, vertices) of the finished levels")
+        tuple[ComparedRow, ...], doc.about("one for each (edges, vertices) of the finished levels")
     ]
     differ_most: Annotated[
-        DifferMost | None, about("null: nothing was compared, or nothing differs")
+        DifferMost | None, doc.about("null: nothing was compared, or nothing differs")
     ]
-    member: NotInDocument[Member | None]
-    all_counted: NotInDocument[bool]
-    in_worlds: NotInDocument[tuple[InWorld, ...]] = ()
+    member: doc.NotInDocument[Member | None]
+    all_counted: doc.NotInDocument[bool]
+    in_worlds: doc.NotInDocument[tuple[InWorld, ...]] = ()
 
     @property
     @override
@@ -157,7 +149,7 @@ def _contest(
         if request.where is not None:
             raise InputError(f"family {show(family)} is one world; where has no effect on it")
         seed = request.seed or 0
-        return SameWorlds(entrants, replace(request, seed=seed), Member(family, holes, seed))
+        return SameWorlds(entrants, doc.replace(request, seed=seed), Member(family, holes, seed))
     if holes is not None:
         raise InputError(f"holes {holes} has no effect without a family")
     if edges is None and vertices is None:
@@ -225,7 +217,7 @@ class SameWorlds(Contest[Comparison]):
         return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 
     @override
-    def finish(self, level: units.SweptLevel, total: CostsOfAll) -> Ending | None:
+    def finish(self, level: units.SweptLevel, total: CostsOfAll) -> outcome.Ending | None:
         if self._map is None and self.portion == units.WHOLE:
             self._gate += report.count_gate(self.bounds, level.edges, total.one(0))
         tallies = [total.one(number) for number in range(len(self.entrants))]
@@ -238,7 +230,7 @@ class SameWorlds(Contest[Comparison]):
             self._compare(CombinatorialMap(key[2], key[3]), [tally.costs[key] for tally in tallies])
         self.leave(level, total)
         broken = any(tally.findings for tally in tallies)
-        return Stopped("a law is broken", final=True) if broken else None
+        return outcome.Stopped("a law is broken", final=True) if broken else None
 
     def _compare(self, map_: CombinatorialMap, found: Sequence[Mapping[int, int]]) -> None:
         """Take in the costs of each explorer in one rooted map."""
@@ -258,7 +250,7 @@ class SameWorlds(Contest[Comparison]):
                 self._in_worlds.append(InWorld(map_, member, one.name, places, len(places), bound))
 
     @override
-    def report(self, ending: Ending) -> Comparison:
+    def report(self, ending: outcome.Ending) -> Comparison:
         return Comparison(
             **self.contest(ending),
             rows=tuple(self._rows),
