@@ -8,7 +8,7 @@ from inspect import getsource
 
 import pytest
 
-from allworlds.engines import dask, engine_table, here
+from allworlds.engines import dask, engine_table
 from allworlds.engines.engine_table import ThisThread, Threads
 from allworlds.engines.limits import DaskCluster, Silent, TimeIsUp
 from allworlds.engines.sweep import gather
@@ -22,7 +22,7 @@ pytestmark = [
 
 def transports():
     """Every class of these modules that is a context and has units done."""
-    for module in (dask, here):
+    for module in (dask, engine_table):
         for name, found in inspect.getmembers(module, inspect.isclass):
             ours = found.__module__ == module.__name__ and not getattr(found, "_is_protocol", False)
             if ours and hasattr(found, "map") and hasattr(found, "__enter__"):

@@ -299,7 +299,7 @@ def test_the_compiled_engine_checks_no_law_that_is_none():
 def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monkeypatch):
     scope = Scope(Extent(MapClass.MAPS, 6), Rules())
     assert engine_for("auto", scope, load("algorithm1")).name == "kernel"
-    monkeypatch.setattr("allworlds.engines.engine_table.CHECKED", CHECKED - {"map"})
+    monkeypatch.setattr("allworlds.engines.kernel.capabilities.CHECKED", CHECKED - {"map"})
     assert "law 'map'" in ENGINES["kernel"].obstacle(scope, load("algorithm1"))
     assert engine_for("auto", scope, load("algorithm1")).name == "python"
 

@@ -12,7 +12,7 @@ from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import InputError
 from allworlds.maps import named_map
 from allworlds.reports.formats import text
-from allworlds.reports.web.sections import LEAST, NAMES, game
+from allworlds.reports.web.play import LEAST, NAMES, game
 from allworlds.studies.run import Walker, play
 from allworlds.world import LIGHTHOUSES, Directional, World
 from allworlds.world.selection import worlds

@@ -201,7 +201,7 @@ def test_the_gate_notices_a_class_that_is_mixed_up(explorers, monkeypatch):
 @pytest.mark.usefixtures("without_workers")
 def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch):
     source = CountSource("abacus", lambda edges: {1: 1, 2: 2})
-    monkeypatch.setattr("allworlds.studies.check.report.source_of", lambda _class: source)
+    monkeypatch.setattr("allworlds.maps.count_source.source_of", lambda _class: source)
     report = check(edges=2)
     assert (report.verdict, report.levels) == (Verdict.ERROR, (1,))
     assert {cell.source for cell in report.cells} == {"abacus"}

@@ -56,7 +56,7 @@ def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
     def never(*_):
         raise EnginesDisagree("they do not agree")
 
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.drawn_units", never)
+    monkeypatch.setattr("allworlds.engines.units.drawn_units", never)
     said = estimate(edges=2, engine="kernel")
     assert (said.rate, said.seconds, said.sampled) == (None, None, 0)
     assert said.to_json()["seconds"] is None

@@ -258,7 +258,7 @@ def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
 
             return init_content
         case "Play":
-            from allworlds.reports.web.sections import play_content
+            from allworlds.reports.web.play import play_content
 
             return play_content
         case "Standing":

@@ -78,7 +78,7 @@ def reports() -> dict[str, Any]:
 def reports_of(verb: verbs.Verb) -> list[Any]:
     """The types of a verb's reports."""
     function = unwrap(verb.function)
-    return [*members(eval(function.__annotations__["return"], function.__globals__))]  # noqa: S307
+    return [*members(get_type_hints(function)["return"])]
 
 
 @cache
@@ -276,9 +276,9 @@ def _plain(schema: Any) -> Any:
         case {"enum": [only]}:
             del kept["enum"]
             kept["const"] = only
-        case {"anyOf": [{"type": str(doc.plain), **more}, {"type": "null"}]} if doc.plain in SIMPLE:
+        case {"anyOf": [{"type": str(plain), **more}, {"type": "null"}]} if plain in SIMPLE:
             del kept["anyOf"]
-            kept |= {"type": [doc.plain, "null"], **more}
+            kept |= {"type": [plain, "null"], **more}
     if kept.keys() & {"const", "enum"}:
         kept.pop("$ref", None)
     if "properties" in kept and "description" in kept:

@@ -7,7 +7,7 @@ from allworlds import CombinatorialMap, Estimate, Move
 from allworlds.judging.laws.folding import fold
 from allworlds.maps import rooted_isomorphism
 from allworlds.protocol.actions import Drop, Pick, Write
-from allworlds.reports.web.sections import world_data
+from allworlds.reports.web.play import world_data
 from allworlds.world import Directional, IllegalAction, State, World
 from allworlds.world.lighthouses.kinds import lighthouse_kind
 from small import EDGE, LOOP, PLANE, TORUS, all_maps

@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.reports.web.sections import NAMES, game as game_page
+from allworlds.reports.web.play import NAMES, game as game_page
 from allworlds.studies.run import play
 
 pytestmark = pytest.mark.no_cover

@@ -5,7 +5,7 @@
     page has round it, and pictures to step through;
 ``style.css``, ``script.js``, ``fit.js``
     what a page looks like, the keys that step along a walk, and room for pictures;
-``play.html``, ``play.css``
+``play``, ``play.html``, ``play.css``
     the page in which the reader is the robot and draws a map from the percepts;
 ``robot.js``
     what a robot does and senses, and what it concludes: it knows nothing of pages, and is held

@@ -4,7 +4,7 @@ import pytest
 
 from allworlds import Move
 from allworlds.maps import rooted_maps
-from allworlds.reports.web.sections import world_data
+from allworlds.reports.web.play import world_data
 from allworlds.world import LIGHTHOUSES, World
 from reports.play.test_robot import MARKING, action_json, reachable, state_json, true_answer
 
