@@ -244,6 +244,7 @@ def test_both_judges_find_the_same_law_broken(monkeypatch, explore, only):
     assert [python for python, _ in both] == [compiled for _, compiled in both]
 
 
+@pytest.mark.long
 def test_every_law_is_broken_by_one_of_them(monkeypatch):
     found = set()
     for explore in WRONG:

@@ -48,6 +48,7 @@ def same(mutant, engine):
         assert ours.confirmed
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "mutant", [m for m in WRONG_EXPLORERS if m.name in SOON_KILLED], ids=lambda m: m.name
 )

@@ -9,6 +9,7 @@ finding = quick.finding
 one_schedule = quick.one_schedule
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("choices", "notice"),
     [

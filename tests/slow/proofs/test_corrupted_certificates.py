@@ -229,6 +229,7 @@ def asked(trees, folder, text):
     return trees.asked_of_coq(file)
 
 
+@pytest.mark.long
 def test_there_are_a_hundred_changes_of_all_kinds(trees):
     kinds = {name for name, _ in false_ones(trees)}
     assert len(false_ones(trees)) == COUNT
