@@ -27,13 +27,12 @@ from typing import Any
 import allworlds.explorers.shared_library
 from allworlds.engines.compiled_engine import load_native
 from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
-from allworlds.engines.examiner import Examiner
 from allworlds.engines.judge import PythonJudge, Work
 from allworlds.engines.kernel.library_player import LibraryPlayer
 from allworlds.engines.kernel.records import LONGEST_STRETCH, RUN_TOLD
 from allworlds.engines.players import Logs
-from allworlds.engines.scope import Scope
-from allworlds.engines.tally import RunCounter
+from allworlds.engines.tally import Examiner, RunCounter
+from allworlds.engines.units import Scope
 from allworlds.explorers.loading import load
 from allworlds.explorers.shared_library import ROOM, Library, NativeExplorer
 from allworlds.judging.findings.rules import Rules

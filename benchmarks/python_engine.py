@@ -17,7 +17,7 @@ from collections import deque
 from collections.abc import Callable
 
 import allworlds
-from allworlds.engines.examiner import Examiner
+from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import family, rooted_code, rooted_maps, unrooted_code

@@ -24,13 +24,11 @@ from statistics import median
 from typing import Any
 
 from allworlds.engines.engine_table import ENGINES, WALKED_FROM, Job
-from allworlds.engines.examiner import Examiner
-from allworlds.engines.kernel.gluing import by_vertices_and_faces
-from allworlds.engines.limits import Limits
-from allworlds.engines.progress import Silent
-from allworlds.engines.scope import Scope
+from allworlds.engines.kernel.worlds import by_vertices_and_faces
+from allworlds.engines.limits import Limits, Silent
 from allworlds.engines.sweep import gather
-from allworlds.engines.tally import Tally
+from allworlds.engines.tally import Examiner, Tally
+from allworlds.engines.units import Scope
 from allworlds.explorers.loading import load
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.findings.rules import Rules

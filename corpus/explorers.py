@@ -11,13 +11,12 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.builtin.folding import OPEN, FoldedLog, explore_folding, way
 from allworlds.maps.combinatorial import CombinatorialMap, cycles
-from allworlds.protocol.actions import Drop, Move, Percept
-from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
+from allworlds.protocol.actions import Ambiguous, Answer, Checkpoint, Drop, Estimate, Move, Percept
 from allworlds.protocol.choices import Choices
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps.build import from_cycles, from_rotation, lattice, named_map
-from allworlds.studies.ambiguity.telling_apart import twins
+from allworlds.studies.ambiguity.members import twins
 from allworlds.studies.check.exhaustive import check
 from allworlds.world.lighthouses.marked import Directional, Position
 from allworlds.world.world import World

@@ -27,13 +27,12 @@ from mkdocs.structure.pages import Page
 
 import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document.struct import replace
-from allworlds.maps.canonical import Mismatch, isomorphism
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.reports.drawing.scene import Scene, scene_of
+from allworlds.document import replace
+from allworlds.maps.combinatorial import CombinatorialMap, Mismatch, isomorphism
 from allworlds.reports.drawing.svg import picture
+from allworlds.reports.parts import Scene, scene_of
 from allworlds.world import Directional, World, world_named
-from allworlds.world.corpus import own_corpus
+from allworlds.world.named import own_corpus
 
 GENUS_2 = World(
     CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3)), Directional(0)

@@ -49,7 +49,7 @@ from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.loading import in_process_subject, load
 from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.finished_run import Case
+from allworlds.judging.laws.law_table import Case
 from allworlds.outcome import Verdict
 from allworlds.protocol.choices import Choices, policy_named
 from allworlds.studies.check.exhaustive import check

@@ -29,9 +29,8 @@ from allworlds.explorers.loading import in_process_subject, load
 from allworlds.judging.episode import play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.folding import fold
-from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.actions import Move, Percept, Transcript
 from allworlds.protocol.choices import Choices, policy_named
-from allworlds.protocol.transcript import Transcript
 from allworlds.world import World, worlds
 from certified_checker import agreement
 

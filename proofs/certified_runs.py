@@ -14,8 +14,8 @@ from allworlds.engines.judge import Due, PythonJudge
 from allworlds.engines.lane import answered, started
 from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, Setup
-from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
+from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject
 from allworlds.judging.episode import Episode, Fault
 from allworlds.judging.findings.rules import Rules

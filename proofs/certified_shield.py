@@ -16,17 +16,14 @@ from pathlib import Path
 from typing import Any
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.builtin.folding import FoldedLog, estimate, has_open_dart
-from allworlds.explorers.builtin.shield import Shield
+from allworlds.explorers.builtin.folding import FoldedLog, Shield, estimate, has_open_dart
 from allworlds.explorers.loading import load
 from allworlds.judging.episode import Answered, Ending, play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import rooted_code
-from allworlds.maps.canonical import Code
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.maps.combinatorial import Code
+from allworlds.protocol.actions import Checkpoint, Estimate, Move, Percept, Player
 from allworlds.protocol.choices import Choices, policy_named
-from allworlds.protocol.player import Player
 from allworlds.world import worlds
 from certified_checker import agreement
 

@@ -53,8 +53,7 @@ from allworlds.explorers.loading import Subject, built_in, in_process_subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import Answered, Fault, default_step_budget
 from allworlds.judging.laws.bounds import bound_named, paper_bound
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.words import plural
 from allworlds.world import worlds
 from certified_checker import NoVerdict, agreement, outcome, package_outcome, tell

@@ -15,8 +15,7 @@ from typing import Any
 
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from allworlds.explorers.loading import load
-from allworlds.protocol.actions import Drop, Move, Percept
-from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.actions import Checkpoint, Drop, Estimate, Move, Percept
 from allworlds.protocol.choices import Choices, policy_named
 
 Begin = Callable[[Percept, int | None], Generator[Any, Any, Any]]

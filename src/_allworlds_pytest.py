@@ -5,8 +5,6 @@ it.  So the plugin costs nothing if it is not used, and the coverage of the pack
 measured from its first line on.
 """
 
-from __future__ import annotations
-
 import hashlib
 import re
 from collections.abc import Callable, Iterator

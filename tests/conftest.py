@@ -25,7 +25,7 @@ import os, sys
 
 import allworlds
 
-from allworlds.engines.kernel.gluing import by_vertices_and_faces
+from allworlds.engines.kernel.worlds import by_vertices_and_faces
 
 allworlds.check(edges=2, engine="kernel")
 by_vertices_and_faces(4, 5, ())

@@ -12,12 +12,11 @@ from xml.etree import ElementTree as ET
 
 from frame import framed
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.maps import CombinatorialMap
 from allworlds.reports.drawing.layout import Layout, layout
-from allworlds.reports.drawing.scene import scene_of
-from allworlds.reports.drawing.svg import picture
-from allworlds.reports.markup import tag
+from allworlds.reports.drawing.svg import picture, tag
+from allworlds.reports.parts import scene_of
 from allworlds.world import Directional, World
 
 FILE = Path(__file__).parents[1] / "assets" / "darts.svg"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from allworlds.reports.markup import tag
+from allworlds.reports.drawing.svg import tag
 
 if TYPE_CHECKING:
     from xml.etree import ElementTree as ET

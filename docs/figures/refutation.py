@@ -16,9 +16,8 @@ from frame import framed
 import allworlds
 from allworlds import Estimate, Finding
 from allworlds.reports.drawing.layout import layout
-from allworlds.reports.drawing.scene import Scene, walk_in_answer, walk_in_world
-from allworlds.reports.drawing.svg import picture
-from allworlds.reports.markup import tag
+from allworlds.reports.drawing.svg import picture, tag
+from allworlds.reports.parts import Scene, walk_in_answer, walk_in_world
 
 ROOT = Path(__file__).parents[2]
 FILE = ROOT / "docs" / "assets" / "refutation.svg"

@@ -39,7 +39,7 @@ PAIR = re.compile(r"\(\[::([^\]]*)\],\s*\[::([^\]]*)\]\)")
 
 PYTHON = """
 import sys
-from allworlds.maps.canonical import rooted_code
+from allworlds.maps.combinatorial import rooted_code
 from allworlds.maps.enumeration import rooted_maps
 for found in rooted_maps(int(sys.argv[1])):
     sigma, alpha = rooted_code(found.sigma, found.alpha, 0)

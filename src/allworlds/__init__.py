@@ -31,21 +31,19 @@ if TYPE_CHECKING:
         InvalidMap as InvalidMap,
     )
     from allworlds.protocol.actions import (
+        Ambiguous as Ambiguous,
+        Checkpoint as Checkpoint,
         Drop as Drop,
+        Estimate as Estimate,
         Move as Move,
         Percept as Percept,
         Pick as Pick,
         Write as Write,
     )
-    from allworlds.protocol.answers import (
-        Ambiguous as Ambiguous,
-        Checkpoint as Checkpoint,
-        Estimate as Estimate,
-    )
     from allworlds.protocol.choices import Choices as Choices
     from allworlds.reports.drawing.svg import Drawing as Drawing, draw as draw
     from allworlds.studies import ambiguity as ambiguity
-    from allworlds.studies.ambiguity.telling_apart import twins as twins
+    from allworlds.studies.ambiguity.members import twins as twins
     from allworlds.studies.ambiguity.twin_search import search as search
     from allworlds.studies.check.exhaustive import check as check
     from allworlds.studies.compare.comparison import compare as compare
@@ -55,11 +53,8 @@ if TYPE_CHECKING:
     from allworlds.studies.fuzz import fuzz as fuzz
     from allworlds.studies.init import init as init
     from allworlds.studies.ledger import ledger as ledger
-    from allworlds.studies.merge import merge as merge
-    from allworlds.studies.play import play as play
-    from allworlds.studies.replay import replay as replay
-    from allworlds.studies.run import run as run
-    from allworlds.studies.status import status as status
+    from allworlds.studies.merge import merge as merge, status as status
+    from allworlds.studies.run import play as play, replay as replay, run as run
     from allworlds.studies.worst.all_worlds import worst as worst
     from allworlds.version import __version__ as __version__
     from allworlds.world.lighthouses.base import Lighthouse as Lighthouse

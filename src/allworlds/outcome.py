@@ -1,7 +1,5 @@
 """Endings of a job, their exit codes and verdicts, and the results of verbs."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from enum import IntEnum, StrEnum
 from typing import Any, ClassVar, NamedTuple, Protocol, TypeAlias, TypeVar

@@ -14,8 +14,6 @@ Maps grow edge by edge from their root edge, and every step can be continued, so
 lost.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence, Sized
 from itertools import combinations_with_replacement, count
 from math import comb
@@ -25,12 +23,10 @@ from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, integers, lists
 
 from allworlds.inputs.checks import InputError, an_integer
-from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, places
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, places, rooted_code
 from allworlds.protocol.choices import Choices, Kind
-from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
+from allworlds.world.lighthouses import base, kinds
 from allworlds.world.world import World
 
 __all__ = [
@@ -116,7 +112,7 @@ def sampled_maps(map_class: str, max_edges: int, count: int) -> list[Combinatori
 
 def worlds(
     map_strategy: SearchStrategy[CombinatorialMap] | None = None,
-    lighthouse: GivenLighthouse = "directional",
+    lighthouse: kinds.GivenLighthouse = "directional",
 ) -> SearchStrategy[World]:
     """Worlds: a map, the dart that the robot faces at the start, a place of the lighthouse.
 
@@ -134,7 +130,7 @@ def worlds(
         InputError: for an unknown lighthouse.
     """
     return _lit(
-        maps() if map_strategy is None else map_strategy, lighthouse_kind(lighthouse).as_class
+        maps() if map_strategy is None else map_strategy, kinds.lighthouse_kind(lighthouse).as_class
     )
 
 
@@ -187,7 +183,7 @@ def _of_class(map_class: MapClass, least: int, most: int) -> SearchStrategy[Comb
 
 @composite
 def _lit(
-    draw: DrawFn, map_strategy: SearchStrategy[CombinatorialMap], kind: type[Lighthouse]
+    draw: DrawFn, map_strategy: SearchStrategy[CombinatorialMap], kind: type[base.Lighthouse]
 ) -> World:
     map_ = draw(map_strategy)
     start = draw(integers(0, len(map_.sigma) - 1))

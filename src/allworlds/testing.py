@@ -19,8 +19,6 @@ This module does not need pytest.  If pytest runs, past findings are kept in its
 first.
 """
 
-from __future__ import annotations
-
 import inspect
 import sys
 from collections.abc import Callable, Mapping, Sequence
@@ -28,22 +26,18 @@ from dataclasses import dataclass, fields
 from functools import partial
 from typing import Any, TypeAlias
 
+from allworlds import outcome, words
 from allworlds.inputs.checks import did_you_mean
 from allworlds.judging.findings.finding import Finding
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps import classes, enumeration
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.enumeration import rooted_maps
 from allworlds.notations.given import GivenOptions
-from allworlds.outcome import Verdict
-from allworlds.reports.formats import brief
-from allworlds.reports.plain_text import finding_in_words
+from allworlds.reports import formats, plain_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.fuzz import MapsRequest, fuzz, refuted_in
-from allworlds.words import plural
-from allworlds.world.corpus import own_corpus
+from allworlds.world import named, selection
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
-from allworlds.world.selection import a_condition, flaws_of
 
 __all__ = [
     "AtLevel",
@@ -101,10 +95,10 @@ def levels_of(options: Mapping[str, Any]) -> Sequence[int]:
         InputError: naming the offending option and what would be legal.
     """
     bounds = _bounds(options)
-    map_class = MapClass.named(options.get("map_class", MapClass.MAPS.value))
-    where = a_condition(options.get("where"))
+    map_class = classes.MapClass.named(options.get("map_class", classes.MapClass.MAPS.value))
+    where = selection.a_condition(options.get("where"))
     given = GivenOptions(**{key: options[key] for key in GIVEN & options.keys()}).given
-    extent = Extent(map_class, bounds["edges"], bounds["vertices"], where, given)
+    extent = classes.Extent(map_class, bounds["edges"], bounds["vertices"], where, given)
     if given is not None:
         return extent.levels
     first, last = extent.levels[0], extent.levels[-1]
@@ -113,8 +107,8 @@ def levels_of(options: Mapping[str, Any]) -> Sequence[int]:
     return range(first, last + 1)
 
 
-def _any_map(extent: Extent, edges: int) -> bool:
-    found = rooted_maps(edges, extent.map_class, extent.vertices, where=extent.where)
+def _any_map(extent: classes.Extent, edges: int) -> bool:
+    found = enumeration.rooted_maps(edges, extent.map_class, extent.vertices, where=extent.where)
     return next(found, None) is not None
 
 
@@ -150,7 +144,7 @@ class AtLevel:
         if smaller:
             edges = smaller[0].key[0]
             raise AssertionError(
-                f"refuted already in a world with {plural(edges, 'edge')}, by the law "
+                f"refuted already in a world with {words.plural(edges, 'edge')}, by the law "
                 f"'{smaller[0].law}': see the test edges-{edges}"
             )
         _assert_holds(report)
@@ -252,7 +246,7 @@ def assert_lighthouse(lighthouse: GivenLighthouse, *, edges: int = LIGHTHOUSE_ED
     """
     __tracebackhide__ = True
     kind = lighthouse_kind(lighthouse)
-    for wrong in flaws_of(kind, edges):
+    for wrong in selection.flaws_of(kind, edges):
         raise AssertionError(wrong)
 
 
@@ -262,7 +256,7 @@ def known_hard_maps() -> list[CombinatorialMap]:
     They have refuted explorers, look like another map to some of them, or are the smallest of
     their kind.
     """
-    corpus = own_corpus()
+    corpus = named.own_corpus()
     documents = [corpus.document(entry) for entry in corpus.of_kind("world")]
     documents += [corpus.document(entry)["world"] for entry in corpus.of_kind("finding")]
     for entry in corpus.of_kind("pair"):
@@ -282,10 +276,10 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
     named = _of_maps(options)
     if named.get("where") is not None:
         report = fuzz(explore, edges=edges, runs=count, **named).uninterrupted()
-        if report.verdict is not Verdict.NOT_REFUTED:
+        if report.verdict is not outcome.Verdict.NOT_REFUTED:
             raise AssertionError(_said(report))
         return
-    map_class = options.get("map_class", MapClass.MAPS.value)
+    map_class = options.get("map_class", classes.MapClass.MAPS.value)
     maps = sampled_maps(map_class, edges, count)
     _assert_no(refuted_in(maps, MapsRequest(explore, **named)))
 
@@ -303,12 +297,12 @@ def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
 def _assert_no(finding: Finding | None) -> None:
     __tracebackhide__ = True
     if finding is not None:
-        raise AssertionError("\n" + finding_in_words(finding, WIDTH))
+        raise AssertionError("\n" + plain_text.finding_in_words(finding, WIDTH))
 
 
 def _assert_holds(report: CheckReport) -> None:
     __tracebackhide__ = True
-    if report.verdict is not Verdict.HOLDS:
+    if report.verdict is not outcome.Verdict.HOLDS:
         raise AssertionError(_said(report))
 
 
@@ -334,6 +328,6 @@ def _bounds(options: Mapping[str, Any]) -> dict[str, Any]:
 
 def _said(report: CheckReport) -> str:
     """The text about a report whose verdict is not that the laws hold."""
-    verdict = brief(report, WIDTH)
-    findings = [finding_in_words(finding, WIDTH) for finding in report.findings]
+    verdict = formats.brief(report, WIDTH)
+    findings = [plain_text.finding_in_words(finding, WIDTH) for finding in report.findings]
     return "\n" + "\n\n".join([*findings, verdict])

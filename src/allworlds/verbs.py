@@ -5,8 +5,6 @@ its request, its function and its document.  One whose result is told in words o
 function in ``reports.content``; one that does more than answer a request has one in ``cli``.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any

@@ -1,7 +1,5 @@
 """Numbers and lists in words, for every sentence that a person reads."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 

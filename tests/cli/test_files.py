@@ -6,8 +6,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from allworlds.cli.defaults import Defaults
-from allworlds.cli.made_by import beginning
+from allworlds.cli.defaults import Defaults, beginning
 from allworlds.cli.output import emit, output_of
 from allworlds.reports.formats import file_of
 from allworlds.studies.check.exhaustive import check

@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import pytest
 
 from allworlds.cli import app, main
-from allworlds.engines.here import Threads
+from allworlds.engines.engine_table import Threads
 from allworlds.outcome import Completed, Interrupted, until_interrupted
 from allworlds.studies.ambiguity.twin_search import _TwinsSearch
 
@@ -75,7 +75,7 @@ SEARCH = "ambiguity search --lighthouse position --class simple --vertices 4 --e
 
 
 def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
-    interrupt("allworlds.studies.ambiguity.twin_search.pair_formula", 1)
+    interrupt("allworlds.studies.ambiguity.formulas.pair_formula", 1)
     code, out, err = cli(*SEARCH.split(), tmp_path)
     document = json.loads(out)
     assert (code, document["exit_code"], document["status"]) == (130, 130, "unknown")

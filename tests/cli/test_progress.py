@@ -7,7 +7,7 @@ import pytest
 
 from allworlds import ambiguity, count, search
 from allworlds.cli import output
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from schemas.validating import complaints
 
 pytestmark = pytest.mark.usefixtures("compiled")

@@ -15,7 +15,7 @@ from allworlds.explorers.program import SAYINGS
 from allworlds.explorers.shared_library import INTERFACE_VERSION
 from allworlds.judging.laws.law_table import PRECEDENCE
 from allworlds.protocol import playing
-from allworlds.reports.web import frame
+from allworlds.reports.web import sections as frame
 from allworlds.studies.check import exhaustive
 from enumerators import BROKEN_ENUMERATORS
 from errands import WEAK_TASK_JUDGES, WRONG_ERRANDS

@@ -12,8 +12,7 @@ from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.finished_run import Case
-from allworlds.judging.laws.law_table import LAWS, judge
+from allworlds.judging.laws.law_table import LAWS, Case, judge
 from allworlds.maps import MapClass
 from allworlds.world import Directional, World
 from bruteforce import rooted_maps_by_permutations as all_rooted_maps

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_code

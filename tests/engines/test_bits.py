@@ -1,6 +1,6 @@
 from numba import njit
 
-from allworlds.engines.kernel.instructions import highest, lowest, size
+from allworlds.engines.kernel.compiling import highest, lowest, size
 
 
 @njit

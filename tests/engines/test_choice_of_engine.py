@@ -5,10 +5,9 @@ import pytest
 
 from allworlds import check, count, worst
 from allworlds.engines.engine_table import ENGINES, Job, engine_for, why_not_compiled
-from allworlds.engines.limits import Limits
-from allworlds.engines.progress import Silent
-from allworlds.engines.scope import Scope
+from allworlds.engines.limits import Limits, Silent
 from allworlds.engines.single import subject_of
+from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject, load
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules

@@ -14,7 +14,7 @@ import processes
 from allworlds import check
 from allworlds.engines import dask as cluster
 from allworlds.engines.dask import Dask
-from allworlds.engines.here import ThisThread
+from allworlds.engines.engine_table import ThisThread
 from allworlds.engines.limits import ClusterLost, DaskCluster
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numba import njit
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines.kernel.laws import (
     INVARIANT_1,
     INVARIANT_2,
@@ -15,10 +15,9 @@ from allworlds.engines.kernel.laws import (
     look_at,
 )
 from allworlds.engines.kernel.records import ANSWER, JUDGED, WORLD, new
-from allworlds.judging.laws.finished_run import Case
-from allworlds.judging.laws.law_table import LAWS
+from allworlds.judging.laws.law_table import LAWS, Case
 from allworlds.maps import random_map, rooted_maps
-from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.actions import Checkpoint
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
 

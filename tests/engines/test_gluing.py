@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds.engines.kernel.gluing import by_vertices_and_faces
+from allworlds.engines.kernel.worlds import by_vertices_and_faces
 from allworlds.engines.units import units_of_level
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent

@@ -2,9 +2,9 @@
 
 import pytest
 
-from allworlds.engines.comparison import difference_of
 from allworlds.engines.compiled_engine import level_of
-from allworlds.engines.kernel.batches import UnitJudge
+from allworlds.engines.judge import difference_of
+from allworlds.engines.kernel.engine import UnitJudge
 from allworlds.engines.kernel.records import Stretch
 from allworlds.engines.players import Logs
 from allworlds.judging.findings.rules import Rules

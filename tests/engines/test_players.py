@@ -11,8 +11,8 @@ from allworlds.engines.judge import Due, PythonJudge
 from allworlds.engines.lane import answered, lost_log
 from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup
-from allworlds.engines.scope import Scope
 from allworlds.engines.tally import RunCounter
+from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject, load, source_of
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules

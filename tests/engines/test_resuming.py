@@ -50,7 +50,7 @@ def test_a_finding_is_confirmed_once(tmp_path, monkeypatch):
     job = lambda: check(wrong("everywhere"), edges=2, run=tmp_path / "run")  # noqa: E731
     whole = job().to_json()
     assert whole["findings"][0]["confirmed"]
-    monkeypatch.setattr("allworlds.studies.check.tally_sweep.played_again", lambda *_: 1 / 0)
+    monkeypatch.setattr("allworlds.engines.single.played_again", lambda *_: 1 / 0)
     assert job().to_json() == whole
 
 

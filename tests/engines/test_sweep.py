@@ -9,9 +9,8 @@ import pytest
 
 from allworlds import ambiguity, check, compare, count, fuzz, worst
 from allworlds.engines import sweep
-from allworlds.engines.limits import TimeIsUp
+from allworlds.engines.limits import Silent, TimeIsUp
 from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import Silent
 from allworlds.verbs import VERBS
 from clusters import cluster_here
 from kept_jobs import EXPLORERS

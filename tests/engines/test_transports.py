@@ -8,10 +8,9 @@ from inspect import getsource
 
 import pytest
 
-from allworlds.engines import dask, engine_table, here
-from allworlds.engines.here import ThisThread, Threads
-from allworlds.engines.limits import DaskCluster, TimeIsUp
-from allworlds.engines.progress import Silent
+from allworlds.engines import dask, engine_table
+from allworlds.engines.engine_table import ThisThread, Threads
+from allworlds.engines.limits import DaskCluster, Silent, TimeIsUp
 from allworlds.engines.sweep import gather
 from clusters import cluster_here
 
@@ -23,7 +22,7 @@ pytestmark = [
 
 def transports():
     """Every class of these modules that is a context and has units done."""
-    for module in (dask, here):
+    for module in (dask, engine_table):
         for name, found in inspect.getmembers(module, inspect.isclass):
             ours = found.__module__ == module.__name__ and not getattr(found, "_is_protocol", False)
             if ours and hasattr(found, "map") and hasattr(found, "__enter__"):
@@ -138,7 +137,7 @@ def test_of_several_errors_the_one_in_the_first_unit_is_raised_whichever_comes_f
                     return
             raise Wrong(str(unit))
 
-    monkeypatch.setattr("allworlds.engines.here.wait", waits)
+    monkeypatch.setattr("allworlds.engines.engine_table.wait", waits)
 
     seen = []
     with Threads(4) as threads, pytest.raises(Wrong, match=r"^2$"):

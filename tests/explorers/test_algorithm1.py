@@ -4,8 +4,7 @@ import networkx as nx
 import pytest
 from hypothesis import given, strategies as st
 
-from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.builtin.partial_map import PartialMap, simple_path
+from allworlds.explorers.builtin.algorithm1 import PartialMap, algorithm1, simple_path
 from allworlds.maps import (
     CombinatorialMap,
     MapClass,
@@ -15,8 +14,7 @@ from allworlds.maps import (
     rooted_maps,
 )
 from allworlds.maps.build import cycle, dense, lattice
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.actions import Checkpoint, Move, Percept
 from allworlds.protocol.choices import Choices, policy_named
 from schedules import schedules
 from small import EDGE, LOOP, maps

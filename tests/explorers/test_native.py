@@ -24,12 +24,10 @@ from allworlds.explorers.shared_library import (
     threads_left,
 )
 from allworlds.inputs.checks import InputError
-from allworlds.protocol.actions import Percept
+from allworlds.protocol.actions import ExplorerFault, Percept
 from allworlds.protocol.choices import KINDS, Choices
-from allworlds.protocol.faults import ExplorerFault
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run import replay, run
 from allworlds.world import Position, World
 from native_libraries import EXAMPLES, attack, example, quotient
 from schedules import schedules

@@ -7,8 +7,7 @@ import pytest
 import allworlds
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.maps import MapClass, named_map, rooted_code, rooted_maps
-from allworlds.protocol.actions import Drop, Move, Pick
-from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.protocol.actions import Ambiguous, Drop, Estimate, Move, Pick
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Position, World
 from allworlds.world.lighthouses.kinds import lighthouse_kind

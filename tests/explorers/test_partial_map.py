@@ -2,10 +2,9 @@ import networkx as nx
 import pytest
 from hypothesis import given, strategies as st
 
-from allworlds.explorers.builtin.partial_map import PartialMap
+from allworlds.explorers.builtin.algorithm1 import PartialMap
 from allworlds.maps import CombinatorialMap, rooted_code
-from allworlds.protocol.actions import Percept
-from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.actions import Checkpoint, Percept
 from small import maps
 
 

@@ -7,9 +7,7 @@ import pytest
 
 from allworlds.explorers.program import Program
 from allworlds.inputs.checks import InputError
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.answers import Checkpoint
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.actions import Checkpoint, ExplorerFault, Move, Percept
 from processes import PATIENCE
 
 SCRIPT = """

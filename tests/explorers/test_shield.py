@@ -5,20 +5,17 @@ import pytest
 import allworlds
 from allworlds import CombinatorialMap, Estimate, Move, Percept
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
-from allworlds.explorers.builtin import shield as shield_module
+from allworlds.explorers.builtin import folding as shield_module
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.builtin.folding import FoldedLog, has_open_dart
-from allworlds.explorers.builtin.shield import Shield
+from allworlds.explorers.builtin.folding import FoldedLog, Shield, has_open_dart
 from allworlds.explorers.loading import in_process_subject, load, named_on_command_line, own_bound
 from allworlds.explorers.sources import content_digest, place_of_explorer, whole_name
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import rooted_maps
-from allworlds.protocol.actions import Drop
-from allworlds.protocol.answers import Checkpoint
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.actions import Checkpoint, Drop, ExplorerFault
 
 NOT_MENDED = {"state-kept": "nondeterministic"}
 """The mutants that a shield cannot make right, and the law that they break all the same."""

@@ -9,8 +9,7 @@ from allworlds.explorers.builtin.algorithm1 import algorithm1_cluster, algorithm
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.maps import MapClass, from_cycles, from_rotation, rooted_code, rooted_maps
 from allworlds.maps.build import cycle
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.actions import Checkpoint, Move, Percept
 from allworlds.protocol.choices import Choices, policy_named
 from allworlds.strategies import maps
 from schedules import schedules

@@ -10,7 +10,7 @@ from typing import Any
 
 from allworlds.maps import random_map
 from allworlds.world import LIGHTHOUSES
-from allworlds.world.corpus import own_corpus
+from allworlds.world.named import own_corpus
 
 LONG = "x" * 5000
 HUGE = 10**13

@@ -7,8 +7,7 @@ from typing import Annotated, Literal
 import pytest
 from msgspec import UNSET, UnsetType
 
-from allworlds.document.reading import parse
-from allworlds.document.struct import (
+from allworlds.document import (
     Document,
     IfAny,
     Natural,
@@ -20,6 +19,7 @@ from allworlds.document.struct import (
     computed,
     key,
     keys_of,
+    parse,
     plain,
     replace,
 )

@@ -7,13 +7,13 @@ from functools import cached_property
 import pytest
 
 import allworlds
-from allworlds.document.struct import replace
-from allworlds.engines.progress import Silent
+from allworlds.document import replace
+from allworlds.engines.limits import Silent
 from allworlds.engines.units import Shard
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import Option, Request, answer, fields_of, meant, remembered
 from allworlds.maps import MapClass
-from allworlds.studies.check.requests import CheckRequest
+from allworlds.studies.check.report import CheckRequest
 from allworlds.verbs import VERBS
 
 GIVEN = {"map_class": "simple", "shard": (0, 2), "laws": ["map", "pose"], "bound": 7}

@@ -9,7 +9,7 @@ from allworlds import Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.judging.explanations.by_law import another_world
 from allworlds.judging.laws.folding import fold
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Transcript
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
 from second_opinion import same_pose

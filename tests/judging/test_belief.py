@@ -1,9 +1,9 @@
 """The walk in an answer, traced back from its end."""
 
 from allworlds import Move, Percept
-from allworlds.judging.findings.walks import believed_percepts, trail_to, true_trail
+from allworlds.judging.findings.finding import believed_percepts, trail_to, true_trail
 from allworlds.maps import named_map
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Transcript
 from allworlds.world import Compass, Directional, World
 from small import EDGE, LOOP, TRIANGLE, stepped
 

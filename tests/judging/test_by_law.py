@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.judging.explanations.by_law import TELLERS, tell_whose_bound
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import BOUNDS
 from allworlds.judging.laws.law_table import PRECEDENCE
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run
 from allworlds.world import Directional, World

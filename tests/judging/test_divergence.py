@@ -1,6 +1,6 @@
 """Where two walks part."""
 
-from allworlds.judging.findings.walks import Parting, find_parting
+from allworlds.judging.findings.finding import Parting, find_parting
 from small import EDGE, PATH
 
 

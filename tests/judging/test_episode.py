@@ -7,10 +7,17 @@ import pytest
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import Answered, Fault, default_step_budget, play
 from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
-from allworlds.protocol.actions import Drop, Move, Percept, Pick
-from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
+from allworlds.protocol.actions import (
+    Ambiguous,
+    Checkpoint,
+    Drop,
+    Estimate,
+    ExplorerFault,
+    Move,
+    Percept,
+    Pick,
+)
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.faults import ExplorerFault
 from allworlds.protocol.playing import MOST_DARTS
 from allworlds.world import Directional, World
 from small import EDGE, PATH

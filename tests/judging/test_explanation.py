@@ -6,12 +6,11 @@ import pytest
 
 import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import PRECEDENCE
-from allworlds.protocol.actions import Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Percept, Transcript
 from allworlds.studies.explain import explain
 
 # One mutant is first wrong in a world with four edges.

@@ -3,13 +3,12 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.maps import named_map
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run import replay, run
 from allworlds.world import Directional, World, worlds
 from processes import PATIENCE
 

@@ -6,9 +6,7 @@ from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.laws.folding import Contradiction, Folded, fold
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
 from allworlds.maps.build import cycle
-from allworlds.protocol.actions import Drop, Move, Percept, Pick
-from allworlds.protocol.answers import Checkpoint
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Checkpoint, Drop, Move, Percept, Pick, Transcript
 from allworlds.world import Directional, World
 from small import stepped
 

@@ -4,12 +4,10 @@ from random import Random
 
 import pytest
 
-from allworlds.document.struct import replace
-from allworlds.judging.laws.finished_run import Case, Violation, invariant_1, invariant_2, variant
+from allworlds.document import replace
+from allworlds.judging.laws.law_table import Case, Violation, invariant_1, invariant_2, variant
 from allworlds.maps import rooted_maps
-from allworlds.protocol.actions import Drop, Move, Percept
-from allworlds.protocol.answers import Checkpoint, Estimate
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Checkpoint, Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
 from finished import finished
 from small import EDGE, LOLLIPOP, LOOP

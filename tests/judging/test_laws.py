@@ -1,18 +1,18 @@
 import pytest
 
-from allworlds.judging.laws.finished_run import (
+from allworlds.judging.laws.law_table import (
+    LAWS,
+    PRECEDENCE,
     Case,
     Violation,
     bound_law,
     folding_law,
+    judge,
     map_law,
     pose_law,
 )
-from allworlds.judging.laws.law_table import LAWS, PRECEDENCE, judge
 from allworlds.maps import CombinatorialMap, rooted_maps
-from allworlds.protocol.actions import Drop, Move, Percept
-from allworlds.protocol.answers import Estimate
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
 from finished import finished
 from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS, stepped

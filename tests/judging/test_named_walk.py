@@ -2,8 +2,7 @@
 
 from allworlds import Move
 from allworlds.judging.explanations.story import Walked
-from allworlds.protocol.actions import Drop, Pick
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Drop, Pick, Transcript
 from allworlds.world import world_named
 
 

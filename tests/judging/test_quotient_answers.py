@@ -2,12 +2,9 @@
 
 import pytest
 
-from allworlds.document.struct import replace
-from allworlds.judging.laws.finished_run import Case
-from allworlds.judging.laws.law_table import PRECEDENCE, judge
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Ambiguous, Estimate
-from allworlds.protocol.transcript import Transcript
+from allworlds.document import replace
+from allworlds.judging.laws.law_table import PRECEDENCE, Case, judge
+from allworlds.protocol.actions import Ambiguous, Estimate, Move, Transcript
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Position, World
 from small import EDGE, PLANE, TORUS, all_maps

@@ -6,10 +6,16 @@ from allworlds import CombinatorialMap, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.explanations.by_law import GUESSED
-from allworlds.judging.explanations.slips import LARGEST, SLIPS, mirror_image, the_slip
-from allworlds.judging.explanations.story import Belief, Story
+from allworlds.judging.explanations.story import (
+    LARGEST,
+    SLIPS,
+    Belief,
+    Story,
+    mirror_image,
+    the_slip,
+)
 from allworlds.maps import contracted, deleted, family, isomorphism, rooted_isomorphism
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run

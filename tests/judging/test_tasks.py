@@ -6,9 +6,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import Answered, Over
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.tasks import TASKS, Task, task_named
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Estimate
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Estimate, Move, Transcript
 from allworlds.world import Nothing, State, World
 from small import EDGE, LOLLIPOP, LOOP, PATH, TORUS, TRIANGLE, all_maps
 

@@ -10,11 +10,9 @@ from random import Random
 import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.judging.laws.finished_run import Case
+from allworlds.judging.laws.law_table import Case
 from allworlds.maps import CombinatorialMap, rooted_maps, unrooted_code
-from allworlds.protocol.actions import Percept
-from allworlds.protocol.answers import Checkpoint, Estimate
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Checkpoint, Estimate, Percept, Transcript
 from allworlds.world import Directional, World
 from second_opinion import verdict
 from small import all_maps, long, stepped

@@ -6,9 +6,8 @@ from hypothesis.strategies import tuples
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import play
-from allworlds.judging.laws.finished_run import Case, bound_law
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.judging.laws.law_table import Case, bound_law
+from allworlds.protocol.actions import Checkpoint, Estimate, Move
 from allworlds.protocol.choices import Choices
 from allworlds.strategies import choices, maps, motions, worlds
 from allworlds.world import World

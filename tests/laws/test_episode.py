@@ -15,8 +15,7 @@ from hypothesis.stateful import (
 from hypothesis.strategies import integers, sampled_from
 
 from allworlds.judging.episode import Answered, play
-from allworlds.protocol.actions import Drop, Move, Pick
-from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.actions import Checkpoint, Drop, Estimate, Move, Pick
 from allworlds.protocol.choices import Choices
 from allworlds.strategies import maps, worlds
 

@@ -6,16 +6,14 @@ from hypothesis import find, given, settings
 from hypothesis.strategies import integers, tuples
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import play
-from allworlds.judging.laws.finished_run import Case
 from allworlds.judging.laws.folding import Contradiction, fold
+from allworlds.judging.laws.law_table import Case
 from allworlds.maps import CombinatorialMap, rooted_code
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate, Move, Transcript
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.transcript import Transcript
 from allworlds.strategies import choices, maps, motions, worlds
 
 LONG = 3000

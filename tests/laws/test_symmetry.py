@@ -5,15 +5,13 @@ from hypothesis import find, given, settings
 from hypothesis.strategies import data, integers, permutations, tuples
 
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import play
 from allworlds.judging.laws.folding import fold
 from allworlds.maps import rooted_code, rooted_maps
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate, Move, Transcript
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.transcript import Transcript
 from allworlds.strategies import choices, maps, motions, worlds
 
 WRONG = {

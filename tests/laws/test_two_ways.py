@@ -8,11 +8,9 @@ from hypothesis import find, given, settings
 from hypothesis.strategies import composite, data, integers, permutations, sampled_from
 
 import bruteforce
-from allworlds.judging.laws.finished_run import Case
+from allworlds.judging.laws.law_table import Case
 from allworlds.maps import MapClass, moved, rooted_code, rooted_maps
-from allworlds.protocol.actions import Percept
-from allworlds.protocol.answers import Estimate
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Estimate, Percept, Transcript
 from allworlds.strategies import maps
 from enumerators import BROKEN_ENUMERATORS
 from second_opinion import verdict

@@ -15,7 +15,7 @@ from allworlds.maps import (
     named_maps,
 )
 from allworlds.maps.build import cycle, dense, lattice
-from allworlds.maps.canonical import Mismatch
+from allworlds.maps.combinatorial import Mismatch
 from bruteforce import rooted_maps_by_permutations
 
 # Vertices, edges and face lengths of well-known embedded graphs: the Platonic solids K4 and

@@ -17,7 +17,7 @@ from allworlds.maps import (
     unrooted_code,
 )
 from allworlds.maps.build import cycle, dense, lattice
-from allworlds.maps.canonical import Mismatch, carries, numbering
+from allworlds.maps.combinatorial import Mismatch, carries, numbering
 from small import LOOP, joined, maps
 
 # Symmetric maps: of each the number of rotations that carry it into itself.  A solid has two

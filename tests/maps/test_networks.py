@@ -15,8 +15,7 @@ from allworlds.maps import (
     networks,
     to_networkx,
 )
-from allworlds.maps.build import lattice
-from allworlds.maps.surgery import deleted
+from allworlds.maps.build import deleted, lattice
 from allworlds.world import Directional, InvalidWorld, World
 from bruteforce import rooted_maps_by_permutations
 

@@ -65,7 +65,7 @@ HOMES = {
         *("document", "outcome", "maps", "protocol", "world", "explorers", "judging", "engines"),
         *("reports", "studies", "notations"),
     ],
-    "networkx": ["maps.build", "maps.surgery", "maps.networks", "notations.graphs"],
+    "networkx": ["maps.build", "maps.networks", "notations.graphs"],
     "numba": ["engines.kernel"],
     "numpy": ["engines.kernel", "studies.compare"],
     "psutil": ["engines.dask"],
@@ -83,17 +83,11 @@ LAZY = {"dask", "distributed", "networkx", "rich"}
 INPUTS = {"inputs", "inputs.checks", "inputs.requests"}
 """The door to checks of values, and what is behind it."""
 
-DOCUMENT = {
-    *("document", "document.struct", "document.reading", "document.report"),
-    "document.struct",
-}
-"""The door to documents, and what is behind it."""
-
-DOORS = {"lazy", "maps", "outcome", *DOCUMENT}
+DOORS = {"document", "lazy", "maps", "outcome"}
 """What two modules may share that do not share a line of what they compute."""
 
 UPWARD = {
-    "document.report": "reports",
+    "document": "reports",
     "maps.combinatorial": "maps",
     "studies.merge": "studies",
     "verbs": "",
@@ -106,13 +100,13 @@ COMPARED = [
     (
         "world.bisimulation",
         "maps.quotient",
-        {"maps.canonical", "maps.combinatorial", *INPUTS, *DOORS},
+        {"maps.combinatorial", *INPUTS, *DOORS},
     ),
     # Twins are found by formulas, and by quotients; one checker serves both, and knows neither.
     (
         "studies.ambiguity.twin_search",
         "maps.quotient",
-        {"maps.canonical", "maps.combinatorial", *INPUTS, *DOORS},
+        {"maps.combinatorial", *INPUTS, *DOORS},
     ),
     ("maps.counting", "maps.enumeration", set()),
     ("engines.kernel.demand_driven", "explorers.builtin.algorithm1", DOORS),
@@ -120,7 +114,7 @@ COMPARED = [
         "engines.kernel.demand_driven",
         "engines.kernel.runs",
         {
-            *("engines.kernel.instructions", "engines.kernel.capabilities"),
+            *("engines.kernel.compiling", "engines.kernel.capabilities"),
             "engines.kernel.code",
             *("engines.kernel.compiling", "engines.kernel.records"),
         },
@@ -305,7 +299,7 @@ def test_a_study_imports_no_study_but_check():
     for short, _, own in own_imports():
         if wing(short) == wing(own) in BY_FOLDER and room(short) != room(own):
             found.add(room(own))
-    assert found == {"studies.check", "studies.merge"}
+    assert found == {"studies.check"}
 
 
 def test_no_circle_is_closed_among_the_modules_of_the_ground():

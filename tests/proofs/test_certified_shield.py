@@ -4,7 +4,7 @@ import importlib
 
 import pytest
 
-from allworlds.explorers.builtin.shield import Shield
+from allworlds.explorers.builtin.folding import Shield
 from allworlds.explorers.loading import Subject
 
 

@@ -5,9 +5,16 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from allworlds.protocol.actions import Drop, Move, Percept, Pick
-from allworlds.protocol.faults import ExplorerFault
-from allworlds.protocol.transcript import Transcript, action_from_json, percept_from_json
+from allworlds.protocol.actions import (
+    Drop,
+    ExplorerFault,
+    Move,
+    Percept,
+    Pick,
+    Transcript,
+    action_from_json,
+    percept_from_json,
+)
 
 FIRST = {"degree": 2, "marks": 1, "bearing": 0}
 percepts = st.integers(1, 9).flatmap(

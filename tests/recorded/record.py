@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from allworlds.studies.check.exhaustive import check
-from allworlds.world.corpus import own_corpus
+from allworlds.world.named import own_corpus
 
 HERE = Path(__file__).parent
 FINDINGS = own_corpus().directory / "findings"

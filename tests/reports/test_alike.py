@@ -4,8 +4,7 @@ import pytest
 
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, isomorphism, named_map
-from allworlds.reports.drawing.aligned_maps import extended, layout_like, mirror_of, names_like
-from allworlds.reports.drawing.layout import layout
+from allworlds.reports.drawing.layout import extended, layout, layout_like, mirror_of, names_like
 
 MAPS = [named_map(name) for name in ("k4", "theta", "theta-torus", "wheel-4", "k4-torus")]
 

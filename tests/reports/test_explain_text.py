@@ -4,9 +4,9 @@ import pytest
 
 from allworlds import CombinatorialMap, Estimate
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.reports.drawing.scene import walk_in_answer, walk_in_world
 from allworlds.reports.drawing.text import draw
 from allworlds.reports.formats import text as text_of
+from allworlds.reports.parts import walk_in_answer, walk_in_world
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run

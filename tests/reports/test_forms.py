@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from allworlds import reports
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.reports.formats import FORMATS, csv_rows, file_of, formats_of
 from allworlds.reports.parts import (
     CsvRows,
@@ -31,7 +31,7 @@ pytestmark = pytest.mark.usefixtures("compiled")  # for worst
 HOME = Path(reports.__file__).parent
 FORMS = [
     *(HOME / f"{name}.py" for name in ("parts", "plain_text")),
-    *(HOME / "web" / f"{name}.py" for name in ("frame", "sections")),
+    HOME / "web" / "sections.py",
 ]
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
 SLOW = ("ledger", "ambiguity search")

@@ -7,7 +7,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
 from allworlds.reports.formats import file_of
 from allworlds.reports.plain_text import finding_in_words as finding_text

@@ -5,7 +5,7 @@ from html.parser import HTMLParser
 
 import pytest
 
-from allworlds.reports.markup import document, legal, raw, record, tag
+from allworlds.reports.drawing.svg import document, legal, raw, record, tag
 
 
 def test_characters_that_html_does_not_allow_are_replaced_and_others_kept():

@@ -11,13 +11,13 @@ import pytest
 
 import allworlds
 from allworlds import Estimate, Move
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import CombinatorialMap, named_map
-from allworlds.reports.drawing.scene import Names, Scene, scene_of
 from allworlds.reports.drawing.svg import draw
 from allworlds.reports.drawing.text import draw as in_characters
 from allworlds.reports.formats import file_of, text
+from allworlds.reports.parts import Names, Scene, scene_of
 from allworlds.world import Labelling, World
 
 ROOMS = ("hall", "kitchen", "bedroom 1", "bedroom 2", "bath", "F")

@@ -4,8 +4,7 @@ from typing import Annotated
 
 import pytest
 
-from allworlds.document.report import Report
-from allworlds.document.struct import Document, Natural, about
+from allworlds.document import Document, Natural, Report, about
 from allworlds.outcome import Verdict
 from allworlds.reports.content.plain import plain_content
 from allworlds.reports.formats import FORMATS

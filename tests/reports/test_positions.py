@@ -10,8 +10,8 @@ import pytest
 from allworlds.maps import CombinatorialMap, from_cycles
 from allworlds.reports.drawing.layout import DISC, layout, points_of
 from allworlds.reports.drawing.positions import at_positions, laid_out
-from allworlds.reports.drawing.scene import scene_of
 from allworlds.reports.drawing.svg import draw
+from allworlds.reports.parts import scene_of
 from allworlds.world import Labelling, World
 from curves import crossings, flat
 

@@ -10,12 +10,11 @@ import pytest
 from allworlds import run
 from allworlds.maps import CombinatorialMap, family, from_rotation, named_map, rooted_maps
 from allworlds.reports.content.single_run import known
-from allworlds.reports.drawing.aligned_maps import layout_like
-from allworlds.reports.drawing.layout import layout
+from allworlds.reports.drawing.layout import layout, layout_like
 from allworlds.reports.drawing.regular import lattice, wheel
-from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import picture
 from allworlds.reports.formats import file_of
+from allworlds.reports.parts import Scene
 from allworlds.world import Directional, World
 from curves import crossings, flat, points
 from html_tree import read

@@ -13,8 +13,8 @@ import pytest
 
 from allworlds.maps import CombinatorialMap, family
 from allworlds.reports.drawing.layout import spread
-from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import picture
+from allworlds.reports.parts import Scene
 from curves import crossings, flat, points
 
 NS = "{http://www.w3.org/2000/svg}"

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from jsonschema import Draft7Validator
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.judging.laws.law_table import ASKED, PRECEDENCE
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
 from allworlds.reports.formats import file_of

@@ -4,12 +4,12 @@ import re
 
 import pytest
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.maps import named_map, rooted_maps
 from allworlds.protocol.actions import Percept
-from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.reports.drawing.svg import in_words, picture
 from allworlds.reports.drawing.text import draw
+from allworlds.reports.parts import Scene, scene_of
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, World
 
 

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.outcome import Completed, Interrupted, Stopped
 from allworlds.reports.formats import file_of, formats_of
 from allworlds.reports.plain_text import finding_in_words as finding_text

@@ -12,8 +12,8 @@ import pytest
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, family, named_map
 from allworlds.reports.drawing.planar import planar
-from allworlds.reports.drawing.scene import Names, Scene
 from allworlds.reports.drawing.svg import in_words, picture
+from allworlds.reports.parts import Names, Scene
 from curves import flat, points
 
 layouts = import_module("allworlds.reports.drawing.layout")

@@ -6,8 +6,8 @@ import pytest
 
 from allworlds.maps import CombinatorialMap, from_cycles, named_map
 from allworlds.maps.build import lattice
-from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.text import draw, rotation_table
+from allworlds.reports.parts import Scene
 
 NAMES = ["loop", "edge", "theta", "theta-torus", "two-loops-torus", "k4", "wheel-4", "fig1-left"]
 

@@ -1,15 +1,14 @@
 import pytest
 from msgspec import structs
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.maps import named_map
 from allworlds.reports.formats import brief, text as text_of
 from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
 from allworlds.studies.fuzz import fuzz
-from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run import replay, run
 from allworlds.world import Directional, World
 
 pytestmark = pytest.mark.usefixtures("without_workers")

@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator
 
 from allworlds import Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.maps import named_map
 from allworlds.outcome import Interrupted
 from allworlds.studies.ambiguity import census, class_of, search, twins
@@ -23,15 +23,12 @@ from allworlds.studies.explain import explain
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.init import init
 from allworlds.studies.ledger import ledger
-from allworlds.studies.merge import merge
-from allworlds.studies.play import play
-from allworlds.studies.replay import replay
-from allworlds.studies.run import run
-from allworlds.studies.status import status
+from allworlds.studies.merge import merge, status
+from allworlds.studies.run import play, replay, run
 from allworlds.studies.worst.all_worlds import worst
 from allworlds.verbs import VERBS
 from allworlds.world import LIGHTHOUSES, Directional, Position, World, worlds
-from allworlds.world.corpus import own_corpus
+from allworlds.world.named import own_corpus
 from recorded.record import least
 from schemas.rules import RULES, broken
 from schemas.validating import SCHEMAS, complaints

@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate
 
 
 @pytest.fixture(scope="session")
@@ -29,7 +29,7 @@ def planted_file(tmp_path):
         path = tmp_path / "planted.py"
         path.write_text(
             "from allworlds.explorers.builtin.algorithm1 import algorithm1\n"
-            "from allworlds.protocol.answers import Estimate\n"
+            "from allworlds.protocol.actions import Estimate\n"
             "def explore(first, *, choices):\n"
             "    right = yield from algorithm1(first, choices=choices)\n"
             "    map_ = right.map\n"

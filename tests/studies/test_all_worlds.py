@@ -3,15 +3,16 @@
 import pytest
 
 from allworlds import run
-from allworlds.document.struct import replace
-from allworlds.engines.examiner import Examiner
+from allworlds.document import replace
+from allworlds.engines import units
+from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.counting import rooted_maps as counted
 from allworlds.reports.formats import text
-from allworlds.studies.worst import all_worlds, compiled_engine
+from allworlds.studies.worst import compiled_engine
 from allworlds.studies.worst.all_worlds import worst
 from allworlds.studies.worst.every_schedule import EverySchedule, WrongTest
 from allworlds.world import Directional, World
@@ -112,10 +113,8 @@ def test_a_replay_that_costs_something_else_is_an_internal_error(report):
 
 
 def test_a_size_that_was_not_met_is_an_internal_error(monkeypatch):
-    cells_of_level = all_worlds.cells_of_level
-    monkeypatch.setattr(
-        all_worlds, "cells_of_level", lambda *level: {**cells_of_level(*level), 5: 1}
-    )
+    cells_of_level = units.cells_of_level
+    monkeypatch.setattr(units, "cells_of_level", lambda *level: {**cells_of_level(*level), 5: 1})
     lost = worst(edges=2)
     assert lost.exit_code == 70
     assert "no map with 1 edge and 5 vertices" in text(lost, 100)

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds import check, merge
-from allworlds.engines.examiner import Examiner
+from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import rooted_maps

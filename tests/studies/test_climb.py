@@ -10,10 +10,9 @@ from statistics import mean
 import pytest
 
 from allworlds import compare, run
-from allworlds.document.struct import replace
-from allworlds.engines.limits import TimeIsUp
+from allworlds.document import replace
+from allworlds.engines.limits import Silent, TimeIsUp
 from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import Silent
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError
@@ -22,8 +21,7 @@ from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_isomo
 from allworlds.maps.classes import Extent
 from allworlds.maps.families import edges_of
 from allworlds.outcome import Completed, Interrupted
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate, Move
 from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.compare.entrants import CompareRequest, Entrant
 from allworlds.studies.compare.growth import (

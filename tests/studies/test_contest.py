@@ -11,13 +11,13 @@ from statistics import geometric_mean
 import pytest
 
 from allworlds import check, compare, run
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines.limits import TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Interrupted
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate
 from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.compare import intervals
 from allworlds.studies.compare.comparison import SameWorlds

@@ -13,7 +13,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.maps import named_map
 from allworlds.reports.formats import text
 from allworlds.reports.web.play import LEAST, NAMES, game
-from allworlds.studies.play import Walker, play
+from allworlds.studies.run import Walker, play
 from allworlds.world import LIGHTHOUSES, Directional, World
 from allworlds.world.selection import worlds
 from small import LOLLIPOP, PATH

@@ -7,13 +7,13 @@ from typing import ClassVar
 
 import pytest
 
-from allworlds.document.struct import replace
-from allworlds.engines.progress import Silent
+from allworlds.document import replace
+from allworlds.engines.limits import Silent
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
 from allworlds.maps.counting import CountSource
 from allworlds.outcome import Verdict
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
@@ -201,7 +201,7 @@ def test_the_gate_notices_a_class_that_is_mixed_up(explorers, monkeypatch):
 @pytest.mark.usefixtures("without_workers")
 def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch):
     source = CountSource("abacus", lambda edges: {1: 1, 2: 2})
-    monkeypatch.setattr("allworlds.studies.check.report.source_of", lambda _class: source)
+    monkeypatch.setattr("allworlds.maps.count_source.source_of", lambda _class: source)
     report = check(edges=2)
     assert (report.verdict, report.levels) == (Verdict.ERROR, (1,))
     assert {cell.source for cell in report.cells} == {"abacus"}

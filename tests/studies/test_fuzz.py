@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds import merge
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.inputs.checks import InputError
 from allworlds.reports.content.check import scope_words, size_table
 from allworlds.reports.formats import file_of, text as text_of

@@ -8,7 +8,7 @@ import allworlds
 from allworlds import World
 from allworlds.inputs.checks import InputError
 from allworlds.maps.build import from_cycles, named_map
-from allworlds.maps.canonical import rooted_code, unrooted_code
+from allworlds.maps.combinatorial import rooted_code, unrooted_code
 from allworlds.maps.enumeration import history, rooted_maps
 from allworlds.notations.given import files_of, worlds_of_files
 from allworlds.reports.formats import file_of, text

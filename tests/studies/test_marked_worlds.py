@@ -1,7 +1,7 @@
 import pytest
 
-from allworlds.document.struct import replace
-from allworlds.engines.progress import Silent
+from allworlds.document import replace
+from allworlds.engines.limits import Silent
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Disagreement

@@ -8,11 +8,9 @@ import pytest
 
 import allworlds
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import believed_percepts, trail_to, true_walk
+from allworlds.judging.findings.finding import Finding, believed_percepts, trail_to, true_walk
 from allworlds.maps import MapClass
-from allworlds.protocol.actions import Drop, Move, Percept, Pick
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Drop, Move, Percept, Pick, Transcript
 from allworlds.reports.formats import text
 from allworlds.world import Movable, World
 from allworlds.world.lighthouses.marked import Labels

@@ -3,7 +3,7 @@
 import pytest
 
 import allworlds
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.engines.run_directory import Gap
 from allworlds.inputs.checks import InputError
 from kept_jobs import EXPLORERS
@@ -83,7 +83,7 @@ def test_a_finding_that_nobody_has_confirmed_is_a_gap(tmp_path, monkeypatch):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr("allworlds.studies.check.tally_sweep.played_again", interrupted)
+        patch.setattr("allworlds.engines.single.played_again", interrupted)
         report = allworlds.check(f"{WRONG}:everywhere", edges=1, run=tmp_path)
     assert report.exit_code == 130
     with pytest.raises(Gap, match="a finding has not been confirmed yet: give the commands of"):

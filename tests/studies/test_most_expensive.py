@@ -3,9 +3,8 @@
 import pytest
 
 from allworlds.engines.compiled_engine import level_of
-from allworlds.engines.examiner import Examiner
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.tally import AtRun, Row
+from allworlds.engines.tally import AtRun, Examiner, Row
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass, rooted_code, rooted_maps

@@ -9,7 +9,7 @@ import pytest
 from allworlds import Drop, Move, Pick
 from allworlds.cli.app import call
 from allworlds.inputs.checks import InputError
-from allworlds.studies.play import play
+from allworlds.studies.run import play
 from allworlds.world import Directional, Movable, World
 from allworlds.world.named import map_of_family
 from small import LOOP, PATH

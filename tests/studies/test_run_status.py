@@ -3,8 +3,8 @@
 import pytest
 
 import allworlds
-from allworlds.engines.progress import Silent
-from allworlds.studies.status import DoneOf
+from allworlds.engines.limits import Silent
+from allworlds.studies.merge import DoneOf
 from kept_jobs import EXPLORERS
 
 

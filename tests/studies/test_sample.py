@@ -3,8 +3,7 @@ from random import Random
 
 import pytest
 
-from allworlds.engines.scope import Sample
-from allworlds.engines.units import Shard
+from allworlds.engines.units import Sample, Shard
 from allworlds.inputs.checks import InputError
 from allworlds.maps import MapClass, random_map, rooted_code, rooted_maps
 from allworlds.maps.classes import Extent

@@ -5,9 +5,11 @@ import pytest
 from allworlds import ambiguity, check, compare, count, fuzz
 from allworlds.inputs.requests import in_scope
 from allworlds.judging.findings.rules import RuleOptions
+from allworlds.notations.given import GivenOptions
 from allworlds.reports.formats import text
 from allworlds.verbs import VERBS
 from allworlds.world.lighthouses.kinds import lighthouse_kind
+from plan_files import as_json, write
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
@@ -30,6 +32,9 @@ STUDIES = {
     "ambiguity census": ambiguity.census,
 }
 JUDGED = ("check", "fuzz", "compare")
+
+GIVEN = {one.option for one in in_scope(GivenOptions)}
+"""Options of given worlds, which a document leaves out where they are not said."""
 
 PLACES = "every place up to 3 edges; beyond, the compass at the smallest dart of each vertex alone"
 
@@ -78,7 +83,24 @@ def test_every_option_of_the_worlds_and_of_the_rules_is_a_key_of_the_scope(name)
     request = verb.function.request
     keys = of_all(STUDIES[name](edges=2, where="trees"))[0].keys()
     keys |= of_all(STUDIES[name](edges=2))[0].get("sample") or {}
-    assert {one.option for one in in_scope(request)} - {"task"} <= {*keys}
+    assert {one.option for one in in_scope(request)} - GIVEN - {"task"} <= {*keys}
+
+
+@pytest.mark.parametrize("name", ["check", "compare", "ambiguity census"])
+def test_every_option_of_given_worlds_is_a_key_of_the_scope_where_it_is_said(name, tmp_path):
+    file = write(tmp_path / "theta.json", as_json("theta"))
+    drawn = tmp_path / "edge.gml"
+    ends = (f"node [ id {i} graphics [ x {i} y 0 ] ]" for i in (0, 1))
+    drawn.write_text(f"graph [ {' '.join(ends)} edge [ source 0 target 1 ] ]")
+    said = (
+        {"worlds": file, "order": "anticlockwise"},
+        {"worlds": drawn, "y": "up"},
+        {"graph": "theta", "embeddings": "all"},
+    )
+    for options in said:
+        scope = of_all(STUDIES[name](edges=3, **options))[0]
+        assert {*scope} & GIVEN == {*options}
+    assert not GIVEN & {*of_all(STUDIES[name](edges=1))[0]}
 
 
 @pytest.mark.parametrize("name", [name for name in STUDIES if name != "count"])

@@ -1,12 +1,12 @@
 import pytest
 
 import allworlds
-from allworlds.document.struct import replace
-from allworlds.engines.scope import Scope
+from allworlds.document import replace
+from allworlds.engines.units import Scope
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass, contracted, deleted, rooted_code
 from allworlds.maps.classes import Extent
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate
 from allworlds.studies.fuzz import fuzz, shrink
 from allworlds.world import Directional, World
 from small import long

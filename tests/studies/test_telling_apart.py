@@ -9,14 +9,14 @@ from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Move
 from allworlds.reports.formats import text
 from allworlds.studies.ambiguity import class_of, twins
-from allworlds.studies.ambiguity.telling_apart import replayed, separation
+from allworlds.studies.ambiguity.members import replayed, separation
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World
 from allworlds.world.bisimulation import flaw
 from allworlds.world.world import at_place
 from models import HEARD
 from small import stepped
 
-twins_module = sys.modules["allworlds.studies.ambiguity.telling_apart"]
+twins_module = sys.modules["allworlds.studies.ambiguity.members"]
 KINDS = [Nothing, Position, Compass, Directional]
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from allworlds import check
 from allworlds.engines.kernel.capabilities import MOST_EDGES
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import drawn_units, level_size
 from allworlds.maps import MapClass
@@ -56,7 +56,7 @@ def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
     def never(*_):
         raise EnginesDisagree("they do not agree")
 
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.drawn_units", never)
+    monkeypatch.setattr("allworlds.engines.units.drawn_units", never)
     said = estimate(edges=2, engine="kernel")
     assert (said.rate, said.seconds, said.sampled) == (None, None, 0)
     assert said.to_json()["seconds"] is None

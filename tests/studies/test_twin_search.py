@@ -231,7 +231,7 @@ def test_a_search_without_a_result_leaves_no_temporary_directory(tmp_path, monke
         assert [found.name[:17] for found in tmp_path.iterdir()] == ["allworlds-search-"]
         raise error
 
-    monkeypatch.setattr(searching, "pair_formula", stop)
+    monkeypatch.setattr("allworlds.studies.ambiguity.formulas.pair_formula", stop)
     with pytest.raises(error):
         allworlds.search(lighthouse="position", vertices=2, edges=2)
     assert [*tmp_path.iterdir()] == []

@@ -8,18 +8,15 @@ import pytest
 
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, TwoVertices
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import believed_percepts
+from allworlds.judging.findings.finding import Finding, believed_percepts
 from allworlds.maps import from_cycles, named_map
 from allworlds.outcome import Verdict
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Move, Percept, Transcript
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.explain import explain
 from allworlds.studies.fuzz import fuzz
-from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run import replay, run
 from allworlds.world import Cluster, Natural, World, worlds
 
 pytestmark = pytest.mark.usefixtures("no_orphans", "without_workers")

@@ -1,9 +1,8 @@
 """Runs that have ended, as the judge is given them."""
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.judging.laws.finished_run import Case
-from allworlds.protocol.answers import Checkpoint
-from allworlds.protocol.transcript import Transcript
+from allworlds.judging.laws.law_table import Case
+from allworlds.protocol.actions import Checkpoint, Transcript
 from small import stepped
 
 

@@ -7,11 +7,10 @@ from allworlds.maps import CombinatorialMap, automorphisms, unrooted_code
 from allworlds.studies.ambiguity import twins
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
-from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run import replay, run
 from allworlds.world import World
 from allworlds.world.bisimulation import flaw
-from allworlds.world.corpus import MANIFEST, own_corpus
+from allworlds.world.named import MANIFEST, own_corpus
 
 CORPUS = own_corpus()
 

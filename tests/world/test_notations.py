@@ -22,7 +22,7 @@ from allworlds.maps import (
     named_map,
     unrooted_code,
 )
-from allworlds.maps.canonical import rooted_code
+from allworlds.maps.combinatorial import rooted_code
 from allworlds.notations.entry import Entry
 from allworlds.notations.table import (
     NOTATIONS,
@@ -263,7 +263,7 @@ def test_a_fat_graph_is_told_by_any_two_of_its_permutations(tmp_path):
         ('{"hall": ["bath"], "bath": []}', "vertex 'bath' has an empty list"),
         ('{"hall": ["bath"], "bath": ["hall"], "attic": ["hall"]}', "'attic' lists 'hall', but"),
         ('{"a": ["b"], "b": ["a"], "c": ["d"], "d": ["c"]}', "vertex 'c' cannot be reached from"),
-        ('{"hall": ["cellar"]}', "vertex 'hall' lists 'cellar', but the vertices are \\['hall'\\]"),
+        ('{"hall": ["cellar"]}', "vertex 'hall' lists 'cellar'; the vertices are \\['hall'\\]"),
         ('{"hall": 3}', "vertex 'hall' must have a clockwise list, not 3"),
         ('{"a": ["b"], "a": ["b"]}', "the key 'a' stands twice"),
         ('{"sigma": [0, 1], "alpha": [1, 0], "nam": ""}', "'nam' is no key of a world"),

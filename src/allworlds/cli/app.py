@@ -1,7 +1,5 @@
 """The command line: commands, groups, help."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import signal
@@ -11,6 +9,7 @@ import traceback
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, fields, is_dataclass
 from functools import cache, wraps
+from importlib import import_module
 from inspect import Parameter, Signature, signature
 from itertools import pairwise
 from pathlib import Path
@@ -18,8 +17,7 @@ from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
 
-from allworlds.cli.defaults import Defaults, defaults_here
-from allworlds.cli.made_by import beginning
+from allworlds.cli.defaults import Defaults, beginning, defaults_here
 from allworlds.cli.output import (
     OutputGroup,
     abandon_stdout,
@@ -31,8 +29,7 @@ from allworlds.cli.output import (
     printable,
     say,
 )
-from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.exit_code import keep_exit_code
+from allworlds.inputs.checks import InputError, keep_exit_code, show
 from allworlds.inputs.requests import (
     AS_IN_PYTHON,
     PANELS,
@@ -282,34 +279,21 @@ def _command(verb: Verb) -> Callable[..., int]:
     return grouped(_own_command(verb.name) or plain_command(verb), verb.name)
 
 
+_HOMES = {
+    "check": "check",
+    "convert": "convert",
+    "explain": "explain",
+    "play": "run",
+    "replay": "run",
+    "run": "run",
+}
+"""The modules of the verbs that do more than answer a request, and write."""
+
+
 def _own_command(name: str) -> Callable[..., int] | None:
-    """The function of a verb that does more than answer a request, and write."""
-    match name:
-        case "check":
-            from allworlds.cli.check import check
-
-            return check
-        case "run":
-            from allworlds.cli.run import run
-
-            return run
-        case "convert":
-            from allworlds.cli.convert import convert
-
-            return convert
-        case "replay":
-            from allworlds.cli.replay import replay
-
-            return replay
-        case "explain":
-            from allworlds.cli.explain import explain
-
-            return explain
-        case "play":
-            from allworlds.cli.play import play
-
-            return play
-    return None
+    """The function of a verb in its module; None of a verb without one."""
+    home = _HOMES.get(name)
+    return getattr(import_module(f"allworlds.cli.{home}"), name) if home else None
 
 
 def _unasked() -> None:

@@ -1,7 +1,5 @@
 """The command check."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import Annotated
@@ -10,7 +8,7 @@ import allworlds
 from allworlds.cli.output import OutputGroup, answered, emit
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import EFFORT, Option
-from allworlds.studies.check.requests import CheckRequest
+from allworlds.studies.check.report import CheckRequest
 
 
 def ensure_directory(name: str | Path | None) -> None:

@@ -1,10 +1,8 @@
 """The verb ``convert`` on the command line."""
 
-from __future__ import annotations
-
 import allworlds
 from allworlds.cli.output import OutputGroup, emit
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import answer
 from allworlds.reports.formats import names_world_file

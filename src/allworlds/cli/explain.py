@@ -1,7 +1,5 @@
 """The verb ``explain`` on the command line."""
 
-from __future__ import annotations
-
 import allworlds
 from allworlds.cli.output import OutputGroup, emit
 from allworlds.inputs.requests import answer

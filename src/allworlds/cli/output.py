@@ -1,7 +1,5 @@
 """Output: results go to stdout and into files, everything else goes to stderr."""
 
-from __future__ import annotations
-
 import io
 import os
 import re
@@ -12,32 +10,16 @@ from contextlib import suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import cache, cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeVar
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
-from allworlds.cli.made_by import defaults_used, made_by, words_of_command
-from allworlds.document.struct import replace
-from allworlds.engines.limits import ListenerOptions
-from allworlds.engines.prints import patient_stderr
-from allworlds.engines.progress import Listener
+from allworlds import document as doc, outcome, verbs, words
+from allworlds.cli.defaults import defaults_used, made_by, words_of_command
+from allworlds.engines import limits, prints
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Option, answer
-from allworlds.outcome import Exit, Result
-from allworlds.reports.formats import (
-    content_of,
-    document_text,
-    file_of,
-    form_and_path,
-    formats_of,
-    legal_files,
-)
-from allworlds.reports.plain_text import content_line, on_terminal
-from allworlds.verbs import BY_NAME, FINDINGS
-from allworlds.words import harmless
+from allworlds.reports import formats, plain_text
 
-if TYPE_CHECKING:
-    from allworlds.document.report import Report
-
-Answer = TypeVar("Answer", bound=Result)
+Answer = TypeVar("Answer", bound=outcome.Result)
 
 NARROWEST = 40
 
@@ -74,16 +56,16 @@ class OutputGroup:
     @cached_property
     def named(self) -> list[tuple[str, str]]:
         """The files that were named, each with its format before it."""
-        return [form_and_path(self.verb, name) for name in self.files or ()]
+        return [formats.form_and_path(self.verb, name) for name in self.files or ()]
 
 
 @cache
 def output_of(verb: str) -> type[OutputGroup]:
     """The options of a verb's output, which tell of the files that it can write."""
-    help_ = f"Also write this file, by its end: {legal_files(verb)}. Repeat it for more."
+    help_ = f"Also write this file, by its end: {formats.legal_files(verb)}. Repeat it for more."
     asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", help_, short="o", repeated=True)]
     options: list[tuple[str, Any, Any]] = [("files", asked, field(default=None))]
-    if FINDINGS in BY_NAME[verb].has:
+    if verbs.FINDINGS in verbs.BY_NAME[verb].has:
         whole = Option(OUTPUT, "", "Tell all: tables, walks, every count.", "verbose", "v")
         options.append(("verbose", Annotated[bool, whole], field(default=False)))
     return make_dataclass(
@@ -107,23 +89,23 @@ def _files_in(word: str) -> set[str]:
     return found
 
 
-def _write_files(result: Report, output: OutputGroup, document: Callable[[], str]) -> None:
+def _write_files(result: doc.Report, output: OutputGroup, document: Callable[[], str]) -> None:
     """Write the result into each file that was named, and where a CI service looks for it.
 
     A file that cannot be written is lost with a word on stderr; the verdict is not.
     """
     for form, path in output.named:
-        made = document() if form == "json" else file_of(form, result)
+        made = document() if form == "json" else formats.file_of(form, result)
         write_file(path, made if isinstance(made, bytes) else made.encode())
     if not hasattr(result, "findings"):
         return
-    for form, format_ in formats_of(output.verb).items():
+    for form, format_ in formats.formats_of(output.verb).items():
         if os.environ.get(format_.read_by) == "true":
-            print(file_of(form, result), end="", file=sys.stderr)
+            print(formats.file_of(form, result), end="", file=sys.stderr)
         if summary := os.environ.get(format_.summary):
             try:
                 with Path(summary).open("a", encoding="utf-8") as file:
-                    file.write(file_of(form, result))
+                    file.write(formats.file_of(form, result))
             except OSError as error:
                 complain(f"the file of {format_.summary} cannot be written: {error.strerror}")
 
@@ -175,7 +157,7 @@ def printable(text: str) -> str:
     Explorers have their words in texts; a terminal must not take orders from them, nor the runner
     of a CI service.
     """
-    return harmless(text.replace("\r", r"\x0d"))
+    return words.harmless(text.replace("\r", r"\x0d"))
 
 
 COLOURS = {
@@ -205,7 +187,7 @@ def coloured(text: str) -> str:
     )
 
 
-def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int:
+def emit(result: doc.Report, output: OutputGroup, workers: int | None = None) -> int:
     """Write a verb's result in the forms that were asked for, and return its exit code.
 
     In a document all that can differ from run to run stands under the key ``made_by``, also the
@@ -216,18 +198,20 @@ def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int
     """
 
     def document() -> str:
-        return document_text(result.to_json() | {"made_by": made_by(result, workers).to_json()})
+        return formats.document_text(
+            result.to_json() | {"made_by": made_by(result, workers).to_json()}
+        )
 
     _write_files(result, output, document)
     try:
         if output.as_json:
             print(document(), end="")
         else:
-            content, columns = content_of(result), width()
+            content, columns = formats.content_of(result), width()
             said = (
-                content_line(content, columns)
+                plain_text.content_line(content, columns)
                 if output.quiet
-                else on_terminal(content, columns, whole=output.verbose)
+                else plain_text.on_terminal(content, columns, whole=output.verbose)
             )
             for file, options in {} if output.quiet else defaults_used().items():
                 text = ", ".join(f"{key} = {value}" for key, value in options.items())
@@ -239,7 +223,7 @@ def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int
         abandon_stdout()
     except OSError as error:
         raise OSError(error.errno, f"stdout cannot be written: {error.strerror}") from None
-    if result.exit_code == Exit.INTERRUPTED:
+    if result.exit_code == outcome.Exit.INTERRUPTED:
         complain("interrupted; the report tells what was finished")
     return result.exit_code
 
@@ -262,10 +246,10 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
     by = getattr(request, "by", None)
     if by is not None and not {"csv", "parquet"} & {form for form, _ in output.named}:
         raise InputError(f"by {by} has no effect without -o FILE.csv")
-    if not isinstance(request, ListenerOptions):
+    if not isinstance(request, limits.ListenerOptions):
         return answer(function, request)
     with Progress(quiet=output.quiet) as listener:
-        return answer(function, replace(request, listener=listener))
+        return answer(function, doc.replace(request, listener=listener))
 
 
 def abandon_stdout() -> None:
@@ -308,10 +292,10 @@ def prepare_streams() -> None:
     if isinstance(sys.stdout, io.TextIOWrapper):
         # A terminal that cannot show a character shows its number.
         sys.stdout.reconfigure(errors="backslashreplace")
-    sys.stderr = patient_stderr()
+    sys.stderr = prints.patient_stderr()
 
 
-class Progress(Listener):
+class Progress(limits.Listener):
     """Progress bar on stderr with the exact total and the time left; only on a terminal."""
 
     def __init__(self, *, quiet: bool) -> None:

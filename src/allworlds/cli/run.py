@@ -1,17 +1,16 @@
-"""The verb ``run`` on the command line."""
+"""The verbs ``run``, ``replay`` and ``play``, with its conversation in the terminal."""
 
-from __future__ import annotations
-
+import re
+import sys
 from typing import Annotated
 
 import allworlds
-from allworlds.cli.output import OutputGroup, emit
-from allworlds.document.struct import replace
-from allworlds.explorers.asked import ProgramWords
-from allworlds.explorers.sources import names_explorer
+from allworlds import Drop, Move, Percept, Pick, Write, document as doc
+from allworlds.cli.output import OutputGroup, complain, emit, printable
+from allworlds.explorers.sources import ProgramWords, names_explorer
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, answer, values_of
-from allworlds.studies.run import RunOptions, RunRequest, WorldNames
+from allworlds.studies.run import PlayRequest, ReplayRequest, RunOptions, RunRequest, WorldNames
 from allworlds.world.named import names_of_worlds
 
 
@@ -64,7 +63,7 @@ def run(words: RunWords, *, asked: RunOptions, output: OutputGroup) -> int:
     """
     told = _listed() if words.listed else answer(allworlds.run, words.request(asked))
     if words.without_walk and not isinstance(told, WorldNames):
-        told = replace(told, shows_walk=False)
+        told = doc.replace(told, shows_walk=False)
     return emit(told, output)
 
 
@@ -98,3 +97,51 @@ def explorer_and_world(
                 "first, then WORLD"
             )
     return explorer, world
+
+
+def replay(request: ReplayRequest, *, output: OutputGroup) -> int:
+    """Example: allworlds replay finding.json --explorer mended.py:explore
+
+    Run a recorded finding again.  Exit code 0: reproduced, 5: fixed, 3: a nondeterministic
+    explorer did the same each time.  The recorded explorer repeats the recorded choices as far as
+    they fit.
+    """
+    replayed = answer(allworlds.replay, request)
+    if replayed.notice:
+        complain(replayed.notice)
+    return emit(replayed, output)
+
+
+def play(request: PlayRequest, *, output: OutputGroup) -> int:
+    """Example: allworlds play theta-torus -o play.html
+
+    Be the robot, in a web page or here. Here each line is an action: a number leaves by that dart,
+    counted clockwise from the one you came by; drop or pick moves a marker, write 3 writes the
+    number 3; an empty line ends the walk and uncovers the world. In the end your cost stands beside
+    that of Algorithm 1.
+    """
+    page = dict(output.named).get("html")
+    asked = request if page else doc.replace(request, player=_asked)
+    return emit(doc.replace(answer(allworlds.play, asked), path=page), output)
+
+
+LEGAL = "a number, drop, pick, write K with a number K, or an empty line to end"
+
+
+def _asked(percept: Percept, refused: str) -> Drop | Move | Pick | Write | None:
+    """Read the next action from stdin; prompts go to stderr."""
+    _say(f"that cannot be done: {refused}\n" if refused else f"you sense: {percept}\n")
+    while True:
+        _say("> ")
+        line = sys.stdin.readline().strip()
+        if re.fullmatch(r"-?[0-9]{1,9}", line):
+            return Move(int(line) % percept.degree)
+        if written := re.fullmatch(r"write +([0-9]{1,9})", line):
+            return Write(int(written[1]))
+        if line in ("", "drop", "pick"):
+            return {"": None, "drop": Drop(), "pick": Pick()}[line]
+        _say(f"{printable(line)[:40]!r} is not one of {LEGAL}\n")
+
+
+def _say(text: str) -> None:
+    print(text, end="", file=sys.stderr, flush=True)

@@ -15,28 +15,30 @@ Built-in explorers in compiled code need none of this: the kernel plays and judg
 The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and read logs:
 
 ``units``
-    the units of a level, and the shards to which they fall;
+    the scope of a check; the units of a level, and the shards to which they fall;
 ``limits``
-    the limits of a job: workers, time-outs, time, a cluster;
-``lanes``, ``here``, ``dask``
-    the places of work, transports: lanes here or forked; this thread, threads; a Dask cluster;
+    the limits of a job: workers, time-outs, time, a cluster; its listeners;
+``lanes``, ``dask``
+    the places of work, transports: lanes here or forked; a Dask cluster;
 ``lane``
     a judge with its two players: batches, losses, plays that differ, other hash seeds;
 ``players``, ``player``
     a player from outside, started and heard, perhaps lost; and the program that it is;
 ``judge``, ``compiled_judge``
-    the judge of every law, and its twin for the laws that the kernel knows: the same bytes;
-``scope``, ``examiner``, ``comparison``, ``tally``
-    the scope of a check; one judged run; the comparison of two plays; what is counted and found;
+    the judge of every law, with the comparison of two plays, and its twin for the laws that the
+    kernel knows: the same bytes;
+``tally``
+    one judged run; what is counted and found;
 ``compiled_engine``, ``kernel``
     the engine in compiled code, for built-in explorers, and what it is asked; the code itself, the
     only importer of numba;
 ``job_records``, ``run_directory``
     the identity of a job, and its results as JSON; its finished units, kept on disk;
 ``engine_table``
-    **the** table of the engines, what the compiled one cannot do, and the job that they get;
-``sweep``, ``progress``, ``swept_report``
-    **the** loop over units, and through the levels of a study; its listeners, and its reports;
+    **the** table of the engines, what the compiled one cannot do, and the job that they get; two
+    transports more: this thread, threads;
+``sweep``
+    **the** loop over units, and through the levels of a study; its reports;
 ``single``
     single runs, and findings that are played again, by the same players;
 ``prints``, ``linux``

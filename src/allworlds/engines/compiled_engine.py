@@ -8,8 +8,6 @@ compared with the examiner, world by world, before the first level; it plays its
 process compiles the kernel.  A broken law is reported only as the examiner finds it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
@@ -18,26 +16,18 @@ from typing import Any, Self
 
 from msgspec import Struct, field
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines.engine_table import WALKED_FROM, Job, kind_of, walks
-from allworlds.engines.examiner import Examiner
-from allworlds.engines.kernel import engine as kernel, library_player
-from allworlds.engines.kernel.batches import UnitJudge
-from allworlds.engines.kernel.capabilities import COMPILING
+from allworlds.engines.kernel import capabilities, engine, engine as kernel, library_player, records
 from allworlds.engines.kernel.compiling import is_compiled, uncollected
-from allworlds.engines.kernel.records import Stretch
-from allworlds.engines.kernel.rows import BrokenRun, Level, Rows
 from allworlds.engines.kernel.runs import UNDEFINED, examine
-from allworlds.engines.scope import Scope, UnitOfRuns
-from allworlds.engines.tally import AtRun, EnginesDisagree, Row, RunCounter, Tally
-from allworlds.engines.units import LevelUnit
+from allworlds.engines.tally import AtRun, EnginesDisagree, Examiner, Row, RunCounter, Tally
+from allworlds.engines.units import LevelUnit, Scope, UnitOfRuns
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import LAWS
-from allworlds.maps.classes import Extent, MapClass
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.maps.enumeration import prefixes
+from allworlds.maps import classes, combinatorial, enumeration
 from allworlds.world.lighthouses.marked import Cluster, Natural
 from allworlds.world.world import World
 
@@ -46,9 +36,9 @@ UNBOUNDED = 1 << 40
 
 
 @cache
-def level_of(explorer: str, rules: Rules, extent: Extent, edges: int) -> Level:
+def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) -> records.Level:
     """The kernel's question for a level."""
-    return Level(
+    return records.Level(
         edges,
         extent.vertex_limit(edges),
         extent.map_class.simple,
@@ -80,7 +70,7 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
     return [[[value(n, d0, d) for d in of_all] for d0 in of_v0] for n in range(edges + 2)]
 
 
-def tally_of(rows: Rows, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
+def tally_of(rows: records.Rows, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
     """The empty tally with the kernel's counts, without the events and the findings."""
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.most_expensive
@@ -135,7 +125,7 @@ def compare_engines(scope: Scope, subject: Subject) -> None:
     worlds = [
         LevelUnit(m, history)
         for m in levels
-        for history in prefixes(m, extent.map_class, extent.vertices, depth=2 * m)
+        for history in enumeration.prefixes(m, extent.map_class, extent.vertices, depth=2 * m)
     ]
     # The general engine plays its runs while the kernel is compiled, by another process.
     with ThreadPoolExecutor(1) as beside:
@@ -183,7 +173,7 @@ def played_tally(scope: Scope, subject: Subject, unit: UnitOfRuns) -> Tally:
     return tally
 
 
-def compare(kernels: Tally, rows: Rows, pythons: Tally, unit: LevelUnit) -> None:
+def compare(kernels: Tally, rows: records.Rows, pythons: Tally, unit: LevelUnit) -> None:
     """Raise EnginesDisagree unless both engines have counted the same."""
     if _counts_of(kernels) != _counts_of(pythons):
         raise EnginesDisagree(
@@ -241,7 +231,7 @@ class CompiledEngine(Struct, frozen=True):
             EnginesDisagree: naming the first world in which they do.
         """
         if not is_compiled(examine):
-            job.notice(COMPILING)
+            job.notice(capabilities.COMPILING)
         compare_engines(job.scope, job.subject)
         return cls(job.scope, job.subject, job.keep)
 
@@ -267,15 +257,15 @@ class CompiledEngine(Struct, frozen=True):
             self._blame(broken, tally)
         yield tally
 
-    def _blame(self, broken: BrokenRun, tally: Tally) -> None:
+    def _blame(self, broken: records.BrokenRun, tally: Tally) -> None:
         """Find the runs by the general engine in which the kernel finds a law broken.
 
         Raises:
             EnginesDisagree: if the general engine finds another law broken, or none.
         """
         try:
-            map_ = CombinatorialMap(broken.sigma, broken.alpha)
-        except InvalidMap as error:
+            map_ = combinatorial.CombinatorialMap(broken.sigma, broken.alpha)
+        except combinatorial.InvalidMap as error:
             raise EnginesDisagree(f"the kernel met a world that is none: {error}") from None
         rules = self.scope.rules
         examiner = Examiner(self.subject, rules)
@@ -296,10 +286,10 @@ class CompiledEngine(Struct, frozen=True):
 
 def load_native() -> None:
     """Load or compile the code that judges, and that libraries need, but for the lighthouses."""
-    level = level_of("", Rules(), Extent(MapClass.MAPS, 1), 1)
+    level = level_of("", Rules(), classes.Extent(classes.MapClass.MAPS, 1), 1)
     with uncollected():
-        stretch = Stretch.of(level.edges)
-        unit = UnitJudge(level, (-1,), 1, stretch, stretch)
+        stretch = records.Stretch.of(level.edges)
+        unit = engine.UnitJudge(level, (-1,), 1, stretch, stretch)
         unit.judge(unit.lay_out(0), 0)
         library_player.load_player()
 

@@ -5,8 +5,6 @@ before it loads this one, and on its first batch.  A run in which this judge fin
 judged by the other one from the same bytes, and that alone makes the finding.
 """
 
-from __future__ import annotations
-
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
@@ -14,18 +12,12 @@ from typing import Any
 
 from allworlds.engines.compiled_engine import compare, level_of, tally_of
 from allworlds.engines.judge import Due, Judged, PythonJudge, RunBatch, Work
-from allworlds.engines.kernel.batches import LaidOutRuns, UnitJudge
-from allworlds.engines.kernel.records import (
-    RUN_BUDGET,
-    RUN_NUMBER,
-    RUN_TOLD,
-    Stretch,
-)
-from allworlds.engines.kernel.rows import Rows
+from allworlds.engines.kernel import records
+from allworlds.engines.kernel.engine import LaidOutRuns, UnitJudge
 from allworlds.engines.players import Logs
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.engines.units import LevelUnit
-from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.combinatorial import Code, rooted_code
 from allworlds.world.world import World
 
 LIBRARIES = 8
@@ -41,7 +33,7 @@ class CompiledBatch(RunBatch):
     """
 
     def __init__(
-        self, judge: CompiledJudge, work: Work, unit_judge: UnitJudge, laid: LaidOutRuns
+        self, judge: "CompiledJudge", work: Work, unit_judge: UnitJudge, laid: LaidOutRuns
     ) -> None:
         super().__init__(judge.python, work, ())
         self.unit_judge, self.laid, self.plain = unit_judge, laid, not judge.native
@@ -78,7 +70,7 @@ class CompiledBatch(RunBatch):
 
     def _rows_of(self, rows: Sequence[int], places: Iterable[bytes]) -> list[tuple[Any, ...]]:
         """Rows of a message: worlds or records, and what is said of each run."""
-        said = self.heads[[*rows]][:, [RUN_BUDGET, RUN_TOLD]].tolist()
+        said = self.heads[[*rows]][:, [records.RUN_BUDGET, records.RUN_TOLD]].tolist()
         return [
             (place, None if number < 0 else number, False, budget, "", ())
             for place, (budget, number) in zip(places, said, strict=True)
@@ -139,7 +131,7 @@ class CompiledJudge:
     def __init__(self, python: PythonJudge, seed: Callable[[], int], *, native: bool) -> None:
         self.python, self.engine, self.rules = python, python.engine, python.rules
         self.seed, self.native = seed, native
-        self._memories: dict[int, tuple[Stretch, Stretch]] = {}
+        self._memories: dict[int, tuple[records.Stretch, records.Stretch]] = {}
         self._compared = False
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
@@ -148,7 +140,7 @@ class CompiledJudge:
         assert isinstance(unit, LevelUnit)
         scope, edges = self.engine.scope, unit.edges
         if edges not in self._memories:
-            self._memories[edges] = Stretch.of(edges), Stretch.of(edges)
+            self._memories[edges] = records.Stretch.of(edges), records.Stretch.of(edges)
         level = level_of(self.python.referee.explorer, scope.rules, scope.extent, edges)
         judge = UnitJudge(level, unit.prefix, self.engine.keep, *self._memories[edges])
         last = False
@@ -193,7 +185,7 @@ class CompiledJudge:
                 )
         return True
 
-    def _rows(self, batch: CompiledBatch) -> tuple[Rows, bool]:
+    def _rows(self, batch: CompiledBatch) -> tuple[records.Rows, bool]:
         """The rows of a batch, and whether all logs could be judged."""
         edges = batch.work.unit.edges  # type: ignore[attr-defined]
         stretch, records = self._memories[edges]
@@ -249,7 +241,7 @@ class CompiledJudge:
         for work, known in units.values():
             whole = Work(work.unit, self.engine.tally())
             for batch in self.batches(whole, lambda: 1 << 10):
-                numbers = batch.heads[:, RUN_NUMBER].tolist()
+                numbers = batch.heads[:, records.RUN_NUMBER].tolist()
                 if not all(number in known for number in numbers):
                     break
                 batch.logs[0] = [known[number] for number in numbers]

@@ -5,8 +5,6 @@ unit whose worker is lost is done again, by another worker.  A *lane* is such a 
 outlives the tasks: the processes of a user's explorer are started once for each thread of a worker.
 """
 
-from __future__ import annotations
-
 import asyncio
 import logging
 import os
@@ -23,7 +21,7 @@ from time import monotonic, perf_counter
 from typing import Any, NoReturn, Self
 from uuid import uuid4
 
-from allworlds.engines.here import ThisThread
+from allworlds.engines.engine_table import ThisThread
 from allworlds.engines.limits import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
 from allworlds.engines.units import PartialResult, Sum, Transport
 from allworlds.inputs.checks import InputError, ensure_installed, show

@@ -1,39 +1,130 @@
-"""The job of an engine, the checks that the compiled one cannot do, and the table of the engines.
+"""**The** table of the engines, the job of an engine, and the transports of this process.
 
-A new engine is an entry; no compiled code is loaded here.
+The checks that the compiled engine cannot do are told here.  A new engine is an entry; no compiled
+code is loaded.
 """
 
-from __future__ import annotations
-
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from functools import partial
-from typing import Annotated, Any, TypeAlias
+from itertools import islice, takewhile
+from threading import Event
+from typing import Annotated, Any, Self, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document.struct import one_of, replace
-from allworlds.engines.here import Threads
-from allworlds.engines.kernel.capabilities import (
-    CHECKED,
-    EXPLORERS,
-    LIGHTHOUSES,
-    MOST_BUDGET,
-    MOST_EDGES,
-)
-from allworlds.engines.lanes import in_any_order, workers_for
-from allworlds.engines.limits import DaskCluster, Limits
-from allworlds.engines.scope import Scope
-from allworlds.engines.tally import RunCounter
-from allworlds.engines.units import Transport
+from allworlds.document import one_of, replace
+from allworlds.engines import lanes, tally
+from allworlds.engines.kernel import capabilities
+from allworlds.engines.limits import POLL, DaskCluster, Limits, TimeIsUp, check_deadline
+from allworlds.engines.units import PartialResult, Scope, Transport, U, UnitEngine
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError, lack_of, show
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import MapClass
-from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.kinds import LIGHTHOUSES as KINDS
-from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.lighthouses import base, kinds, marked
+
+
+def _parts(engine: UnitEngine, unit: U) -> Iterator[PartialResult[U, Any]]:
+    """The parts of a unit's result; the last one says that it is."""
+    parts = iter(engine.parts(unit))
+    result = next(parts)
+    for following in parts:
+        yield PartialResult(unit, result, last=False)
+        result = following
+    yield PartialResult(unit, result, last=True)
+
+
+class ThisThread:
+    """The transport in this thread; the engine's work here cannot be stopped from outside."""
+
+    def __init__(self, deadline: float | None = None) -> None:
+        self._deadline = deadline
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Leave the context; no work goes on."""
+
+    def map(self, engine: UnitEngine, units: Iterable[U]) -> Iterator[PartialResult[U, Any]]:
+        """Yield the parts of all units, in their order."""
+        for unit in units:
+            for part in _parts(engine, unit):
+                yield part
+                check_deadline(self._deadline)
+
+
+def local_or_dask(cluster: DaskCluster | None, deadline: float | None) -> Transport[Any]:
+    """The transport in this thread, or to the cluster; a local one has a process a core."""
+    if cluster is None:
+        return ThisThread(deadline)
+    from allworlds.engines.dask import Dask
+
+    return Dask(cluster, os.cpu_count() or 1, deadline)
+
+
+class Threads:
+    """A pool of threads; leaving the context has the engine ``halt()`` the work that is running.
+
+    Args:
+        workers: the number of threads.
+        deadline: on the monotonic clock, or None.
+        batch: units that a thread does at a time; many small ones cost less to hand over so.
+    """
+
+    def __init__(self, workers: int, deadline: float | None = None, batch: int = 1) -> None:
+        self._workers, self._deadline, self._batch = workers, deadline, batch
+        self._pool = ThreadPoolExecutor(workers)
+        self._ended = Event()
+        self._engine: Any = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *raised: object) -> None:
+        _, error, _ = raised
+        self._ended.set()
+        if self._engine is not None:
+            self._engine.halt()
+        # Who is in a hurry does not wait for what cannot be given up, such as a compiler; after
+        # any other error nothing is left that goes on behind the next job's back.
+        patient = isinstance(error, Exception | None) and not isinstance(error, TimeIsUp)
+        self._pool.shutdown(wait=patient, cancel_futures=True)
+
+    def map(self, engine: Any, units: Iterable[U]) -> Iterator[PartialResult[U, Any]]:
+        """Yield the parts of all units, in the order in which their batches are done.
+
+        Raises:
+            Exception: of the engine, in the first unit that raises one, in the order of units.
+        """
+        self._engine = engine
+        waiting = iter(units)
+        at_work: list[Future[list[PartialResult[U, Any]]]] = []
+        while True:
+            while len(at_work) < 2 * self._workers and (batch := [*islice(waiting, self._batch)]):
+                at_work.append(self._pool.submit(_done, engine, batch, self._ended))
+            if not at_work:
+                return
+            done = wait(at_work, POLL, FIRST_COMPLETED).done
+            wrong = any(future.exception() for future in done)
+            for future in at_work:
+                if wrong or future in done:
+                    yield from future.result()
+            at_work = [future for future in at_work if future not in done]
+            check_deadline(self._deadline)
+
+
+def _done(engine: UnitEngine, batch: Iterable[U], ended: Event) -> list[PartialResult[U, Any]]:
+    """The parts of some units; of fewer, once the context has ended."""
+    return [
+        part
+        for unit in takewhile(lambda _: not ended.is_set(), batch)
+        for part in _parts(engine, unit)
+    ]
+
 
 COMPILED_FROM = 5
 """The least m of a check that is worth the compiling; smaller ones end before it would."""
@@ -81,37 +172,39 @@ class ReadyEngine(Struct, frozen=True):
 def obstacle(scope: Scope, subject: Subject) -> str:
     """The reason why the kernel cannot do a check; empty if it can."""
     rules, extent = scope.rules, scope.extent
-    if not subject.from_user and subject.name not in EXPLORERS:
-        return f"runs only {', '.join(EXPLORERS)}, not {show(subject.name)}"
+    if not subject.from_user and subject.name not in capabilities.EXPLORERS:
+        return f"runs only {', '.join(capabilities.EXPLORERS)}, not {show(subject.name)}"
     if subject.from_user and not hasattr(os, "memfd_create"):
         return "judges users' explorers on Linux alone"
-    if kind_of(rules.kind) not in LIGHTHOUSES:
+    if kind_of(rules.kind) not in capabilities.LIGHTHOUSES:
         return f"does not know the lighthouse {show(str(rules.lighthouse))}"
     if extent.given is not None:
         return "tries every map of a class, and no given worlds"
     if extent.where is not None:
         return f"does not know the condition {show(extent.where.name)}"
-    if extent.levels[-1] > MOST_EDGES:
-        return f"has room for {MOST_EDGES} edges, not for {extent.levels[-1]}"
+    if extent.levels[-1] > capabilities.MOST_EDGES:
+        return f"has room for {capabilities.MOST_EDGES} edges, not for {extent.levels[-1]}"
     if not rules.task.is_map:
         return f"judges the task map alone, not {show(rules.task.name)}"
     if rules.policy not in ("fifo", "lifo", "nearest"):
         return f"knows the policies fifo, lifo and nearest, not {show(rules.policy)}"
-    if unknown := [law for law in rules.applying if law not in CHECKED]:
+    if unknown := [law for law in rules.applying if law not in capabilities.CHECKED]:
         return f"does not check the law {unknown[0]!r}"
     if scope.schedules != "one":
         return "plays one schedule a run (see worst for algorithm1)"
     if beyond := rules.the_bound.variables & {"d", "g"}:
         named = " and ".join(sorted(beyond))
         return f"does not know {named} of the bound {show(rules.the_bound.name)}"
-    if rules.step_budget is not None and rules.step_budget > MOST_BUDGET:
-        return f"has room for a step budget of {MOST_BUDGET}, not of {rules.step_budget}"
+    if rules.step_budget is not None and rules.step_budget > capabilities.MOST_BUDGET:
+        return (
+            f"has room for a step budget of {capabilities.MOST_BUDGET}, not of {rules.step_budget}"
+        )
     return ""
 
 
-def kind_of(kind: type[Lighthouse]) -> str:
+def kind_of(kind: type[base.Lighthouse]) -> str:
     """The kernel's name of a kind of lighthouse."""
-    if KINDS.get(kind.kind) is kind:
+    if kinds.LIGHTHOUSES.get(kind.kind) is kind:
         return kind.kind
     return f"{kind.kind}-single"
 
@@ -122,7 +215,7 @@ def walks(scope: Scope, subject: Subject, edges: int) -> bool:
     return (
         edges >= WALKED_FROM
         and subject.name == "algorithm1"
-        and rules.kind is Directional
+        and rules.kind is marked.Directional
         and scope.extent.map_class is MapClass.MAPS
         and rules.laws in (None, tuple(LAWS))
         and rules.step_budget is None
@@ -149,7 +242,7 @@ class EngineKind:
         Raises:
             EnginesDisagree: if a comparison shows that it is wrong.
         """
-        return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep))
+        return ReadyEngine(players_for(job), tally.RunCounter(job.scope, job.keep))
 
 
 class Compiled(EngineKind):
@@ -179,7 +272,7 @@ class Compiled(EngineKind):
         if job.subject.from_user:
             # Who asks for it by name gets it in small worlds, too.
             least = WORTH_LOADING if job.scope.extent.levels[-1] >= COMPILED_FROM else 0
-            return ReadyEngine(players_for(job), RunCounter(job.scope, job.keep, least))
+            return ReadyEngine(players_for(job), tally.RunCounter(job.scope, job.keep, least))
         from allworlds.engines.compiled_engine import BATCH, CompiledEngine
 
         engine, workers = CompiledEngine.ready(job), job.limits.workers
@@ -195,7 +288,7 @@ def players_for(job: Job) -> Transport[Any]:
     if job.cluster is None:
         # Code of the user's may judge the runs, or choose the worlds.
         models = bool(job.scope.rules.files or getattr(job.scope.extent.where, "codes", ()))
-        return workers_for(job.subject, job.limits, job.deadline, models=models)
+        return lanes.workers_for(job.subject, job.limits, job.deadline, models=models)
     from allworlds.engines.dask import Dask
 
     subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
@@ -208,9 +301,9 @@ def players_for(job: Job) -> Transport[Any]:
         job.cluster,
         job.limits.workers,
         job.deadline,
-        inside=partial(workers_for, subject, limits),
+        inside=partial(lanes.workers_for, subject, limits),
         probe=partial(not_alike, subject, content_digest(subject), limits.answer_timeout),
-        order=in_any_order if subject.from_user else iter,
+        order=lanes.in_any_order if subject.from_user else iter,
     )
 
 

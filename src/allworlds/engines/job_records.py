@@ -5,8 +5,6 @@ its fields; a counter, or a dictionary whose keys are no texts, as pairs; and wh
 ``from_json`` as that reads it.  Everything else is msgspec's business.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections import Counter
@@ -17,38 +15,29 @@ from typing import Annotated, Any, NamedTuple, Self, TypeVar, get_args, get_orig
 
 from msgspec import Struct
 
-from allworlds.document.reading import parse
-from allworlds.document.struct import (
-    Document,
-    Positive,
-    ShardText,
-    Text,
-    about,
-    names_of,
-    plain,
-    plain_at_once,
-)
+from allworlds import document as doc, words
 from allworlds.engines.units import Portion, Sum, a_shard, shard_numbers, shards_of
 from allworlds.inputs.checks import InputError, show
 from allworlds.version import __version__
-from allworlds.words import plural
 
 FORMAT = 3
 """The format of identities and of what is kept under them: raised whenever either changes."""
 
 
-class Identity(Document):
+class Identity(doc.Document):
     """A verb, with everything that its result depends on."""
 
-    verb: Annotated[Text, about("its name")]
-    parameters: Annotated[dict[str, Any], about("by their names, as JSON values")]
+    verb: Annotated[doc.Text, doc.about("its name")]
+    parameters: Annotated[dict[str, Any], doc.about("by their names, as JSON values")]
     explorer: Annotated[
         dict[str, Any],
-        about("the name, and what else is to be known of it without loading it; its digest"),
+        doc.about("the name, and what else is to be known of it without loading it; its digest"),
     ]
-    shard: Annotated[ShardText, about("which part of the units is done")]
-    version: Annotated[Text, about("of this program")] = __version__
-    format: Annotated[Positive, about("of what is kept: a number that `FORMAT` has had")] = FORMAT
+    shard: Annotated[doc.ShardText, doc.about("which part of the units is done")]
+    version: Annotated[doc.Text, doc.about("of this program")] = __version__
+    format: Annotated[
+        doc.Positive, doc.about("of what is kept: a number that `FORMAT` has had")
+    ] = FORMAT
 
     @property
     def text(self) -> str:
@@ -63,7 +52,7 @@ class Identity(Document):
     @classmethod
     def of_text(cls, text: str) -> Self:
         """The identity of :attr:`text`."""
-        return parse({"format": 1} | json.loads(text), cls, "identity")
+        return doc.parse({"format": 1} | json.loads(text), cls, "identity")
 
     @property
     def portion(self) -> Portion:
@@ -81,7 +70,7 @@ class Identity(Document):
         """The number of shards into which the job is cut."""
         return shards_of(self.portion)
 
-    def difference(self, other: Identity) -> str:
+    def difference(self, other: "Identity") -> str:
         """The difference of the other one, as a clause about the other; empty if there is none.
 
         The number of a shard makes no difference here; the number of all shards does.
@@ -107,7 +96,7 @@ class Identity(Document):
             return f"is of another text of the explorer {show(mine)}, or of its program"
         if other.shards != self.shards:
             part = f"shard {other.shard}" if other.shards > 1 else "the whole job"
-            return f"is of {part}, and not of a job in {plural(self.shards, 'part')}"
+            return f"is of {part}, and not of a job in {words.plural(self.shards, 'part')}"
         return ""
 
 
@@ -180,7 +169,7 @@ def from_kept(kept: object, kind: type[T]) -> T:
 
 @cache
 def _form(kind: Any) -> Form:
-    return _own_form(kind) or Form(plain_at_once, lambda kept: parse(kept, kind, WHAT))
+    return _own_form(kind) or Form(doc.plain_at_once, lambda kept: doc.parse(kept, kind, WHAT))
 
 
 def _own_form(kind: Any) -> Form | None:
@@ -197,12 +186,12 @@ def _own_form(kind: Any) -> Form | None:
     if origin is list and (one := _own_form(parts[0])):
         return Form(
             lambda values: [one.write(value) for value in values],
-            lambda kept: [one.read(value) for value in parse(kept, list[Any], WHAT)],
+            lambda kept: [one.read(value) for value in doc.parse(kept, list[Any], WHAT)],
         )
     if origin is tuple and any(map(_own_form, parts)):
         return _tuple(tuple(map(_form, parts)))
     if hasattr(kind, "from_json"):
-        return Form(plain, kind.from_json)
+        return Form(doc.plain, kind.from_json)
     if is_dataclass(kind) or (isinstance(kind, type) and issubclass(kind, Struct)):
         return _by_fields(kind)
     return None
@@ -210,7 +199,7 @@ def _own_form(kind: Any) -> Form | None:
 
 def _tuple(forms: tuple[Form, ...]) -> Form:
     def read(kept: object) -> tuple[Any, ...]:
-        values = parse(kept, list[Any], WHAT)
+        values = doc.parse(kept, list[Any], WHAT)
         if len(values) != len(forms):
             raise InputError(f"{WHAT}: {show(kept)} does not have {len(forms)} entries")
         return tuple(form.read(value) for form, value in zip(forms, values, strict=True))
@@ -222,12 +211,12 @@ def _tuple(forms: tuple[Form, ...]) -> Form:
 
 def _by_fields(kind: Any) -> Form | None:
     hints = get_type_hints(kind, include_extras=True)
-    if not any(_own_form(hints[name]) for name in names_of(kind)):
+    if not any(_own_form(hints[name]) for name in doc.names_of(kind)):
         return None
-    forms = {name: _form(hints[name]) for name in names_of(kind)}
+    forms = {name: _form(hints[name]) for name in doc.names_of(kind)}
 
     def read(kept: object) -> Any:
-        values = parse(kept, dict[str, Any], WHAT)
+        values = doc.parse(kept, dict[str, Any], WHAT)
         if values.keys() != forms.keys():
             raise InputError(f"{WHAT}: the keys are {', '.join(forms)}, not {show([*values])}")
         return kind(**{name: form.read(values[name]) for name, form in forms.items()})

@@ -1,31 +1,136 @@
 """The judge in Python: it takes runs and their logs, and knows every law, lighthouse and task.
 
 It lays out the runs of a unit in batches, and walks each log anew in the true map; the percepts on
-the way are what the second player gets.  It imports files of models, never an explorer.
+the way are what the second player gets.  It compares the two plays of a run.  It imports files of
+models, never an explorer.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from allworlds.engines.examiner import LOST, Outcome, Referee, name_run
-from allworlds.engines.players import Logs
-from allworlds.engines.scope import UnitOfRuns
-from allworlds.engines.tally import RunCounter, Tally
+from allworlds import document as doc, log as entries
+from allworlds.engines import players, units
+from allworlds.engines.tally import LOST, Outcome, Referee, RunCounter, Tally, name_run
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.episode import Episode, Fault, Over, followed
+from allworlds.judging.episode import Episode, Fault, Over, fault_of, followed
+from allworlds.judging.laws.law_table import PRECEDENCE, Violation
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol.actions import Percept
+from allworlds.protocol import actions, playing
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script
-from allworlds.protocol.faults import IllegalAction
-from allworlds.protocol.playing import numbers_of, packed
-from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.composed import Composed
+from allworlds.world.lighthouses import base, composed
 from allworlds.world.world import World
+
+SHOWN_BEFORE, SHOWN_AFTER = 8, 4
+"""The number of actions that are shown before the first that differs, and from it on."""
+
+
+def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = False) -> Outcome:
+    """The outcome of a first play, overruled by the violation of two plays that differ."""
+    difference = difference_of(first, second, choices=choices)
+    if difference is None or not _may_be_overruled(outcome.violation, second):
+        return outcome
+    faults = [fault for fault in (fault_of(second), fault_of(first)) if fault]
+    detail = next((fault.detail for fault in faults if fault.detail), "")
+    detail = "\n".join(filter(None, [side_by_side(in_words(first), in_words(second)), detail]))
+    return doc.replace(outcome, violation=difference, detail=detail)
+
+
+def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
+    """Whether nondeterminism has precedence over this law, or the second play does not break it.
+
+    A law that is broken in one of two plays alone is no more than a sign that they differ.
+    """
+    if violation is None or violation.law in LOST:
+        return True
+    fault = fault_of(second)
+    if fault is None or fault.law != violation.law:
+        return True
+    return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
+
+
+def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violation | None:
+    """The violation of an explorer whose plays on the same percepts differ; None if they do not.
+
+    The words of a fault are not compared: they may hold an address or a time.
+
+    Args:
+        first: in the world.
+        second: against its percepts.
+        choices: whether every schedule is tried: which there are follows from the choices.
+    """
+    actions, again = [*first.actions], [*second.actions]
+    if actions != again:
+        pairs = zip(actions, again, strict=False)
+        same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
+        where = "in its length" if same is None else f"at step {same + 1}"
+        difference = f"the second walk differs {where}"
+        beyond = second.ending[0] == entries.BEYOND and len(again) == len(actions) + 1
+        if same is None and beyond and fault_of(first) is None:
+            return nondeterministic("the second walk goes on where the first one ended")
+    elif _meaning(first) != _meaning(second):
+        difference = "the second answer differs"
+    elif choices and (first.choices, first.widths) != (second.choices, second.widths):
+        difference = "the choices of the second play differ"
+    else:
+        return None
+    for which, log in (("first", first), ("second", second)):
+        # Where the second walk leaves the first, nothing that it does is legal.
+        left, fault = log is second and actions != again, fault_of(log)
+        if fault and not (left and fault.law == "illegal-action"):
+            difference += f"; the {which} ended with {fault.law}: {fault.seen}"
+    return nondeterministic(difference)
+
+
+def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) -> str:
+    """Both plays, a line each: the actions around the first that differs, and the endings."""
+    pairs = zip(first[0], second[0], strict=False)
+    differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first[0]))
+    begin, end = max(0, differ - SHOWN_BEFORE), differ + SHOWN_AFTER
+    lines = []
+    for which, (moves, ending) in (("first", first), ("second", second)):
+        more = len(moves) - end
+        shown = [*moves[begin:end], f"and {more} more" if more > 0 else ending]
+        lines.append(f"{which} play, from step {begin + 1} on: {', '.join(shown)}")
+    return "\n".join(lines)
+
+
+def in_words(log: Log) -> tuple[list[str], str]:
+    """The actions of a play and its ending."""
+    return [str(actions.action_numbered(number)) for number in log.actions], _ending(log)
+
+
+def _ending(log: Log) -> str:
+    if fault := fault_of(log):
+        return fault.law
+    code, *parts = log.ending
+    match code:
+        case entries.QUOTIENT:
+            return "a quotient"
+        case entries.VALUE:
+            return f"the answer {parts[0]}"
+        case entries.OVER:
+            return "all was done"
+    return show(dict(zip(("sigma", "alpha", "here"), parts, strict=True)))
+
+
+def nondeterministic(seen: str) -> Violation:
+    """The violation of two plays with this difference."""
+    return Violation(
+        "nondeterministic",
+        "the same walk and answer when the same world is explored again",
+        seen,
+    )
+
+
+def _meaning(log: Log) -> object:
+    """The part of the ending that both plays must share: the answer, or the law of the fault."""
+    if log.ending[0] in (entries.BEYOND, entries.REFUSED):
+        return entries.REFUSED  # of a refused action no percept was recorded
+    fault = fault_of(log)
+    return fault.law if fault else log.ending
 
 
 class Due(NamedTuple):
@@ -47,13 +152,13 @@ class Recorded(NamedTuple):
         over: whether the run was ended, since all was done.
     """
 
-    percepts: Iterable[Percept]
+    percepts: Iterable[actions.Percept]
     world: World
     script: tuple[int, ...] = ()
     over: bool = False
 
     @classmethod
-    def of(cls, due: Due, episode: Episode) -> Recorded:
+    def of(cls, due: Due, episode: Episode) -> "Recorded":
         """The record of an episode of that run."""
         over = isinstance(episode.ending, Over)
         return cls(episode.transcript.percepts, due.world, due.script, over)
@@ -86,7 +191,7 @@ class Work:
         best: of each run the cost of its cheapest schedule, where every schedule is tried.
     """
 
-    unit: UnitOfRuns
+    unit: units.UnitOfRuns
     tally: Tally
     batches: Iterator[Any] | None = None
     more: list[Due] = field(default_factory=list)
@@ -108,7 +213,7 @@ class RunBatch:
         lost: the runs in which a player was lost, and so is their walk, or its end.
     """
 
-    def __init__(self, judge: PythonJudge, work: Work, runs: Sequence[Due]) -> None:
+    def __init__(self, judge: "PythonJudge", work: Work, runs: Sequence[Due]) -> None:
         self.judge, self.work, self._runs = judge, work, [*runs]
         self.by: Any = judge
         self.judged: list[Judged] = []
@@ -126,10 +231,10 @@ class RunBatch:
 
     def take(self, which: int, rows: Sequence[int], logs: Sequence[bytes]) -> None:
         """Take the logs of these runs, by one of the plays."""
-        if isinstance(logs, Logs) and len(logs) == len(self):
+        if isinstance(logs, players.Logs) and len(logs) == len(self):
             self.logs[which] = logs
             return
-        if isinstance(self.logs[which], Logs):
+        if isinstance(self.logs[which], players.Logs):
             self.logs[which] = dict(enumerate(self.logs[which]))
         self.logs[which].update(zip(rows, logs, strict=True))
 
@@ -238,7 +343,7 @@ class PythonJudge:
         try:
             budget = rules.budget(world.map)
             return followed(log, world, budget, maps=rules.task.is_map)
-        except IllegalAction as error:
+        except actions.IllegalAction as error:
             if world.lighthouse.code is None:
                 raise RuntimeError(f"the log of a run is no walk in its world: {error}") from None
             raise InputError(
@@ -263,7 +368,7 @@ class PythonJudge:
         self, runs: Sequence[Recorded], order: Sequence[int] = ()
     ) -> dict[str, Any]:
         """The message to a player that plays these runs against recorded percepts."""
-        rows = [self._row(each, numbers_of(each.percepts), over=each.over) for each in runs]
+        rows = [self._row(each, playing.numbers_of(each.percepts), over=each.over) for each in runs]
         return self.message("record", rows, order)
 
     def _row(self, run: Due | Recorded, place: Any, *, over: bool = False) -> tuple[Any, ...]:
@@ -291,13 +396,13 @@ class PythonJudge:
         }
 
 
-def _is_table(lighthouse: Lighthouse) -> bool:
+def _is_table(lighthouse: base.Lighthouse) -> bool:
     """Whether no action changes what is sensed: the percepts of all darts say everything."""
-    if isinstance(lighthouse, Composed):
+    if isinstance(lighthouse, composed.Composed):
         return all(map(_is_table, lighthouse.parts))
     kind = type(lighthouse)
     names = ("acted", "left_marks", "refusal", "in_hand")
-    return all(getattr(kind, name) is getattr(Lighthouse, name) for name in names)
+    return all(getattr(kind, name) is getattr(base.Lighthouse, name) for name in names)
 
 
 @lru_cache(1)
@@ -323,4 +428,4 @@ def _table(world: World) -> bytes | tuple[int, ...]:
         p = percepts[dart]
         bearing = 0 if p.bearing is None else p.bearing + 1
         numbers += (first, partner, p.degree, p.marks, bearing)
-    return packed(numbers)
+    return playing.packed(numbers)

@@ -13,8 +13,6 @@ A player that is lost is replaced, and its run tried once more alone; lost again
 finding, and further losses count at once.  What a fresh player does not repeat refutes nothing.
 """
 
-from __future__ import annotations
-
 import time
 from collections import Counter, deque
 from collections.abc import Callable, Sequence
@@ -23,21 +21,18 @@ from random import Random
 from typing import Any, NamedTuple
 
 from allworlds import log as entries
-from allworlds.document.struct import replace
-from allworlds.engines.comparison import (
-    difference_of,
-    nondeterministic,
-    overruled,
-)
-from allworlds.engines.examiner import Outcome
+from allworlds.document import replace
+from allworlds.engines import limits, tally, units
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
     Recorded,
     RunBatch,
     Work,
+    difference_of,
+    nondeterministic,
+    overruled,
 )
-from allworlds.engines.limits import POLL, Limits
 from allworlds.engines.players import (
     Logs,
     Lost,
@@ -48,9 +43,6 @@ from allworlds.engines.players import (
     fresh,
     wait,
 )
-from allworlds.engines.scope import UnitOfRuns
-from allworlds.engines.tally import REPORT_EVERY, RunCounter
-from allworlds.engines.units import LevelUnit, PartialResult, level_size
 from allworlds.explorers.loading import Subject, is_program
 from allworlds.judging.episode import fault_of
 from allworlds.log import Log
@@ -123,8 +115,8 @@ class Lane:
     def __init__(
         self,
         subject: Subject,
-        engine: RunCounter,
-        limits: Limits,
+        engine: tally.RunCounter,
+        limits: limits.Limits,
         *,
         given: tuple[int, ...] | None = None,
         seeds: tuple[int, int] = (FIRST, SECOND),
@@ -141,7 +133,7 @@ class Lane:
         self._others: dict[int, PlayerProcess | PlayerHere] = {}
         self._works: list[Work] = []
         self._waiting: deque[RunBatch] = deque()
-        self._done: list[PartialResult[UnitOfRuns, Any]] = []
+        self._done: list[units.PartialResult[units.UnitOfRuns, Any]] = []
         self._reported = time.monotonic()
         self._random = Random()  # noqa: S311  # from the system; no verdict depends on it
         self._size, self._losses, self._silences = LEAST, 0, 0
@@ -158,20 +150,20 @@ class Lane:
 
     # ---------------------------------------------------------------- units
 
-    def offer(self, unit: UnitOfRuns) -> None:
+    def offer(self, unit: units.UnitOfRuns) -> None:
         """Take a unit."""
         work = Work(unit, self.engine.tally())
         work.batches = self._judge_of(unit).batches(work, lambda: self._size)
         self._works.append(work)
 
-    def _judge_of(self, unit: UnitOfRuns) -> Any:
+    def _judge_of(self, unit: units.UnitOfRuns) -> Any:
         """The judge in compiled code if the level is worth its loading, and it is compiled."""
         least = self.engine.compiled_from
-        if least is None or not isinstance(unit, LevelUnit):
+        if least is None or not isinstance(unit, units.LevelUnit):
             return self.judge
         extent = self.engine.scope.extent
         following = min(unit.edges + 1, extent.levels[-1])  # it is kept for them, too
-        if max(level_size(extent, edges) for edges in (unit.edges, following)) < least:
+        if max(units.level_size(extent, edges) for edges in (unit.edges, following)) < least:
             return self.judge
         if self._compiled is None and (least == 0 or self._is_compiled()):
             from allworlds.engines.compiled_judge import CompiledJudge
@@ -208,7 +200,7 @@ class Lane:
         """Whether there is something left to be played under other seeds."""
         return bool(self._kept) and self._seeds_more
 
-    def turn(self, others: Sequence[int] = ()) -> list[PartialResult[UnitOfRuns, Any]]:
+    def turn(self, others: Sequence[int] = ()) -> list[units.PartialResult[units.UnitOfRuns, Any]]:
         """Go on for a moment; return the parts of units that are done.
 
         Args:
@@ -223,7 +215,7 @@ class Lane:
             raise Unsettled(self.given_up)
         self._give()
         if any(player.jobs for player in self._players.values()):
-            wait([*self._players.values()], POLL, others)
+            wait([*self._players.values()], limits.POLL, others)
             for which in (FIRST, SECOND):
                 if which in self._players:
                     self._hear(which, self._players[which])
@@ -255,7 +247,7 @@ class Lane:
 
     def _hand_over(self) -> None:
         """Hand over the units that are done, and at intervals what was counted of the others."""
-        late = bool(self.given_up) or time.monotonic() > self._reported + REPORT_EVERY
+        late = bool(self.given_up) or time.monotonic() > self._reported + tally.REPORT_EVERY
         for work in [*self._works]:
             whole = work.batches is None and not work.more and not work.open
             if whole:
@@ -265,7 +257,7 @@ class Lane:
                 for due, cost in work.best.values():
                     self.engine.count_best(due.world, cost, work.tally)
             if whole or late:
-                self._done.append(PartialResult(work.unit, work.tally, whole))
+                self._done.append(units.PartialResult(work.unit, work.tally, whole))
                 work.tally = self.engine.tally()
                 self._reported = time.monotonic()
 
@@ -338,7 +330,7 @@ class Lane:
             job.batch.take(which, job.rows, logs)
             self._played(which, job.batch)
         if answers and which == FIRST:
-            slow = isinstance(player, PlayerHere) and time.monotonic() > began + REPORT_EVERY
+            slow = isinstance(player, PlayerHere) and time.monotonic() > began + tally.REPORT_EVERY
             self._size = max(1, self._size // 2) if slow else min(MOST, 2 * self._size)
 
     def _played(self, which: int, batch: RunBatch) -> None:
@@ -352,7 +344,7 @@ class Lane:
                 self._play_first(batch)
                 return
             self._judged += len(batch)
-            if self._compiled is None and isinstance(batch.work.unit, LevelUnit):
+            if self._compiled is None and isinstance(batch.work.unit, units.LevelUnit):
                 edges = batch.work.unit.edges
                 self._small += [batch] if edges <= SMALL and self.engine.compiled_from else []
             batch.work.more += batch.follow_ups()
@@ -398,18 +390,18 @@ class Lane:
                 "other runs would take too long"
             )
 
-    def _find(self, batch: RunBatch, work: Work, row: int, outcome: Outcome) -> None:
+    def _find(self, batch: RunBatch, work: Work, row: int, outcome: tally.Outcome) -> None:
         due = batch.runs[row]
         self.engine.settle(self.judge.referee, due.world, due.place, outcome, work.tally)
 
-    def _own(self, batch: RunBatch, row: int) -> Outcome:
+    def _own(self, batch: RunBatch, row: int) -> tally.Outcome:
         """The outcome of a run by its first play."""
         one = batch.outcome(row)
         if not one.fits:
             return replace(one.outcome, violation=nondeterministic(OTHER_CHOICES))
         return one.outcome
 
-    def _in_words(self, batch: RunBatch, row: int) -> Outcome:
+    def _in_words(self, batch: RunBatch, row: int) -> tally.Outcome:
         """The outcome of a run whose log compiled code has written, by a play in Python."""
         before, batch.plain = batch.outcome(row), True
         (log,), _ = self._anew_from(self._seeds[FIRST], batch.worlds([row]))
@@ -420,7 +412,7 @@ class Lane:
 
     def _explained(
         self, batch: RunBatch, work: Work, differing: Sequence[tuple[int, Log]]
-    ) -> dict[int, Outcome]:
+    ) -> dict[int, tally.Outcome]:
         """The outcomes of runs whose plays differ."""
         few, (first, second) = differing[:MOST_SETTLED], self._seeds
         rows = [row for row, _ in few]
@@ -444,7 +436,7 @@ class Lane:
             found[row] = anew or overruled(one.outcome, one.log, other, choices=self.judge.every)
         return found
 
-    def _alike(self, batch: RunBatch, work: Work, row: int, other: Log) -> Outcome | None:
+    def _alike(self, batch: RunBatch, work: Work, row: int, other: Log) -> tally.Outcome | None:
         """The outcome of a run by two later plays of it alone; None if they are not alike.
 
         What has happened once, and in no fresh process, refutes nothing.  The second play has the
@@ -461,11 +453,11 @@ class Lane:
         work.tally.remark(f"a run ended otherwise when it was tried again; at first: {ended}")
         return anew
 
-    def _anew(self, due: Due, log: Log) -> Outcome:
+    def _anew(self, due: Due, log: Log) -> tally.Outcome:
         episode = self.judge.episode(due.world, log)
         return self.judge.referee.outcome(due.world, episode, tuple(log.choices))
 
-    def _by_seed(self, batch: RunBatch, work: Work, rows: list[int]) -> dict[int, Outcome]:
+    def _by_seed(self, batch: RunBatch, work: Work, rows: list[int]) -> dict[int, tally.Outcome]:
         """The outcomes of runs of an explorer that goes by hashes, in their worlds by each seed."""
         work.tally.remark(GOES_BY_HASHES)
         first, second = self._seeds
@@ -635,7 +627,7 @@ def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Seq
 def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
     """The logs that answer its only job; raises as :func:`answered` does."""
     while True:
-        wait([player], POLL)
+        wait([player], limits.POLL)
         try:
             for _, logs in player.heard():
                 assert logs is not None

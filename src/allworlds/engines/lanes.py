@@ -24,13 +24,10 @@ from typing import TYPE_CHECKING, Any, NoReturn, Self
 
 from msgspec import Struct, field
 
+from allworlds.engines import linux, players, tally
 from allworlds.engines.lane import Lane
 from allworlds.engines.limits import POLL, Limits, check_deadline
-from allworlds.engines.linux import descendants, end_with_parent, limit_memory
-from allworlds.engines.players import HarnessError, Unsettled, child_path
-from allworlds.engines.scope import UnitOfRuns
-from allworlds.engines.tally import EnginesDisagree, RunCounter
-from allworlds.engines.units import PartialResult, Transport
+from allworlds.engines.units import PartialResult, Transport, UnitOfRuns
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.words import ended_by
@@ -50,7 +47,7 @@ AHEAD = 2
 ALONE = 1.5
 """The seconds for which the lane here is the only one."""
 
-_KNOWN = (InputError, Unsettled, EnginesDisagree, HarnessError)
+_KNOWN = (InputError, players.Unsettled, tally.EnginesDisagree, players.HarnessError)
 
 
 class _Process:
@@ -70,7 +67,7 @@ class _Process:
             parent = os.getpid()
             self.pid = os.fork()
         if self.pid == 0:
-            end_with_parent(parent)
+            linux.end_with_parent(parent)
             for other in (self, *others):  # whose owner hangs up when this process ends, too
                 other.link.close()
             _serve(theirs, subject, limits, first_lane=not others)
@@ -86,7 +83,7 @@ class _Process:
             time.sleep(0.005)
             pid, status = os.waitpid(self.pid, os.WNOHANG)
         if not pid:
-            for each in (self.pid, *descendants(self.pid)):
+            for each in (self.pid, *linux.descendants(self.pid)):
                 with suppress(ProcessLookupError, PermissionError):
                     os.kill(each, signal.SIGKILL)
             _, status = os.waitpid(self.pid, 0)
@@ -136,7 +133,7 @@ class Lanes(Struct):
         self._processes.clear()
 
     def map(
-        self, engine: RunCounter, units: Iterable[UnitOfRuns]
+        self, engine: tally.RunCounter, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
         """Yield the parts of all units, as they come.
 
@@ -180,7 +177,7 @@ class Lanes(Struct):
         if first and first.keeps and last:
             yield PartialResult(last, first.end(), last=False)
 
-    def _lane_here(self, engine: RunCounter) -> Lane | None:
+    def _lane_here(self, engine: tally.RunCounter) -> Lane | None:
         """One lane as long as the same is asked for; None once others have begun."""
         if self._processes or (self._lane is not None and self._lane.engine != engine):
             self._close_lane()
@@ -218,7 +215,7 @@ class Lanes(Struct):
                 lost = f"{MOST_ATTEMPTS} processes were lost over one unit, the last by {how}"
                 if self.models:
                     raise InputError(f"{lost}: a lighthouse, task or condition of yours ends them")
-                raise Unsettled(lost)
+                raise players.Unsettled(lost)
         return left
 
 
@@ -229,7 +226,7 @@ def _serve(link: Connection, subject: Subject, limits: Limits, *, first_lane: bo
         os.setsid()
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
         if limits.memory is not None and not subject.from_user:
-            limit_memory(limits.memory)
+            linux.limit_memory(limits.memory)
         _lane_of(link, subject, limits, first_lane=first_lane)
         status = 0
     except (EOFError, OSError):
@@ -237,7 +234,7 @@ def _serve(link: Connection, subject: Subject, limits: Limits, *, first_lane: bo
     except BaseException as error:  # noqa: BLE001  # what is none of these is ours
         known = isinstance(error, _KNOWN)
         with suppress(Exception):
-            link.send(error if known else HarnessError(traceback.format_exc()))
+            link.send(error if known else players.HarnessError(traceback.format_exc()))
     finally:
         os._exit(status)
 
@@ -281,7 +278,7 @@ def workers_for(
         deadline: on the monotonic clock, or None.
         models: whether models of the user's judge the runs.
     """
-    child_path()  # who has lost the current directory hears of it before a process starts
+    players.child_path()  # who has lost the current directory hears of it before a process starts
     only_here = subject.from_user and not subject.importable
     limited = limits.memory is not None and not subject.from_user
     apart = not only_here and (limits.workers > 1 or models or limited)

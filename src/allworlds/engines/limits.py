@@ -1,6 +1,4 @@
-"""The limits of a job's effort, which do not change its meaning."""
-
-from __future__ import annotations
+"""The limits of a job's effort, which do not change its meaning, and its listeners."""
 
 import os
 import re
@@ -8,15 +6,54 @@ import time
 from collections.abc import Callable
 from math import inf
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 from msgspec import Struct
+from typing_extensions import override
 
-from allworlds.engines.progress import NOBODY, Listener
+from allworlds import document as doc, outcome
 from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
 from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request, values_of
-from allworlds.outcome import NoResult
-from allworlds.protocol.faults import ANSWER_TIMEOUT
+from allworlds.protocol.actions import ANSWER_TIMEOUT
+
+
+class Listener:
+    """A listener to the progress of a job; by default each event is ignored."""
+
+    def level(self, edges: int, worlds: int) -> None:
+        """Hear that a level begins, with its number of worlds (of a shard: about that many)."""
+
+    def stage(self, name: str, total: int, of: str) -> None:
+        """Hear that a part of another kind begins, with the number of its items, named ``of``."""
+
+    def progress(self, count: int) -> None:
+        """Hear how many more worlds, or other units of the stage, are done."""
+
+    def notice(self, text: str) -> None:
+        """Hear a message to the user."""
+
+
+class Silent(Listener):
+    """The listener that ignores all events."""
+
+
+NOBODY = Silent()
+"""The listener where none is named, and that of a report, which is equal to another if all else
+is."""
+
+
+class NoticeOnce(Silent):
+    """A listener that hands on notices alone, and each of them once."""
+
+    def __init__(self, listener: Listener) -> None:
+        self._listener, self._said = listener, set[str]()
+
+    def notice(self, text: str) -> None:
+        """Hear a message to the user."""
+        if text not in self._said:
+            self._said.add(text)
+            self._listener.notice(text)
+
 
 POLL = 0.1
 """Seconds between two checks of other threads and processes, and the shortest time-out."""
@@ -93,7 +130,7 @@ class TimeoutOptions(Request):
     ] = Converted(_positive("start-timeout"), START_TIMEOUT)
 
     @property
-    def patience(self) -> Limits:
+    def patience(self) -> "Limits":
         """The time-outs of this request, as limits."""
         return Limits(**values_of(TimeoutOptions, self))
 
@@ -141,7 +178,7 @@ class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
     ] = Converted(_positive("memory"), None)
 
     @property
-    def limits(self) -> Limits:
+    def limits(self) -> "Limits":
         """The limits alone, without the rest of a request."""
         return Limits(**values_of(Limits, self))
 
@@ -227,7 +264,7 @@ class TimeIsUp(Exception):
     """Raised if the time limit of the whole job has been reached."""
 
 
-class ClusterLost(NoResult):
+class ClusterLost(outcome.NoResult):
     """Raised if workers are lost again and again, or the scheduler is lost."""
 
 
@@ -244,3 +281,69 @@ def check_deadline(deadline: float | None) -> None:
     """
     if deadline is not None and time.monotonic() > deadline:
         raise TimeIsUp
+
+
+class EndedReport(doc.Report):
+    """A report of what was finished when a job came to its ``ending``."""
+
+    ending: doc.NotInDocument[outcome.Ending]
+
+    @property
+    def whole(self) -> bool:
+        """Whether it is about all of the job, and not a shard of it."""
+        return True
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the numbers agree with what they were compared with."""
+        return True
+
+    @property
+    def refuted(self) -> bool:
+        """Whether a law is broken, or something is not as it should be."""
+        return False
+
+    @property
+    def undecided(self) -> bool:
+        """Whether something was left undone by which the answer could be another one."""
+        return isinstance(self.ending, outcome.Stopped)
+
+    @property
+    def empty(self) -> bool:
+        """Whether there was nothing to be answered."""
+        return False
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether the user interrupted the job."""
+        return isinstance(self.ending, outcome.Interrupted)
+
+    def uninterrupted(self) -> Self:
+        """Return this report, for callers that can do nothing with a part of it.
+
+        Raises:
+            KeyboardInterrupt: if it was interrupted; who made it has kept that to itself.
+        """
+        if self.interrupted:
+            raise KeyboardInterrupt
+        return self
+
+    @property
+    @override
+    def facts(self) -> outcome.Facts:
+        return outcome.Facts(
+            disagrees=not self.agrees or isinstance(self.ending, outcome.Disagreed),
+            interrupted=self.interrupted,
+            refuted=self.refuted,
+            undecided=self.undecided,
+            vacuous=self.whole and self.empty,
+        )
+
+
+class RowsReport(EndedReport):
+    """A report with rows of all that was finished."""
+
+    @doc.computed
+    def complete(self) -> doc.AllRows:
+        """Whether every row is there."""
+        return isinstance(self.ending, outcome.Completed | outcome.Disagreed)

@@ -3,8 +3,6 @@
 Source: prctl(2), PR_SET_PDEATHSIG and PR_SET_CHILD_SUBREAPER; proc(5); getrlimit(2), RLIMIT_AS.
 """
 
-from __future__ import annotations
-
 import ctypes
 import mmap
 import os

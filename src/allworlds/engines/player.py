@@ -24,15 +24,13 @@ from typing import TYPE_CHECKING, Any
 from allworlds.engines.linux import address_space, end_with_parent, limit_memory
 from allworlds.inputs.checks import InputError
 from allworlds.log import BEYOND
-from allworlds.protocol.choices import Choices, ScheduledChoices, policy_named
-from allworlds.protocol.faults import ExplorerFault
-from allworlds.protocol.playing import Record, TableWorld, play_run
+from allworlds.protocol import actions, choices, playing
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.library_player import LibraryPlayer
     from allworlds.explorers.loading import Subject
     from allworlds.explorers.program import Program
-    from allworlds.protocol.player import Player
+    from allworlds.protocol.actions import Player
 
 LINK, BEAT = 3, 4
 """The descriptors of a player."""
@@ -151,7 +149,7 @@ class _Server:
         try:
             self._library = self._library or LibraryPlayer(native, self._beat)
             logs = self._library.play(batch)
-        except ExplorerFault:  # which each run will tell
+        except actions.ExplorerFault:  # which each run will tell
             logs = None
         if os.getpid() != self._pid:
             os._exit(0)
@@ -173,7 +171,7 @@ def played(
         world, told, over, budget, name, script = batch["rows"][number]
         beat[0] = number
         around, choices = _around(batch["kind"], world, told, over), _choices(batch, name, script)
-        logs[number] = play_run(
+        logs[number] = playing.play_run(
             around, player, choices, budget, beat, any_answer=batch["any_answer"], hear=hear
         )
         if os.getpid() != own:
@@ -185,18 +183,18 @@ def played(
 def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
     """The surroundings of a run, in a batch of that kind."""
     if kind == "table":
-        return TableWorld(world, told)
+        return playing.TableWorld(world, told)
     if kind == "record":
-        return Record(world, told, over)
+        return playing.Record(world, told, over)
     from allworlds.judging.episode import AroundExplorer
 
     return AroundExplorer(world)
 
 
-def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> Choices:
+def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> choices.Choices:
     if batch["every"]:
-        return ScheduledChoices(script)
-    return Choices(policy_named(batch["policy"], name), script)
+        return choices.ScheduledChoices(script)
+    return choices.Choices(choices.policy_named(batch["policy"], name), script)
 
 
 def _sender() -> Callable[[bytearray], None]:

@@ -5,8 +5,6 @@ process can find plays :class:`PlayerHere`.  Sixteen shared bytes tell the run i
 explorer's turn in it, so that a batch of logs can be one message, and silence is seen all the same.
 """
 
-from __future__ import annotations
-
 import marshal
 import mmap
 import os
@@ -28,25 +26,13 @@ from weakref import finalize
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.engines import linux
+from allworlds import outcome, words
+from allworlds.engines import linux, player
 from allworlds.engines.limits import Limits
-from allworlds.engines.player import (
-    FAILURE,
-    LOGS,
-    NO_ROOM,
-    NO_RUN,
-    PART,
-    READY,
-    REFUSAL,
-    logs_message,
-    played,
-)
 from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers.loading import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs.checks import InputError, show
-from allworlds.outcome import NoResult
-from allworlds.protocol.player import Player as Explorer
-from allworlds.words import ended_by, harmless
+from allworlds.protocol.actions import Player as Explorer
 
 GRACE = 2.0
 """Extra seconds for a user's program, whose silence its player notices itself, and for an end."""
@@ -68,7 +54,7 @@ class HarnessError(RuntimeError):
     """Raised if a process without user's code has failed, so that no explorer is to blame."""
 
 
-class Unsettled(NoResult):
+class Unsettled(outcome.NoResult):
     """Raised if processes are lost again and again, so that there is no verdict on the explorer."""
 
 
@@ -113,9 +99,11 @@ class Logs(Sequence[bytes]):
             raise ValueError(bytes(message[:16]))
 
     @classmethod
-    def of(cls, logs: Sequence[bytes]) -> Logs:
+    def of(cls, logs: Sequence[bytes]) -> "Logs":
         """These logs."""
-        return logs if isinstance(logs, Logs) else cls(b"".join(logs_message(logs)), len(logs))
+        return (
+            logs if isinstance(logs, Logs) else cls(b"".join(player.logs_message(logs)), len(logs))
+        )
 
     @override
     def __len__(self) -> int:
@@ -189,7 +177,7 @@ class PlayerProcess:
         self._prints_come = True
         memory, beat = _shared(16)
         self.beat = memoryview(memory).cast("q")
-        self.beat[0] = NO_RUN
+        self.beat[0] = player.NO_RUN
         self._token = os.urandom(8).hex()
         self.pid = _spawned(self.seed, self._token, theirs.fileno(), beat, printing)
         self._status: int | None = None
@@ -272,23 +260,23 @@ class PlayerProcess:
 
     def _message(self, message: bytearray) -> Answer | None:
         letter = message[0] if message else -1
-        if letter == PART:
+        if letter == player.PART:
             self.part += message[1:]
             return None
-        if letter == REFUSAL:
+        if letter == player.REFUSAL:
             raise InputError(message[1:].decode(errors="surrogatepass"))
-        if letter == FAILURE:
+        if letter == player.FAILURE:
             raise HarnessError(message[1:].decode(errors="replace"))
         try:
-            if letter == READY and self.description is None:
+            if letter == player.READY and self.description is None:
                 self._hear_prints()  # those before it are of the loading
                 keywords, has_shield = marshal.loads(message[1:])  # noqa: S302  # honest
                 self.description = Description(frozenset(keywords), has_shield)
                 return None
-            if letter in (LOGS, NO_ROOM) and self.jobs:
+            if letter in (player.LOGS, player.NO_ROOM) and self.jobs:
                 job, asked = self.jobs[0]
                 runs = asked["runs"]
-                logs = None if letter == NO_ROOM else Logs(message, runs, at=1)
+                logs = None if letter == player.NO_ROOM else Logs(message, runs, at=1)
                 self.jobs.popleft()
                 self._seen, self._since = None, time.monotonic()
                 return job, logs
@@ -306,7 +294,7 @@ class PlayerProcess:
                     self._relayed += part
                     text = part.decode(errors="backslashreplace")
                     with suppress(OSError, ValueError):
-                        sys.stderr.write(harmless(text))
+                        sys.stderr.write(words.harmless(text))
                         sys.stderr.flush()
             self._prints_come = False  # nobody can write there any more
 
@@ -321,7 +309,7 @@ class PlayerProcess:
                 raise InputError(f"{show(name)} does not {loads}: it was at it for {limit:g} s")
             return 0.0
         seen = self.beat[0], self.beat[1]
-        if not self.jobs or seen[0] == NO_RUN or seen != self._seen:
+        if not self.jobs or seen[0] == player.NO_RUN or seen != self._seen:
             self._seen, self._since = seen, now
         return now - self._since
 
@@ -332,7 +320,7 @@ class PlayerProcess:
             time.sleep(0.005)
         how = "the end of the process's pipe"
         if code is not None:
-            how = f"the end of the process ({ended_by(code)})"
+            how = f"the end of the process ({words.ended_by(code)})"
         if self.description is None:
             if code is not None and code < 0 and self._tries == 1:  # perhaps from outside
                 return Lost("crash", how, machine=True)
@@ -422,7 +410,7 @@ class PlayerHere:
     def __init__(self, explorer: Explorer, *, of_user: bool = True, prints: bool = False) -> None:
         self._explorer, self._of_user, self._recorded = explorer, of_user, prints
         self.jobs: deque[tuple[Any, dict[str, Any]]] = deque()
-        self.beat, self.part = [NO_RUN, 0], bytearray()
+        self.beat, self.part = [player.NO_RUN, 0], bytearray()
         self.prints = Prints()
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
@@ -436,7 +424,7 @@ class PlayerHere:
         job, message = self.jobs[0]
         sink = self.prints if self._recorded else Prints()
         with printing_to(sink) if self._of_user else nullcontext():
-            logs = played(message, self._explorer, self.beat)
+            logs = player.played(message, self._explorer, self.beat)
         self.jobs.popleft()
         return [(job, logs)]
 
@@ -460,12 +448,12 @@ def keep(player: PlayerProcess, subject: Subject) -> None:
 def fresh(setup: Setup, seed: int) -> PlayerProcess:
     """A player that has played nothing: one that was kept, or a new one."""
     wanted = os.getpid(), seed, setup.message()
-    for player in [*_spare]:
-        if (player.owner, player.seed, player.setup.message()) == wanted:
-            _spare.remove(player)
-            if player.lives:
-                return player
-            player.close()
+    for spare in [*_spare]:
+        if (spare.owner, spare.seed, spare.setup.message()) == wanted:
+            _spare.remove(spare)
+            if spare.lives:
+                return spare
+            spare.close()
     return PlayerProcess(setup, seed)
 
 
@@ -480,13 +468,13 @@ def wait(
 ) -> bool:
     """Wait until something may have come; return whether one of the others is ready."""
     poll = select.poll()
-    for player in players:
-        if isinstance(player, PlayerHere):
-            seconds = 0 if player.jobs else seconds
-        for file in player.files:
+    for one in players:
+        if isinstance(one, PlayerHere):
+            seconds = 0 if one.jobs else seconds
+        for file in one.files:
             poll.register(file, select.POLLIN)
-        if isinstance(player, PlayerProcess) and player._out:  # noqa: SLF001  # this module's
-            poll.register(player.files[0], select.POLLIN | select.POLLOUT)
+        if isinstance(one, PlayerProcess) and one._out:  # noqa: SLF001  # this module's
+            poll.register(one.files[0], select.POLLIN | select.POLLOUT)
     for file in others:
         poll.register(file, select.POLLIN)
     ready = {file for file, _ in poll.poll(1000 * seconds)}

@@ -1,7 +1,5 @@
 """Prints of explorers, escaped and limited, and a stderr that may be lost: never for a verdict."""
 
-from __future__ import annotations
-
 import io
 import sys
 from collections.abc import Iterable, Iterator

@@ -5,8 +5,6 @@ JSON texts, and no code.  Each unit is one transaction: a killed process loses t
 at, and nothing else.  Every row is checked when it is read.
 """
 
-from __future__ import annotations
-
 import fcntl
 import hashlib
 import json
@@ -23,12 +21,11 @@ from typing import Any
 
 from typing_extensions import override
 
+from allworlds import outcome, words
 from allworlds.engines.job_records import ENDED, FORMAT, Identity, Records, to_kept
 from allworlds.engines.units import Sum
 from allworlds.inputs.checks import InputError, a_path, show
-from allworlds.outcome import Exit, NoResult
 from allworlds.version import __version__
-from allworlds.words import listed
 
 in_order = json.JSONEncoder(separators=(",", ":")).encode
 """A JSON value as a text that keeps the order of keys, in which a report tells them."""
@@ -280,10 +277,10 @@ PATIENCE = 3.0
 """Seconds to wait for a command that is about to end, before another one is refused."""
 
 
-class Gap(NoResult):
+class Gap(outcome.NoResult):
     """Raised if parts of a whole are missing."""
 
-    exit = Exit.INCOMPLETE
+    exit = outcome.Exit.INCOMPLETE
 
 
 @dataclass(slots=True)
@@ -355,7 +352,7 @@ class Merged(Records):
         """
         found = [(d, kept) for d in self.directories if (kept := d.result(key)) is not None]
         if len(found) > 1:
-            names = listed([show(str(d.path)) for d, _ in found])
+            names = words.listed([show(str(d.path)) for d, _ in found])
             raise InputError(f"run directories overlap: unit {key} is in {names}")
         if not found:
             raise Gap(f"unit {key} is not finished{self._unfinished()}")
@@ -378,7 +375,7 @@ class Merged(Records):
             for directory in self.directories
             if directory.recall("ended") != ENDED
         ]
-        return f": give the commands of {listed(names)} again" if names else ""
+        return f": give the commands of {words.listed(names)} again" if names else ""
 
 
 @contextmanager

@@ -1,44 +1,27 @@
 """Single runs: one that is told, and findings that are played again."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any
 
 from msgspec import UNSET, UnsetType, field
 from typing_extensions import override
 
-from allworlds import log as entries
-from allworlds.document.report import Report
-from allworlds.document.struct import (
-    Natural,
-    NotInDocument,
-    Text,
-    about,
-    computed,
-    one_of,
-    replace,
+from allworlds import document as doc, log as entries
+from allworlds.engines import limits, players
+from allworlds.engines.judge import (
+    Due,
+    PythonJudge,
+    Recorded,
+    difference_of,
+    in_words,
+    nondeterministic,
+    side_by_side,
 )
-from allworlds.engines.comparison import difference_of, in_words, nondeterministic, side_by_side
-from allworlds.engines.examiner import LOST, Examiner, Outcome, Referee, name_run
-from allworlds.engines.judge import Due, PythonJudge, Recorded
 from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
-from allworlds.engines.limits import Limits
-from allworlds.engines.players import Lost, PlayerProcess, Setup, keep
-from allworlds.engines.scope import GivenWorlds, Scope
-from allworlds.engines.tally import RunCounter, Tally
+from allworlds.engines.tally import LOST, Examiner, Outcome, Referee, RunCounter, Tally, name_run
+from allworlds.engines.units import GivenWorlds, Scope
+from allworlds.explorers import loading, program, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.loading import (
-    Subject,
-    built_in,
-    command_or_path,
-    in_process_subject,
-    is_program,
-    source_of,
-    with_shield,
-)
-from allworlds.explorers.program import Program
-from allworlds.explorers.sources import whole_name
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.episode import Answered, Fault, ending_of, fault_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
@@ -47,69 +30,67 @@ from allworlds.judging.laws.law_table import checked_laws
 from allworlds.log import Log
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.outcome import Facts, Verdict
-from allworlds.protocol.actions import action_numbered
-from allworlds.protocol.answers import Ambiguous, Estimate
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Ambiguous, Estimate, Transcript, action_numbered
 from allworlds.world.world import World
 
 
-class SingleRun(Report):
+class SingleRun(doc.Report):
     """Report of 'run'.
 
     One judged run.
     """
 
-    explorer: Annotated[Text, about("its name")]
-    world: Annotated[World, about("as it was given")]
-    finding: Annotated[Finding | None, about("null: no law is broken")]
-    rules: NotInDocument[Rules]
-    outcome: NotInDocument[Outcome]
-    shows_walk: NotInDocument[bool] = True
+    explorer: Annotated[doc.Text, doc.about("its name")]
+    world: Annotated[World, doc.about("as it was given")]
+    finding: Annotated[Finding | None, doc.about("null: no law is broken")]
+    rules: doc.NotInDocument[Rules]
+    outcome: doc.NotInDocument[Outcome]
+    shows_walk: doc.NotInDocument[bool] = True
 
-    @computed
+    @doc.computed
     def verdict(
         self,
-    ) -> Annotated[Verdict, one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS)]:
+    ) -> Annotated[Verdict, doc.one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS)]:
         """About this run alone."""
         return self.facts.verdict
 
-    @computed
+    @doc.computed
     def options(self) -> RecordedRules:
         """How it was played and judged."""
         return self.rules.recorded
 
-    @computed
-    def choices(self) -> tuple[Natural, ...]:
+    @doc.computed
+    def choices(self) -> tuple[doc.Natural, ...]:
         """The index taken at each choice."""
         return self.outcome.choices
 
-    @computed
-    def cost(self) -> Natural:
+    @doc.computed
+    def cost(self) -> doc.Natural:
         """Traversals."""
         return self.outcome.cost
 
-    @computed
+    @doc.computed
     def bound(self) -> int | None:
         """Of the traversals; null without one."""
         return self.outcome.bound
 
-    @computed
+    @doc.computed
     def estimate(self) -> Estimate | None:
         """The answer; null where there is none."""
         return self.answer if isinstance(self.answer, Estimate) else None
 
-    @computed
+    @doc.computed
     def transcript(self) -> Transcript | UnsetType:
         """The log; not with ``--no-walk``."""
         return self.outcome.episode.transcript if self.shows_walk else UNSET
 
-    @computed
+    @doc.computed
     def ambiguous(self) -> Ambiguous | UnsetType:
         """The answer that names no map, where there is one."""
         return self.answer if isinstance(self.answer, Ambiguous) else UNSET
 
-    @computed
-    def output(self) -> Text | UnsetType:
+    @doc.computed
+    def output(self) -> doc.Text | UnsetType:
         """Output of the explorer, if it printed anything."""
         return self.outcome.output or UNSET
 
@@ -143,7 +124,7 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
     return ""
 
 
-def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
+def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> loading.Subject:
     """The subject for a name or a generator function.
 
     A named explorer is loaded in a process of its own: users' code does not get into this one.
@@ -154,24 +135,24 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     if not isinstance(explore, str):
         if not callable(explore):
             raise InputError(f"explore = {show(explore)} is neither a name nor a function")
-        return in_process_subject(explore)
-    explore = whole_name(explore)
+        return loading.in_process_subject(explore)
+    explore = sources.whole_name(explore)
     if explore in BUILT_IN:
-        return built_in(explore)
-    if is_program(explore):
+        return loading.built_in(explore)
+    if loading.is_program(explore):
         # What cannot be run is refused here.
-        Program(command_or_path(explore), limits.answer_timeout)
-        return Subject(explore, frozenset({"told"}))
-    subject = Subject(explore, frozenset(), source=source_of(explore))
-    player = PlayerProcess(Setup(subject, limits), 0)
+        program.Program(loading.command_or_path(explore), limits.answer_timeout)
+        return loading.Subject(explore, frozenset({"told"}))
+    subject = loading.Subject(explore, frozenset(), source=loading.source_of(explore))
+    player = players.PlayerProcess(players.Setup(subject, limits), 0)
     try:
         description = player.loaded()
     except BaseException:
         player.close()
         raise
-    found = replace(subject, keywords=description.keywords)
-    found = with_shield(found) if description.has_shield else found
-    keep(player, found)
+    found = doc.replace(subject, keywords=description.keywords)
+    found = loading.with_shield(found) if description.has_shield else found
+    players.keep(player, found)
     return found
 
 
@@ -196,11 +177,11 @@ class OutcomeCounter(RunCounter, frozen=True):
 
 
 def _outcome_of(
-    subject: Subject,
+    subject: loading.Subject,
     rules: Rules,
     world: World,
     script: tuple[int, ...],
-    limits: Limits,
+    limits: limits.Limits,
     hash_seed: int | None,
 ) -> Outcome:
     """The judged run of a user's explorer in a canonical world."""
@@ -217,11 +198,11 @@ def _outcome_of(
 
 
 def single_run(
-    subject: Subject,
+    subject: loading.Subject,
     world: World,
     rules: Rules,
     script: tuple[int, ...],
-    limits: Limits,
+    limits: limits.Limits,
     hash_seed: int | None = None,
 ) -> SingleRun:
     """One episode in which the script answers the first choices, as far as it fits.
@@ -238,7 +219,7 @@ def single_run(
             _, printed = played.in_world(choices, seed)
         else:
             _, printed = played.again(outcome.episode.transcript, choices, seed)
-        outcome = replace(outcome, output=printed)
+        outcome = doc.replace(outcome, output=printed)
     else:
         choices_made = rules.choices(name_run(rules, world), script)
         outcome = Examiner(subject, rules).examine(world, choices_made)
@@ -253,8 +234,10 @@ def single_run(
 class Plays:
     """Plays of one run by fresh players, whose prints are recorded."""
 
-    def __init__(self, subject: Subject, rules: Rules, world: World, limits: Limits) -> None:
-        self._setup = Setup(subject, limits, prints=True)
+    def __init__(
+        self, subject: loading.Subject, rules: Rules, world: World, limits: limits.Limits
+    ) -> None:
+        self._setup = players.Setup(subject, limits, prints=True)
         self._rules, self._world = rules, world
         counter = RunCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
         self.judge = PythonJudge(counter, subject.name)
@@ -277,14 +260,14 @@ class Plays:
         player = started(self._setup, seed)
         try:
             logs = answered(player, message)
-        except Lost as lost:
+        except players.Lost as lost:
             logs = [lost_log(bytes(player.part), lost)] * message["runs"]
         finally:
             player.close()
         return [*map(Log, logs)], player.prints.text
 
 
-def played_again(finding: Finding, subject: Subject, limits: Limits) -> Finding:
+def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limits) -> Finding:
     """The finding with the prints of a fresh process, and whether that repeated the run.
 
     A run that was lost is played in its world once more, and so gets its walk.  An explorer that
@@ -297,16 +280,16 @@ def played_again(finding: Finding, subject: Subject, limits: Limits) -> Finding:
     try:
         if not subject.importable and subject.from_user:
             _, printed = plays.again(finding.transcript, choices, seed)
-            return replace(finding, output=printed)
+            return doc.replace(finding, output=printed)
         if finding.law in LOST and not finding.detail:
             log, printed = plays.in_world(choices, seed)
-            return replace(_found_again(finding, plays, log), output=printed)
+            return doc.replace(_found_again(finding, plays, log), output=printed)
         (first,), printed = plays.again(
             finding.transcript, choices, FIRST if _differ(finding) else seed
         )
-        return replace(_repeated(finding, plays, first, seed), output=printed)
+        return doc.replace(_repeated(finding, plays, first, seed), output=printed)
     except InputError:  # an explorer may not be importable any more
-        return replace(finding, confirmed=False)
+        return doc.replace(finding, confirmed=False)
 
 
 def _differ(finding: Finding) -> bool:
@@ -317,7 +300,7 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
     """The finding of a run that was lost, with its walk, and whether it was lost again."""
     episode = plays.judge.episode(finding.world, log)
     ending = episode.ending
-    return replace(
+    return doc.replace(
         finding,
         choices=max(tuple(log.choices), finding.choices, key=len),
         transcript=episode.transcript,
@@ -337,20 +320,20 @@ def _repeated(finding: Finding, plays: Plays, first: Log, seed: int) -> Finding:
         for each in (SECOND, FIRST):
             logs += plays.again(*record, each, REPEATED)[0]
         differ = any(not _same_walk(finding, log) or difference_of(first, log) for log in logs)
-        return replace(finding, confirmed=differ)
+        return doc.replace(finding, confirmed=differ)
     for log in (first, *plays.again(*record, seed, REPEATED)[0]):
         if not (_same_walk(finding, log) and _ends_alike(finding, log)):
             return _unlike(finding, log)
-    return replace(finding, confirmed=True)
+    return doc.replace(finding, confirmed=True)
 
 
 def _unlike(finding: Finding, again: Log) -> Finding:
     """The finding of an explorer that does something else in a fresh process."""
     if finding.law in LOST:
-        return replace(finding, confirmed=False)
+        return doc.replace(finding, confirmed=False)
     broken = nondeterministic(f"it breaks the law {finding.law} in some plays only")
     before = [*map(str, finding.transcript.actions)], f"what breaks the law {finding.law}"
-    return replace(
+    return doc.replace(
         finding,
         law=broken.law,
         expected=broken.expected,

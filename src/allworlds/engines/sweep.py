@@ -5,51 +5,177 @@ the use of a finished level.  The rest is here: kept units, listeners, endings b
 the report of all that was finished by then.
 """
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any, ClassVar, Generic, TypeVar
-
-from allworlds.document.struct import replace
-from allworlds.engines.engine_table import ReadyEngine
-from allworlds.engines.here import ThisThread
-from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
-from allworlds.engines.limits import ClusterLost, TimeIsUp, deadline_after
-from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import NOBODY, Listener
-from allworlds.engines.swept_report import By
-from allworlds.engines.tally import EnginesDisagree
-from allworlds.engines.units import (
-    WHOLE,
-    Portion,
-    Shard,
-    ShardOptions,
-    Sum,
-    SweptLevel,
-    Transport,
-    Unit,
-    level_size,
-    shards_of,
-    tell_of_size,
-    units_of_level,
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    Generic,
+    Literal,
+    TypeAlias,
+    TypeVar,
 )
-from allworlds.inputs.checks import InputError
-from allworlds.inputs.requests import meant, remembered, without_effort
-from allworlds.maps.classes import Extent
-from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended
 
-Total = TypeVar("Total", bound=Sum)
+from typing_extensions import override
+
+from allworlds import document as doc, outcome
+from allworlds.engines import limits, players, tally, units
+from allworlds.engines.engine_table import ReadyEngine, ThisThread
+from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
+from allworlds.inputs import checks, requests
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import classes, count_source
+from allworlds.world.lighthouses.kinds import LighthouseKind
+
+By: TypeAlias = Literal["size", "world", "run"]
+"""Rows for programs: one for each size, each world, or each run, and explorer."""
+
+
+def by_named(given: str | None) -> By | None:
+    """The word, or None.
+
+    Raises:
+        InputError: naming another word.
+    """
+    if given in (None, "size", "world", "run"):
+        return given  # type: ignore[return-value]  # one of these
+    raise checks.InputError(f"by {checks.show(given)} is not one of size, world, run")
+
+
+class RowOptions(requests.Request):
+    """The part of a request that says for what there are rows."""
+
+    by: Annotated[
+        requests.Converted[str | None, By | None],
+        requests.Option(
+            requests.OUTPUT,
+            "size|world|run",
+            "Rows of -o FILE.csv: one for each size, world, or run, and explorer [default: size; "
+            "of worlds that grow: run].",
+            apart=True,
+        ),
+    ] = requests.Converted(by_named, None)
+
+
+TriedPlaces = Annotated[
+    doc.IfAny[doc.Text | None],
+    doc.about("the places of the lighthouse that were tried; where it is left out, every one"),
+]
+"""A key of every scope with a lighthouse."""
+
+
+def tried_places(kind: LighthouseKind, extent: classes.Extent) -> str:
+    """The places of a lighthouse that are tried in an extent, in words; empty: every place."""
+    return kind.as_class.tried_in_maps_of(extent.levels[-1])
+
+
+FileDigests: TypeAlias = Annotated[
+    doc.IfAny[dict[str, doc.Text] | None], doc.about("the SHA-256 of each file of given worlds")
+]
+GivenCount: TypeAlias = Annotated[
+    doc.IfAny[doc.Positive | None],
+    doc.about("how many worlds were given; where it is left out, none"),
+]
+
+
+def given_of(request: object) -> dict[str, Any]:
+    """The keys of a scope that tell of given worlds."""
+    given = getattr(request, "given", None)
+    return given.described if given else {"sha256": None, "given": None}
+
+
+Scope_ = TypeVar("Scope_", bound=doc.Document)
+
+
+def told_scope(
+    kind: type[Scope_], request: object, rules: Rules | None = None, **more: Any
+) -> Scope_:
+    """The scope of a document: what was asked, as it took effect.
+
+    Args:
+        kind: the class of the scope.
+        request: whose options stand there by their names.
+        rules: in place of options of rules, if runs were judged.
+        more: further keys, or other values.
+    """
+    keys = {*kind.__struct_fields__}
+    asked = {
+        one.name: requests.as_json(getattr(request, one.name))
+        for one in requests.in_scope(type(request))
+    }
+    told = {**asked, **(rules.in_effect if rules else {}), **given_of(request)}
+    return kind(**({name: told[name] for name in told if name in keys} | more))
+
+
+class Gate(doc.Document):
+    """A count gate: the comparison of every count with an independent source."""
+
+    source: Annotated[doc.Text, doc.about("the independent source of the counts")]
+    agrees: Annotated[bool, doc.about("whether each count equals the source's")]
+
+
+ToldGate: TypeAlias = Annotated[
+    Gate | None,
+    doc.about(
+        "the comparison of the rows with an independent source, of a shard as far as it goes; "
+        "null: there is no source, or no row"
+    ),
+]
+
+
+class SweptReport(limits.RowsReport):
+    """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
+
+    request: doc.NotInDocument[Any]
+    extent: doc.NotInDocument[classes.Extent]
+
+    @doc.computed
+    def stopped(self) -> doc.Why:
+        """Reason why rows are missing."""
+        return self.ending.stopped
+
+    @property
+    def portion(self) -> units.Portion:
+        """The part of the job that was to be done."""
+        portion: units.Portion = self.request.shard
+        return portion
+
+    @property
+    @override
+    def whole(self) -> bool:
+        return self.portion == units.WHOLE
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return not getattr(self, "rows", ())
+
+    @property
+    def source(self) -> str:
+        """The name of the independent source of the counts; empty if there is none."""
+        source = count_source.source_of(self.extent)
+        return source.name if source else ""
+
+    @property
+    def compared(self) -> Gate | None:
+        """The count gate, if there is anything to compare."""
+        rows: Any = getattr(self, "rows", ())
+        some = self.source and (rows or not self.agrees)
+        return Gate(source=self.source, agrees=self.agrees) if some else None
+
+
+Total = TypeVar("Total", bound=units.Sum)
 Answer = TypeVar("Answer")
 
 
 def gather(
-    transport: Transport[Any],
+    transport: units.Transport[Any],
     engine: Any,
-    units: Iterable[Unit],
-    total: Sum,
-    listener: Listener,
+    undone: Iterable[units.Unit],
+    total: units.Sum,
+    listener: limits.Listener,
     records: Records = NO_RECORDS,
 ) -> None:
     """Add the results of all units to ``total``; the listener is told of each part.
@@ -59,8 +185,8 @@ def gather(
     Raises:
         TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.
     """
-    begun: dict[str, Sum] = {}
-    for part in transport.map(engine, units):
+    begun: dict[str, units.Sum] = {}
+    for part in transport.map(engine, undone):
         key, result = part.unit.key, part.result
         total.add(result)
         listener.progress(result.worlds)
@@ -93,22 +219,26 @@ class Sweep(ABC, Generic[Total, Answer]):
     result: ClassVar[Any]
     records: Records
 
-    def __init__(self, request: Any, extent: Extent | None = None) -> None:
+    def __init__(self, request: Any, extent: classes.Extent | None = None) -> None:
         self.request, self.extent = request, extent
-        self.listener: Listener = request.listener
-        self.portion: Portion = getattr(request, "shard", WHOLE)
-        self.deadline = deadline_after(request.time_limit)
+        self.listener: limits.Listener = request.listener
+        self.portion: units.Portion = getattr(request, "shard", units.WHOLE)
+        self.deadline = limits.deadline_after(request.time_limit)
 
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> Sweep[Any, Any]:
+    def known(
+        cls, identity: Identity, portion: units.Portion, listener: limits.Listener
+    ) -> "Sweep[Any, Any]":
         """Return the sweep of that identity, or of a shard of it, without loading an explorer."""
         return cls(cls.asked_then(identity, portion, listener))
 
     @classmethod
-    def asked_then(cls, identity: Identity, portion: Portion, listener: Listener) -> Any:
+    def asked_then(
+        cls, identity: Identity, portion: units.Portion, listener: limits.Listener
+    ) -> Any:
         """Return the request of that identity, for a portion."""
-        shard = {"shard": portion} if issubclass(cls.asked, ShardOptions) else {}
-        options = remembered(cls.asked, identity.parameters)
+        shard = {"shard": portion} if issubclass(cls.asked, units.ShardOptions) else {}
+        options = requests.remembered(cls.asked, identity.parameters)
         return cls.asked(**options, **shard, listener=listener)
 
     def list_by(self, by: By) -> None:
@@ -117,7 +247,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         Raises:
             InputError: if there are none to choose from.
         """
-        raise InputError(f"by {by} has no effect on a job of {self.verb}")
+        raise checks.InputError(f"by {by} has no effect on a job of {self.verb}")
 
     # ------------------------------------------------------------ what a study says
 
@@ -132,18 +262,18 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def parameters(self) -> dict[str, Any]:
         """Return everything that its report depends on but the explorer: by default all options."""
-        return meant(self.request)
+        return requests.meant(self.request)
 
     def explorer(self) -> dict[str, Any]:
         """Return the data of the explorer: by default there is none."""
         return {"name": ""}
 
-    def levels(self) -> Iterable[SweptLevel]:
+    def levels(self) -> Iterable[units.SweptLevel]:
         """Return its levels, in their order."""
         assert self.extent is not None
         for edges in self.extent.levels:
-            units = units_of_level(self.extent, edges, self.portion)
-            yield SweptLevel(edges, level_size(self.extent, edges), units)
+            mine = units.units_of_level(self.extent, edges, self.portion)
+            yield units.SweptLevel(edges, units.level_size(self.extent, edges), mine)
 
     @abstractmethod
     def ready(self) -> ReadyEngine:
@@ -160,26 +290,26 @@ class Sweep(ABC, Generic[Total, Answer]):
         return made
 
     @abstractmethod
-    def finish(self, level: SweptLevel, total: Total) -> Ending | None:
+    def finish(self, level: units.SweptLevel, total: Total) -> outcome.Ending | None:
         """Take in a finished level; an ending ends the job with it."""
 
     @abstractmethod
-    def report(self, ending: Ending) -> Answer:
+    def report(self, ending: outcome.Ending) -> Answer:
         """Return the report of all that was taken in."""
 
-    def ended(self, ending: Ending, extent: Extent | None = None) -> dict[str, Any]:
+    def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
         """Return the keywords of every report; the extent where the sweep has no other."""
-        asked = replace(without_effort(self.request), listener=NOBODY)
+        asked = doc.replace(requests.without_effort(self.request), listener=limits.NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
-    def begin(self) -> Ending | None:
+    def begin(self) -> outcome.Ending | None:
         """Do what comes before the first level; an ending ends the job before it."""
         return None
 
-    def leave(self, level: SweptLevel, total: Total) -> None:
+    def leave(self, level: units.SweptLevel, total: Total) -> None:
         """Take in the finished units of an unfinished level: by default none."""
 
-    def conclude(self, ending: Ending) -> Ending:
+    def conclude(self, ending: outcome.Ending) -> outcome.Ending:
         """Do what comes after the last level."""
         return ending
 
@@ -195,7 +325,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         Raises:
             InputError: if the directory is of another job, in use, damaged, or not writable.
         """
-        if run is None and isinstance(self.portion, Shard):
+        if run is None and isinstance(self.portion, units.Shard):
             self.listener.notice(
                 "without --run DIR the report of this shard cannot be merged with others"
             )
@@ -215,38 +345,38 @@ class Sweep(ABC, Generic[Total, Answer]):
         self.ready = lambda: ReadyEngine(ThisThread(), None)  # type: ignore[method-assign]  # none
         return self._answered(records, self._swept)
 
-    def _answered(self, records: Records, swept: Callable[[], Ending]) -> Answer:
+    def _answered(self, records: Records, swept: Callable[[], outcome.Ending]) -> Answer:
         self.records = records
-        ending = ended(swept)
+        ending = outcome.ended(swept)
         records.note("ended", ENDED if ending.final else ending.reason)
         return self.report(ending)
 
-    def _from_the_beginning(self) -> Ending:
+    def _from_the_beginning(self) -> outcome.Ending:
         return self._guarded(self.begin) or self._swept()
 
-    def _swept(self) -> Ending:
-        ending = self._guarded(self._through) or Completed()
+    def _swept(self) -> outcome.Ending:
+        ending = self._guarded(self._through) or outcome.Completed()
         return self._guarded(lambda: self.conclude(ending)) or ending
 
-    def _guarded(self, job: Callable[[], Ending | None]) -> Ending | None:
+    def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
         """Return the ending of a part of the job, or of the interruption that has stopped it."""
         try:
             return job()
-        except TimeIsUp:
-            return Stopped(f"the time limit of {self.request.time_limit:g} s was reached")
-        except EnginesDisagree as error:
-            return Disagreed(str(error))
-        except ClusterLost as error:
+        except limits.TimeIsUp:
+            return outcome.Stopped(f"the time limit of {self.request.time_limit:g} s was reached")
+        except tally.EnginesDisagree as error:
+            return outcome.Disagreed(str(error))
+        except limits.ClusterLost as error:
             self.listener.notice(f"{error}; the report tells what was finished")
-            return Stopped(str(error))
-        except Unsettled as error:
-            return Stopped(str(error))
+            return outcome.Stopped(str(error))
+        except players.Unsettled as error:
+            return outcome.Stopped(str(error))
 
-    def _through(self) -> Ending | None:
-        made, shards = self.ready(), shards_of(self.portion)
+    def _through(self) -> outcome.Ending | None:
+        made, shards = self.ready(), units.shards_of(self.portion)
         with made.transport as there:
             if self.extent is not None:
-                tell_of_size(self.extent, self.listener, shards)
+                units.tell_of_size(self.extent, self.listener, shards)
             for level in self.levels():
                 self.listener.level(level.edges, level.worlds // shards)
                 total = self.empty()
@@ -260,7 +390,7 @@ class Sweep(ABC, Generic[Total, Answer]):
                     return ending
         return None
 
-    def _is_kept(self, unit: Unit, total: Total) -> bool:
+    def _is_kept(self, unit: units.Unit, total: Total) -> bool:
         """Return whether a unit was finished before; then its result is added to the total."""
         kept = self.records.result(unit.key)
         if kept is None:

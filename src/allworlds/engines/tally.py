@@ -1,6 +1,7 @@
-"""Counts that can be added up in any order, and the smallest findings; what is counted of a run."""
+"""One run, judged, and the tally of many: counts that can be added up in any order.
 
-from __future__ import annotations
+A run that breaks a law is made a finding; the smallest findings are in the tally.
+"""
 
 from bisect import insort
 from collections import Counter
@@ -11,14 +12,152 @@ from typing import Annotated, Any, NamedTuple, Self
 
 from msgspec import Struct
 
-from allworlds.document.struct import replace
-from allworlds.engines.examiner import Outcome, Referee
-from allworlds.engines.job_records import Form
-from allworlds.engines.scope import NumberedRun, Scope, UnitOfRuns, numbered_runs
-from allworlds.judging.findings.finding import Finding
+from allworlds.document import replace
+from allworlds.engines import job_records, units
+from allworlds.explorers.loading import Subject
+from allworlds.inputs.checks import show
+from allworlds.judging.episode import Answered, Episode, Fault, play
+from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import Rules
-from allworlds.maps.canonical import rooted_code
+from allworlds.judging.laws.law_table import LAWS, Case, Violation, first_wrong, judge
+from allworlds.maps.combinatorial import rooted_code
+from allworlds.protocol import actions, choices
 from allworlds.world.world import World
+
+
+class Outcome(Struct, frozen=True):
+    """One judged episode.
+
+    Attributes:
+        episode: the run.
+        violation: the first broken law, or None.
+        detail: a traceback, or a program's stderr; may be empty.
+        choices: the index taken at each choice.
+        bound: the largest legal number of traversals, or None.
+        hash_seed: the players' one, if it makes a difference.
+        output: the explorer's prints, if they were recorded.
+    """
+
+    episode: Episode
+    violation: Violation | None
+    detail: str
+    choices: tuple[int, ...]
+    bound: int | None
+    hash_seed: int | None = None
+    output: str = ""
+
+    @property
+    def cost(self) -> int:
+        """The number of edge traversals."""
+        return self.episode.transcript.cost
+
+
+class Referee:
+    """A referee judges runs under one set of rules; it knows only the name of the explorer."""
+
+    def __init__(self, explorer: str, rules: Rules) -> None:
+        self.explorer = explorer
+        self.rules = rules
+        self._checks = [LAWS[law].check for law in rules.applying]
+
+    def outcome(self, world: World, episode: Episode, choices: tuple[int, ...]) -> Outcome:
+        """Judge an episode."""
+        bound = self.rules.the_bound.of(world.map, world.start)
+        violation = self.verdict(world, episode, bound)
+        ending = episode.ending
+        detail = ending.detail if isinstance(ending, Fault) else ""
+        return Outcome(episode, violation, detail, choices, bound)
+
+    def verdict(self, world: World, episode: Episode, bound: int | None) -> Violation | None:
+        """The first law that a finished episode breaks."""
+        ending = episode.ending
+        if isinstance(ending, Fault):
+            return Violation(ending.law, ending.expected, ending.seen)
+        task, answer = self.rules.task, ending.answer if isinstance(ending, Answered) else None
+        leaves_open = world.lighthouse.as_kind.leaves_open
+        if task.is_map and isinstance(answer, actions.Ambiguous) and not leaves_open:
+            return Violation(
+                "no-estimate",
+                f"a map: the {world.lighthouse.kind} lighthouse has no answer without one",
+                show(answer),
+            )
+        if not task.is_map and (wrong := task.flaw(world, episode.transcript, ending)) is not None:
+            return Violation("task", task.asks, wrong)
+        case = Case(
+            world.map,
+            world.start,
+            episode.transcript,
+            episode.checkpoints,
+            answer if task.is_map else None,
+            bound,
+        )
+        return judge(case, self._checks)
+
+    def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
+        """The finding of a refuting outcome, in canonical numbering."""
+        assert outcome.violation is not None
+        violation, ending = outcome.violation, outcome.episode.ending
+        canonical = canonical_world(world)
+        wrong = None
+        if isinstance(ending, Fault):
+            wrong = self._wrong_checkpoint(world, outcome.episode)
+        else:
+            # What was expected and seen may name darts: judge again under the canonical names.
+            again = self.verdict(canonical, outcome.episode, outcome.bound)
+            if again and again.law == violation.law:
+                violation = again
+        return Finding(
+            version=2,
+            explorer=self.explorer,
+            world=canonical,
+            at=place,
+            options=self.rules.recorded,
+            under=self.rules,
+            law=violation.law,
+            choices=outcome.choices,
+            transcript=outcome.episode.transcript,
+            expected=violation.expected,
+            seen=violation.seen,
+            detail=outcome.detail,
+            step=wrong[0] if wrong else violation.step,
+            wrong_checkpoint=wrong[1] if wrong else "",
+            machine=isinstance(ending, Fault) and ending.machine,
+            hash_seed=outcome.hash_seed,
+            output=outcome.output,
+        )
+
+    def _wrong_checkpoint(self, world: World, episode: Episode) -> tuple[int, str] | None:
+        """The first wrong checkpoint of a run without an answer, and what is wrong with it."""
+        if "invariant-1" not in self.rules.applying:
+            return None
+        case = Case(world.map, world.start, episode.transcript, episode.checkpoints, None, None)
+        return first_wrong(case)
+
+
+class Examiner(Referee):
+    """An examiner plays and judges runs of a built-in explorer in this process, each once."""
+
+    def __init__(self, subject: Subject, rules: Rules) -> None:
+        super().__init__(subject.name, rules)
+        self._player = subject.player()
+
+    def examine(self, world: World, choices: choices.Choices) -> Outcome:
+        """Play one episode, and judge it."""
+        rules, task = self.rules, self.rules.task
+        around, budget = task.environment(world), rules.budget(world.map)
+        episode = play(around, self._player, choices, budget, maps=task.is_map)
+        return self.outcome(world, episode, tuple(choices.record))
+
+
+LOST = ("crash", "timeout")
+"""The laws that the machine may break, not the explorer alone."""
+
+
+def name_run(rules: Rules, world: World) -> str:
+    """A name for a run that does not depend on the order of runs; empty if unused."""
+    if not rules.policy.startswith("random"):
+        return ""
+    return f"{rooted_code(world.map.sigma, world.map.alpha, 0)}/{place_of(world)}"
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
@@ -71,7 +210,7 @@ class Row:
     most_expensive: AtRun | None = field(default=None, compare=False)
     best_cost: int | None = None
 
-    def add(self, other: Row) -> None:
+    def add(self, other: "Row") -> None:
         """Take in the counts of another part."""
         self.worlds += other.worlds
         self.runs += other.runs
@@ -121,8 +260,8 @@ class Tally:
     witnesses: Counter[str] = field(default_factory=Counter)
     left_out: int = 0
     checkpoints: int = 0
-    findings: list[Annotated[Finding, Form(finding_to_record, finding_from_record)]] = field(
-        default_factory=list
+    findings: list[Annotated[Finding, job_records.Form(finding_to_record, finding_from_record)]] = (
+        field(default_factory=list)
     )
     remarks: Counter[str] = field(default_factory=Counter)
 
@@ -153,7 +292,7 @@ class Tally:
         """Note an event that refutes nothing."""
         self.remarks[text] += 1
 
-    def add(self, other: Tally) -> None:
+    def add(self, other: "Tally") -> None:
         """Take in another part's tally."""
         for (edges, vertices), row in other.rows.items():
             self.row(edges, vertices).add(row)
@@ -209,20 +348,20 @@ class RunCounter(Struct, frozen=True):
             of a user's explorer; None: never.
     """
 
-    scope: Scope
+    scope: units.Scope
     keep: int
     compiled_from: int | None = None
 
-    def runs(self, unit: UnitOfRuns, start: int = 0) -> Iterator[NumberedRun]:
+    def runs(self, unit: units.UnitOfRuns, start: int = 0) -> Iterator[units.NumberedRun]:
         """The runs of a unit from that number on."""
-        every = numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
+        every = units.numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
         return islice(every, start, None)
 
     def tally(self) -> Tally:
         """An empty tally."""
         return Tally(self.keep)
 
-    def count_run(self, run: NumberedRun, tally: Tally) -> World | None:
+    def count_run(self, run: units.NumberedRun, tally: Tally) -> World | None:
         """Count a run, and return its world; None if that has no place for the lighthouse."""
         edges, vertices = run.map.edge_count, run.map.vertex_count
         if run.first:

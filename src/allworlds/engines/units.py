@@ -1,6 +1,7 @@
-"""Units: the pieces into which a level is cut, and the shards to which they fall."""
+"""The scope of a check, and the units into which its levels are cut.
 
-from __future__ import annotations
+A scope is every option that the counts and the verdict depend on.  Units fall to shards.
+"""
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
@@ -10,18 +11,20 @@ from random import Random
 from typing import Annotated, Any, Generic, Protocol, Self, TypeAlias, TypeVar
 
 from msgspec import Struct
+from msgspec.structs import force_setattr
 
-from allworlds.engines.progress import Listener
-from allworlds.inputs.checks import InputError, an_integer, show
+from allworlds.engines.limits import Listener
+from allworlds.inputs.checks import InputError, an_integer, at_most, show
 from allworlds.inputs.requests import RARE_SCOPE, Converted, Option, Request
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import combinatorial, count_source, counting
 from allworlds.maps.classes import Extent
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.count_source import completions, source_of
-from allworlds.maps.counting import SOURCES
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
 from allworlds.notations.given import GivenMap, GivenMaps, Placed
+from allworlds.protocol.choices import Schedule
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.placeless import Nothing
+from allworlds.world.lighthouses.composed import Nothing
+from allworlds.world.world import World
 
 
 class Unit(Protocol):
@@ -195,7 +198,7 @@ class LevelUnit(Struct, frozen=True):
         """The name ``EDGES:DECISION,DECISION,...``."""
         return f"{self.edges}:{','.join(map(str, self.prefix))}"
 
-    def maps(self, extent: Extent) -> Iterator[CombinatorialMap]:
+    def maps(self, extent: Extent) -> Iterator[combinatorial.CombinatorialMap]:
         """The maps, rooted at dart 0, in the order of the enumeration."""
         return rooted_maps(self.edges, extent.map_class, extent.vertices, self.prefix, extent.where)
 
@@ -209,7 +212,7 @@ class LevelUnit(Struct, frozen=True):
         gluing = Gluing(self.edges, extent.map_class, extent.vertices, extent.where)
         for decision in self.prefix:
             gluing.apply(decision)
-        return completions(gluing)
+        return count_source.completions(gluing)
 
 
 DEPTHS = ((6, 1), (9, 2), (inf, 3))
@@ -233,7 +236,7 @@ class GivenUnit(Struct, frozen=True):
         """The name ``EDGES/NUMBER``."""
         return f"{self.edges}/{self.number}"
 
-    def maps(self, extent: Extent) -> Iterator[CombinatorialMap]:
+    def maps(self, extent: Extent) -> Iterator[combinatorial.CombinatorialMap]:
         """The maps of the extent, each from every start."""
         return (map_ for map_, _ in self.placed(extent, Nothing))
 
@@ -275,9 +278,9 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
     """
     while True:
         gluing, prefix = Gluing(edges, extent.map_class, extent.vertices, extent.where), list[int]()
-        while not gluing.finished and (not prefix or completions(gluing) > most):
+        while not gluing.finished and (not prefix or count_source.completions(gluing) > most):
             following = [*gluing.successors()]
-            weights = [completions(after) for _, after in following]
+            weights = [count_source.completions(after) for _, after in following]
             if not any(weights):
                 break
             ((decision, gluing),) = draw.choices(following, weights)
@@ -291,13 +294,13 @@ def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
 
     Under a condition without a source: at most so many, those of the class.
     """
-    cells = (source_of(extent) or SOURCES[extent.map_class]).cells(edges)
+    cells = (count_source.source_of(extent) or counting.SOURCES[extent.map_class]).cells(edges)
     return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
 
 
 def is_counted(extent: Extent | None) -> bool:
     """Whether the worlds of an extent are counted beforehand, and not at most so many."""
-    return extent is None or source_of(extent) is not None
+    return extent is None or count_source.source_of(extent) is not None
 
 
 def level_size(extent: Extent, edges: int) -> int:
@@ -331,7 +334,7 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
     if extent.given is not None:
         return  # the user knows
     last = extent.levels[-1]
-    source = source_of(extent) or SOURCES[extent.map_class]
+    source = count_source.source_of(extent) or counting.SOURCES[extent.map_class]
     worlds = counted = 0
     for edges in extent.levels:
         counted, worlds = edges, worlds + level_size(extent, edges)
@@ -345,3 +348,128 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
             break
     if counted < last:
         listener.notice(f"all levels up to {last} edges are asked for: {_LONG}")
+
+
+class UnitOfRuns(Protocol):
+    """A unit that one worker does at a time."""
+
+    @property
+    def key(self) -> str:
+        """Its name among the units of a check."""
+
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+        """Every map with its places, in a fixed order."""
+
+
+class GivenWorlds(Struct, frozen=True):
+    """Chosen worlds, each with its own place; their start is dart 0."""
+
+    worlds: tuple[tuple[World, int], ...]
+    key: str = ""
+
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:  # noqa: ARG002  # they are all there
+        """The worlds as they are."""
+        for world, place in self.worlds:
+            yield world.map, [(place, world.lighthouse)]
+
+
+class NumberedRun(Struct, frozen=True):
+    """A run of a unit: its number there, and where it takes place.
+
+    Attributes:
+        number: from 0 on; a world without a place counts as one.
+        map: rooted at dart 0.
+        place: the number of the lighthouse's place.
+        lighthouse: None if the world has no place for it.
+        first: whether it is the first of its world.
+    """
+
+    number: int
+    map: combinatorial.CombinatorialMap
+    place: int
+    lighthouse: Lighthouse | None
+    first: bool
+
+
+def numbered_runs(
+    worlds: UnitOfRuns, extent: Extent, kind: type[Lighthouse]
+) -> Iterator[NumberedRun]:
+    """Every run of a unit, in its order, by which parent and worker speak of it."""
+    number = 0
+    for map_, places in worlds.placed(extent, kind):
+        for i, (place, lighthouse) in enumerate(places or [(0, None)]):
+            yield NumberedRun(number, map_, place, lighthouse, i == 0)
+            number += 1
+
+
+MOST_RUNS = 10**12
+
+
+class Sample(Struct, frozen=True):
+    """A number of random worlds, drawn from a seed, each with a least number of edges.
+
+    A shard of it is a range of these worlds.
+
+    Raises:
+        InputError: for numbers out of range.
+    """
+
+    runs: int
+    seed: int = 0
+    min_edges: int = 1
+    portion: Portion = WHOLE
+
+    def __post_init__(self) -> None:
+        for name in ("runs", "seed", "min_edges"):
+            force_setattr(self, name, an_integer(name, getattr(self, name)))
+        at_most("runs", self.runs, MOST_RUNS)
+        if self.seed < 0:
+            raise InputError(f"seed = {show(self.seed)}, but seeds are 0, 1, 2, ...")
+        if self.runs < 1:
+            raise InputError(f"runs = {self.runs} is not positive")
+        if self.min_edges < 1:
+            raise InputError(f"min-edges = {show(self.min_edges)} is not positive")
+
+
+Coverage: TypeAlias = Whole | Shard | Sample
+"""The part of the worlds of an extent that is tried."""
+
+
+class Scope(Struct, frozen=True):
+    """A class of worlds with its bounds, and the rules.
+
+    Attributes:
+        extent: class and bounds.
+        rules: the rules by which each run is played and judged.
+        schedules: ``one`` (the policy's) or ``all`` (every sequence of choices).
+        coverage: the part of these worlds that is tried.
+    """
+
+    extent: Extent
+    rules: Rules
+    schedules: Schedule = "one"
+    coverage: Coverage = WHOLE
+
+    @property
+    def whole(self) -> bool:
+        """Whether every world of a class is tried, so that they can be counted."""
+        return isinstance(self.coverage, Whole) and self.extent.given is None
+
+    def like(self, world: World) -> Iterable[World]:
+        """The given worlds that are this one in another numbering; none where none are given."""
+        return () if self.extent.given is None else self.extent.given.like(world)
+
+    @property
+    def portion(self) -> Portion:
+        """The whole, or a shard of it."""
+        return self.coverage.portion if isinstance(self.coverage, Sample) else self.coverage
+
+    def units(self, edges: int) -> Iterator[LevelUnit | GivenUnit]:
+        """The units of a level; they do not depend on the number of workers."""
+        return units_of_level(self.extent, edges, self.portion)
+
+    @property
+    def levels(self) -> Iterator[SweptLevel]:
+        """The levels of the scope, with their units."""
+        for edges in self.extent.levels:
+            yield SweptLevel(edges, level_size(self.extent, edges), self.units(edges))

@@ -4,8 +4,6 @@ A skeleton is files that build and run, and are still wrong.  Those of a languag
 of its name in ``skeletons``, each with ``.template`` after its own name.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from msgspec import Struct

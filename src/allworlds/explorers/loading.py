@@ -16,27 +16,15 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.protocol.actions import Percept
+from allworlds.protocol import actions, importing
+from allworlds.protocol.actions import ANSWER_TIMEOUT, Player, Told
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.faults import ANSWER_TIMEOUT
-from allworlds.protocol.importing import (
-    SourceText,
-    arguments_of,
-    attribute_of,
-    called,
-    imported,
-    module_named,
-    module_of_text,
-    points_of,
-    text_of,
-)
-from allworlds.protocol.player import Player, Told
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
     from allworlds.explorers.builtin.explorer_table import BuiltIn, Size
-    from allworlds.explorers.builtin.shield import Shield
+    from allworlds.explorers.builtin.folding import Shield
     from allworlds.explorers.program import Program
     from allworlds.explorers.shared_library import NativeExplorer
 
@@ -110,7 +98,7 @@ def entry_point(plain: str) -> EntryPoint | None:
 
     A name with a colon is that of a function: packages are not asked, which takes some time.
     """
-    return None if ":" in plain else points_of(ENTRY_POINTS).get(plain)
+    return None if ":" in plain else importing.points_of(ENTRY_POINTS).get(plain)
 
 
 def own_bound(name: str, lighthouse: str) -> str | None:
@@ -156,7 +144,7 @@ class Subject(Struct, frozen=True, weakref=True):
     name: str
     keywords: frozenset[str]
     explore: Callable[..., Generator[Any, Any, Any]] | None = None
-    source: SourceText | None = None
+    source: importing.SourceText | None = None
     program: Program | None = None
     native: NativeExplorer | None = None
 
@@ -205,7 +193,7 @@ class Subject(Struct, frozen=True, weakref=True):
         explore = self.explore
         assert explore is not None
 
-        def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
+        def play(first: actions.Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
             offered = {"choices": choices, "told": told, "notice": notice}
             return explore(first, **{key: offered[key] for key in self.keywords})
 
@@ -227,7 +215,7 @@ def built_in(name: str) -> Subject:
 
 def with_shield(inside: Subject) -> Subject:
     """The explorer with a shield; one shield is enough."""
-    from allworlds.explorers.builtin.shield import Shield
+    from allworlds.explorers.builtin.folding import Shield
 
     if has_shield(inside.name):
         return inside
@@ -248,7 +236,7 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
         InputError: if it is no generator function.
     """
     from allworlds.explorers.builtin.explorer_table import BUILT_IN
-    from allworlds.explorers.builtin.shield import Shield
+    from allworlds.explorers.builtin.folding import Shield
 
     if isinstance(explore, Shield):
         inside = in_process_subject(explore.explorer)
@@ -269,7 +257,7 @@ def _is_found_by_name(explore: Any) -> bool:
     try:
         if importlib.util.find_spec(module) is None:
             return False
-        return attribute_of(sys.modules[module], name, module) is explore
+        return importing.attribute_of(sys.modules[module], name, module) is explore
     except (ImportError, ValueError, KeyError):  # InputError is a ValueError
         return False
 
@@ -300,7 +288,7 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
 # ---------------------------------------------------------------- loading
 
 
-def source_of(name: str) -> SourceText | None:
+def source_of(name: str) -> importing.SourceText | None:
     """The text of the file in an explorer's name; None if the name has no file.
 
     Raises:
@@ -314,7 +302,7 @@ def source_of(name: str) -> SourceText | None:
 
         library_path(command_or_path(name))
         return None
-    plain, arguments = arguments_of(name)
+    plain, arguments = importing.arguments_of(name)
     if entry_of(plain) and arguments:
         raise InputError(f"the built-in explorer {plain} takes no arguments, not {show(name)}")
     if entry_of(plain) or entry_point(plain):
@@ -324,17 +312,19 @@ def source_of(name: str) -> SourceText | None:
         from allworlds.explorers.builtin.explorer_table import BUILT_IN
         from allworlds.explorers.sources import no_explorer
 
-        raise InputError(no_explorer(name, plain, sorted({*BUILT_IN, *points_of(ENTRY_POINTS)})))
+        raise InputError(
+            no_explorer(name, plain, sorted({*BUILT_IN, *importing.points_of(ENTRY_POINTS)}))
+        )
     if not place or not attribute:
         raise InputError(
             f"explorer {show(name)} is incomplete; legal are module:attribute and "
             "path/to/file.py:attribute"
         )
-    return text_of(place)
+    return importing.text_of(place)
 
 
 def load(
-    name: str, answer_timeout: float = ANSWER_TIMEOUT, source: SourceText | None = None
+    name: str, answer_timeout: float = ANSWER_TIMEOUT, source: importing.SourceText | None = None
 ) -> Subject:
     """The explorer of that name, ready to be played here.
 
@@ -360,25 +350,25 @@ def load(
 
         native = NativeExplorer(Library(command_or_path(name)))
         return Subject(name, native.keywords, native.explore, native=native)
-    plain, arguments = arguments_of(name)
+    plain, arguments = importing.arguments_of(name)
     if point := entry_point(plain):
-        explore = called(name, imported(plain, point.load), arguments)
+        explore = importing.called(name, importing.imported(plain, point.load), arguments)
     else:
         source = source or source_of(name)
-        explore = called(name, _function_named(plain, source), arguments)
+        explore = importing.called(name, _function_named(plain, source), arguments)
     return Subject(name, keywords_of(name, explore), explore, source)
 
 
-def _function_named(plain: str, source: SourceText | None) -> Any:
+def _function_named(plain: str, source: importing.SourceText | None) -> Any:
     """The object that a name ``module:attribute`` or ``FILE.py:attribute`` stands for.
 
     Raises:
         InputError: if there is none, or it does not import.
     """
     place, _, attribute = plain.rpartition(":")
-    module = module_of_text(place, source) if source else module_named(place)
+    module = importing.module_of_text(place, source) if source else importing.module_named(place)
     try:
-        return attribute_of(module, attribute, place)
+        return importing.attribute_of(module, attribute, place)
     except InputError as error:
         names = [n for n, v in vars(module).items() if inspect.isgeneratorfunction(v)]
         if not names and attribute == "explore":
@@ -409,7 +399,7 @@ def shield(explorer: str | Callable[..., Generator[Any, Any, Any]]) -> str | Shi
     Raises:
         InputError: if it is neither.
     """
-    from allworlds.explorers.builtin.shield import Shield
+    from allworlds.explorers.builtin.folding import Shield
 
     if isinstance(explorer, str):
         return SHIELD + explorer

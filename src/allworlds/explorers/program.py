@@ -1,7 +1,5 @@
 """A program behind a pipe, and the words of its command."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os
@@ -20,11 +18,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, no_file, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import Action, Percept
-from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
-from allworlds.protocol.faults import ExplorerFault, FaultLaw
-from allworlds.protocol.player import Told
-from allworlds.protocol.transcript import action_from_json
+from allworlds.protocol import actions
 from allworlds.words import ended_by, plural
 
 INTERPRETER = re.compile(r"(python|pypy|node|nodejs|ruby|perl|lua|php)[0-9.]*")
@@ -71,21 +65,21 @@ class EpisodeEnd(NamedTuple):
     answer: object
 
 
-Message: TypeAlias = Action | Checkpoint | EpisodeEnd
+Message: TypeAlias = actions.Action | actions.Checkpoint | EpisodeEnd
 """A line of the program, as a value."""
 
 
 # ---------------------------------------------------------------- to the program
 
 
-def beginning(number: int, first: Percept, told: Told) -> bytes:
+def beginning(number: int, first: actions.Percept, told: actions.Told) -> bytes:
     """The line that begins an episode."""
     heard = b"" if told is None else b'"told": %b, ' % json.dumps(told).encode()
     return b'{"episode": %d, ' % number + heard + answering(first)[1:]
 
 
 @lru_cache(maxsize=1 << 12)
-def answering(percept: Percept) -> bytes:
+def answering(percept: actions.Percept) -> bytes:
     """The line that answers an action."""
     return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
 
@@ -108,17 +102,17 @@ def message_of(line: bytes) -> Message:
     if (said := sum(key in message for key in SAYINGS)) != 1:
         keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
         raise _illegal(f"the line {_short(message)}: {keys}")
-    action = action_from_json(message)
+    action = actions.action_from_json(message)
     if action is not None:
         return action
     if "checkpoint" in message:
         found = _values(message["checkpoint"], "a checkpoint", "illegal-action", *MAP_KEYS)
-        return Checkpoint(*found)
+        return actions.Checkpoint(*found)
     if "estimate" in message:
         return EpisodeEnd(_estimate(message["estimate"]))
     if "ambiguous" in message:
         found = _values(message["ambiguous"], "a quotient", "no-estimate", *QUOTIENT_KEYS)
-        return EpisodeEnd(Ambiguous(*found))
+        return EpisodeEnd(actions.Ambiguous(*found))
     if "answer" in message:
         return EpisodeEnd(message["answer"])
     legal = "move takes an integer, write one from 0 on, drop and pick take true"
@@ -128,24 +122,24 @@ def message_of(line: bytes) -> Message:
 _message_of_short = lru_cache(maxsize=1 << 12)(message_of)
 
 
-def _illegal(seen: str) -> ExplorerFault:
-    return ExplorerFault("illegal-action", seen)
+def _illegal(seen: str) -> actions.ExplorerFault:
+    return actions.ExplorerFault("illegal-action", seen)
 
 
-def _estimate(value: object) -> Estimate:
+def _estimate(value: object) -> actions.Estimate:
     _, _, here = _values(value, "an estimate", "no-estimate", *MAP_KEYS)
     try:
-        return Estimate(CombinatorialMap.from_json(value), here)  # type: ignore[arg-type]
+        return actions.Estimate(CombinatorialMap.from_json(value), here)  # type: ignore[arg-type]
     except InvalidMap as error:
-        raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
+        raise actions.ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
 
-def _values(value: object, what: str, law: FaultLaw, *keys: str) -> list[Any]:
+def _values(value: object, what: str, law: actions.FaultLaw, *keys: str) -> list[Any]:
     """The values of a checkpoint or an answer under these keys."""
     if not isinstance(value, dict):
-        raise ExplorerFault(law, f"{what} that is no object: {_short(value)}")
+        raise actions.ExplorerFault(law, f"{what} that is no object: {_short(value)}")
     if missing := [key for key in keys if key not in value]:
-        raise ExplorerFault(law, f"{what} without {' and '.join(missing)}: {_short(value)}")
+        raise actions.ExplorerFault(law, f"{what} without {' and '.join(missing)}: {_short(value)}")
     return [value[key] for key in keys]
 
 
@@ -198,8 +192,8 @@ class Program:
         self._in_to = self._out_of = -1
 
     def explore(
-        self, first: Percept, *, told: Told = None
-    ) -> Generator[Action | Checkpoint, Percept, object]:
+        self, first: actions.Percept, *, told: actions.Told = None
+    ) -> Generator[actions.Action | actions.Checkpoint, actions.Percept, object]:
         """Play one episode: turn the program's lines into actions and an answer.
 
         Raises:
@@ -211,7 +205,7 @@ class Program:
             message = self._next_message()
             while not isinstance(message, EpisodeEnd):
                 percept = yield message
-                if not isinstance(message, Checkpoint):
+                if not isinstance(message, actions.Checkpoint):
                     self._send(answering(percept))
                 message = self._next_message()
             finished = True
@@ -227,7 +221,7 @@ class Program:
         line = self._line()
         try:
             message = (_message_of_short if len(line) < SHORT else message_of)(line)
-        except ExplorerFault as fault:
+        except actions.ExplorerFault as fault:
             raise self._fault(fault.law, fault.seen, fault.detail) from None
         if isinstance(message, EpisodeEnd) and self._out:
             raise self._fault("illegal-action", f"a line after its answer: {shown(self._out)}")
@@ -244,7 +238,7 @@ class Program:
             process.wait(1)
         self._kill()
 
-    def _begin(self, first: Percept, told: Told) -> None:
+    def _begin(self, first: actions.Percept, told: actions.Told) -> None:
         if self._process is None:
             self._start()
         self._read(0)
@@ -266,7 +260,9 @@ class Program:
                 start_new_session=True,
             )
         except OSError as error:
-            raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
+            raise actions.ExplorerFault(
+                "crash", f"the program cannot be started: {error}"
+            ) from None
         streams = self._process.stdin, self._process.stdout, self._process.stderr
         self._in_to, self._out_of, err_of = (each.fileno() for each in streams if each)
         os.set_blocking(self._in_to, False)
@@ -337,7 +333,7 @@ class Program:
                 self._said.unregister(descriptor)
         return goes_on
 
-    def _ended(self, seen: str) -> ExplorerFault:
+    def _ended(self, seen: str) -> actions.ExplorerFault:
         """The fault of a program that has ended, or has closed a pipe, which ``seen`` tells."""
         assert self._process is not None
         with contextlib.suppress(subprocess.TimeoutExpired):
@@ -355,9 +351,9 @@ class Program:
             sys.stderr.flush()
 
     def _fault(
-        self, law: FaultLaw, seen: str, detail: str = "", *, machine: bool = False
-    ) -> ExplorerFault:
+        self, law: actions.FaultLaw, seen: str, detail: str = "", *, machine: bool = False
+    ) -> actions.ExplorerFault:
         self._read(0)
         said = self._err.decode(errors="replace")
         details = [detail, f"stderr:\n{said}" if said else ""]
-        return ExplorerFault(law, seen, "\n\n".join(filter(None, details)), machine=machine)
+        return actions.ExplorerFault(law, seen, "\n\n".join(filter(None, details)), machine=machine)

@@ -1,7 +1,5 @@
 """A shared library, loaded, and played as an explorer; each buffer is behind a protected page."""
 
-from __future__ import annotations
-
 import ctypes
 import mmap
 import os
@@ -13,11 +11,8 @@ from typing import Any, TypeVar, cast
 
 from allworlds.inputs.checks import InputError, existing_file, is_loop_of_links, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import Action, Drop, Move, Percept, Pick as PickUp
-from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
+from allworlds.protocol import actions
 from allworlds.protocol.choices import KINDS, Choices
-from allworlds.protocol.faults import ExplorerFault, FaultLaw
-from allworlds.protocol.player import Told
 
 
 def header_text() -> str:
@@ -194,7 +189,7 @@ class NativeExplorer:
         if self._state is None:
             self._state = self.library.new()
             if self._state is None:
-                raise ExplorerFault("crash", "allworlds_new returned NULL")
+                raise actions.ExplorerFault("crash", "allworlds_new returned NULL")
         return self._state
 
     def handed(self) -> tuple[Any, ...]:
@@ -208,8 +203,8 @@ class NativeExplorer:
             self.library.delete(state)
 
     def explore(
-        self, first: Percept, *, told: Told = None, choices: Choices | None = None
-    ) -> Generator[Action | Checkpoint, Percept, Answer]:
+        self, first: actions.Percept, *, told: actions.Told = None, choices: Choices | None = None
+    ) -> Generator[actions.Action | actions.Checkpoint, actions.Percept, actions.Answer]:
         """Play one episode.
 
         Raises:
@@ -230,31 +225,31 @@ class NativeExplorer:
             asked.complain()
             kind = action.kind
             if kind == MOVE:
-                self._sense((yield Move(action.motion)))
+                self._sense((yield actions.Move(action.motion)))
             elif kind == CHECKPOINT:
                 sigma, alpha = self._said(library.answer, 2, "illegal-action")
-                yield Checkpoint(sigma, alpha, self._here[0])
+                yield actions.Checkpoint(sigma, alpha, self._here[0])
             elif kind in (ANSWER, AMBIGUOUS):
                 answer = self._estimate() if kind == ANSWER else self._ambiguous()
                 if left := threads_left(threads):
                     what = "a thread" if left == 1 else f"{left} threads"
-                    raise ExplorerFault("crash", f"{what} left behind")
+                    raise actions.ExplorerFault("crash", f"{what} left behind")
                 return answer
             elif kind in (DROP, PICK):
-                self._sense((yield Drop() if kind == DROP else PickUp()))
+                self._sense((yield actions.Drop() if kind == DROP else actions.Pick()))
             else:
-                raise ExplorerFault("illegal-action", f"an action of kind {kind}")
+                raise actions.ExplorerFault("illegal-action", f"an action of kind {kind}")
             action.kind = action.motion = 0
             library.step(state, here, there)
 
-    def _sense(self, percept: Percept) -> None:
+    def _sense(self, percept: actions.Percept) -> None:
         """Write the percept for the library."""
         ours = self._percept
         self._sensed += percept.degree
         ours.degree, ours.marks = percept.degree, percept.marks
         ours.bearing = NOTHING if percept.bearing is None else percept.bearing
 
-    def _said(self, function: Any, lists: int, law: FaultLaw) -> list[tuple[int, ...]]:
+    def _said(self, function: Any, lists: int, law: actions.FaultLaw) -> list[tuple[int, ...]]:
         """Lists of integers, each with one entry for each dart, as the library fills them now."""
         if self._sensed > len(self._rooms[0]):
             self._rooms = [_integers(2 * self._sensed) for _ in range(4)]
@@ -263,26 +258,26 @@ class NativeExplorer:
         addresses = map(ctypes.addressof, (*rooms, self._here))
         darts = function(self.state(), capacity, *addresses)
         if not 0 <= darts <= capacity:
-            raise ExplorerFault(law, f"{darts} darts, where there is room for {capacity}")
+            raise actions.ExplorerFault(law, f"{darts} darts, where there is room for {capacity}")
         return [tuple(room[:darts]) for room in rooms]
 
-    def _estimate(self) -> Estimate:
+    def _estimate(self) -> actions.Estimate:
         sigma, alpha = self._said(self.library.answer, 2, "no-estimate")
         try:
-            return Estimate(CombinatorialMap(sigma, alpha), self._here[0])
+            return actions.Estimate(CombinatorialMap(sigma, alpha), self._here[0])
         except InvalidMap as error:
-            raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
+            raise actions.ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
-    def _ambiguous(self) -> Ambiguous:
+    def _ambiguous(self) -> actions.Ambiguous:
         quotient = self.library.quotient
         if quotient is None:
             there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
-            raise ExplorerFault("illegal-action", there_is_none)
+            raise actions.ExplorerFault("illegal-action", there_is_none)
         sigma, alpha, degree, marks = self._said(quotient, 4, "no-estimate")
-        return Ambiguous(sigma, alpha, degree, marks, self._here[0])
+        return actions.Ambiguous(sigma, alpha, degree, marks, self._here[0])
 
 
-def _one_number(told: Told) -> int:
+def _one_number(told: actions.Told) -> int:
     """The one number that a library is told; rules refuse a lighthouse that tells several."""
     if told is None or isinstance(told, int):
         return NOTHING if told is None else told
@@ -310,7 +305,7 @@ class _Asked:
     def complain(self) -> None:
         """Raise the error of an illegal choice, if there was one."""
         if self._wrong:
-            raise ExplorerFault("crash", f"a choice that is none: {self._wrong}")
+            raise actions.ExplorerFault("crash", f"a choice that is none: {self._wrong}")
 
 
 def threads_now() -> int:

@@ -1,9 +1,8 @@
-"""The files of explorers: names that are nearly theirs, their digest, and the line of the explorer.
+"""Explorers in requests, and the files of explorers.
 
-No code of an explorer is run here.
+An explorer is a name or a function in Python, options on the command line.  Of its files: names
+that are nearly theirs, their digest, and the line of the explorer.  No code of an explorer is run.
 """
-
-from __future__ import annotations
 
 import ast
 import hashlib
@@ -11,17 +10,20 @@ import os
 import re
 import shlex
 import shutil
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from difflib import get_close_matches
 from inspect import CO_GENERATOR
 from pathlib import Path
 from types import CodeType
+from typing import Annotated, Any
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.loading import (
+    EXEC,
+    NATIVE,
     SHIELD,
     Subject,
     command_or_path,
@@ -40,8 +42,8 @@ from allworlds.inputs.checks import (
     read_text,
     show,
 )
-from allworlds.protocol.importing import SourceText
-from allworlds.protocol.user_code import digest_of_file, module_file
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Option, OptionGroup, Request
+from allworlds.protocol import importing, user_code
 
 MOST_OF_A_COMMAND = 20
 """The number of characters that stand for a command, if they tell it from others."""
@@ -221,7 +223,7 @@ def _files_named(name: str) -> list[Path]:
     if is_library(name):
         return [Path(command_or_path(name))]
     place, _ = _place(name)
-    file = Path(place) if place.endswith(".py") else module_file(place)
+    file = Path(place) if place.endswith(".py") else user_code.module_file(place)
     return [Path(os.path.realpath(file))]
 
 
@@ -279,7 +281,7 @@ def content_digest(subject: Subject) -> str:
         program = shutil.which(shlex.split(command_or_path(name))[0])
         arguments = [file for file in files[1:] if file.is_file()]
         files = [Path(program), *arguments] if program else arguments
-    return hashlib.sha256("".join(map(digest_of_file, files)).encode()).hexdigest()
+    return hashlib.sha256("".join(map(user_code.digest_of_file, files)).encode()).hexdigest()
 
 
 def with_content(subject: Subject) -> Subject:
@@ -291,10 +293,10 @@ def with_content(subject: Subject) -> Subject:
     place = name.partition("?")[0].rpartition(":")[0]
     if subject.source or not place or "." in place or is_program(name) or is_library(name):
         return subject
-    file = module_file(place)
+    file = user_code.module_file(place)
     if file.suffix != ".py" or file.name == "__init__.py":
         return subject
-    return replace(subject, source=SourceText(str(file), read_text(str(file))))
+    return replace(subject, source=importing.SourceText(str(file), read_text(str(file))))
 
 
 def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
@@ -306,3 +308,118 @@ def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
     except InputError as error:
         return str(error)
     return "" if same else f"the explorer {show(subject.name)} has another text here"
+
+
+DEFAULT_EXPLORER = "algorithm1"
+
+
+class ProgramWords(Request):
+    """The options of the command line that name an explorer outside Python."""
+
+    command: Annotated[
+        str | None,
+        Option(SCOPE, "COMMAND", "The explorer: a program that speaks JSON lines.", "exec"),
+    ] = None
+    native: Annotated[
+        str | None,
+        Option(
+            RARE_SCOPE,
+            "PATH",
+            "The explorer: a shared library with the functions of allworlds.h.",
+        ),
+    ] = None
+
+    def named(self, explorer: str | None) -> str | None:
+        """The name of the explorer that the argument or these options give; None if there is none.
+
+        Raises:
+            InputError: if several are.
+        """
+        given = {
+            f"EXPLORER {show(explorer)}": explorer,
+            f"--exec {show(self.command)}": None if self.command is None else EXEC + self.command,
+            f"--native {show(self.native)}": None if self.native is None else NATIVE + self.native,
+        }
+        named = {option: name for option, name in given.items() if name is not None}
+        if len(named) > 1:
+            raise InputError(f"give {' or '.join(named)}, not both")
+        return next(iter(named.values()), None)
+
+    def named_or_default(self, explorer: str | None) -> str:
+        """The name of the explorer, as :meth:`named`; the default if none is given."""
+        name = self.named(explorer)
+        return DEFAULT_EXPLORER if name is None else name
+
+
+class ExplorerWords(ProgramWords):
+    """The argument and options of the command line that name an explorer."""
+
+    explorer: Annotated[
+        str | None,
+        Argument(
+            "",
+            "[EXPLORER]",
+            "A built-in name, module:attribute, path/to/file.py:attribute or an entry point "
+            "(default: algorithm1); shield:EXPLORER makes any of them right under the directional "
+            "lighthouse. If the file has one generator function, path/to/file.py is enough.",
+        ),
+    ] = None
+
+    def value(self) -> str:
+        """The explorer's name; the default if none is given."""
+        return self.named_or_default(self.explorer)
+
+
+class ExplorersWords(Request):
+    """The arguments and options of the command line that name several explorers."""
+
+    explorers: Annotated[
+        list[str] | None,
+        Argument(
+            "",
+            "[EXPLORER...]",
+            "Built-in names, module:attribute, path/to/file.py:attribute or entry points, each "
+            "also as shield:EXPLORER; those of --exec and --native come after them.",
+            repeated=True,
+        ),
+    ] = None
+    command: Annotated[
+        list[str] | None,
+        Option(
+            RARE_SCOPE,
+            "COMMAND",
+            "An explorer too: a program that speaks JSON lines; repeatable.",
+            "exec",
+            repeated=True,
+        ),
+    ] = None
+    native: Annotated[
+        list[str] | None,
+        Option(
+            RARE_SCOPE,
+            "PATH",
+            "An explorer too: a shared library with the functions of allworlds.h; repeatable.",
+            repeated=True,
+        ),
+    ] = None
+
+    def value(self) -> tuple[str, ...]:
+        """The names of all of them."""
+        return (
+            *(self.explorers or ()),
+            *(EXEC + command for command in self.command or ()),
+            *(NATIVE + path for path in self.native or ()),
+        )
+
+
+class ExplorerOptions(Request, kw_only=False):
+    """The part of a request that names the explorer."""
+
+    explore: Annotated[
+        str | Callable[..., Any],
+        OptionGroup(
+            ExplorerWords,
+            "a name, as on the command line, or a generator function (see "
+            ":func:`allworlds.explorers.loading.load`)",
+        ),
+    ] = DEFAULT_EXPLORER

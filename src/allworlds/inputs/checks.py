@@ -1,4 +1,7 @@
-"""Checks of what comes from outside, and the error that is the user's to mend."""
+"""Checks of what comes from outside, and the error that is the user's to mend.
+
+The exit code of the process is no matter of a model's: it would pass for a verdict.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +16,11 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from difflib import get_close_matches
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 if TYPE_CHECKING:
     from pathlib import Path
+
 
 SHOWN = 200
 """The number of characters of a value that are shown."""
@@ -256,3 +260,34 @@ def one_of(names: Iterable[str]) -> str:
     """The names of a table, as a help says them: ``a, b or c``."""
     *others, last = names
     return f"{', '.join(others)} or {last}"
+
+
+_exit = os._exit
+
+
+class _Kept:
+    """The process in which ``os._exit`` is refused; 0 if it is refused nowhere."""
+
+    process = 0
+
+
+def keep_exit_code() -> None:
+    """Refuse ``os._exit`` in this process, and not in those that are forked."""
+    _Kept.process, os._exit = os.getpid(), _refuse
+
+
+@contextmanager
+def exit_code_kept() -> Iterator[None]:
+    """A context in which ``os._exit`` is refused in this process."""
+    before = _Kept.process, os._exit
+    keep_exit_code()
+    try:
+        yield
+    finally:
+        _Kept.process, os._exit = before
+
+
+def _refuse(status: int) -> NoReturn:
+    if _Kept.process == os.getpid():
+        raise SystemExit(f"os._exit({status}) would end the process")
+    _exit(status)

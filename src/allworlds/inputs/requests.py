@@ -7,8 +7,6 @@ Python (:func:`answers`), the command line (``allworlds.cli.app``), and what a r
 of (:func:`meant`).
 """
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextvars import ContextVar

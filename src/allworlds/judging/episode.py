@@ -3,8 +3,6 @@
 No percept of the player is trusted.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import MutableSequence
 from typing import Any, TypeAlias
@@ -14,13 +12,20 @@ from msgspec import Struct
 from allworlds import log as entries
 from allworlds.inputs.checks import show
 from allworlds.log import Log
-from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import Action, Percept, Write, action_numbered
-from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, numbering
+from allworlds.protocol.actions import (
+    Action,
+    Ambiguous,
+    Checkpoint,
+    Estimate,
+    IllegalAction,
+    Percept,
+    Player,
+    Transcript,
+    Write,
+    action_numbered,
+)
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.faults import IllegalAction
-from allworlds.protocol.player import Player
 from allworlds.protocol.playing import (
     A_QUOTIENT,
     A_VALUE,
@@ -29,7 +34,6 @@ from allworlds.protocol.playing import (
     NO_MAP,
     play_run,
 )
-from allworlds.protocol.transcript import Transcript
 from allworlds.world.world import World
 
 RECORD_ENDS = "nothing: the record ends here"

@@ -5,8 +5,6 @@ or None; one of the user's is the same.  The task ``map`` has no judge of its ow
 and ``pose`` are its judges.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import Any, Self, TypeAlias
 
@@ -16,9 +14,8 @@ from typing_extensions import override
 from allworlds.inputs.checks import InputError, a_text, show
 from allworlds.judging.episode import Answered, Ending
 from allworlds.maps.combinatorial import Dart
-from allworlds.protocol.actions import Action, Move, Percept
+from allworlds.protocol.actions import Action, Move, Percept, Transcript
 from allworlds.protocol.importing import attempted
-from allworlds.protocol.transcript import Transcript
 from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.lighthouses.base import State
 from allworlds.world.world import World

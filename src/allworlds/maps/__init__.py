@@ -27,14 +27,14 @@ rooted map
     rooted map has no automorphism but the identity.
 canonical code
     Of a rooted map: its ``(sigma, alpha)`` after renumbering the darts breadth-first from
-    the root (see :mod:`allworlds.maps.canonical`).  Of a map: the least code of its
+    the root (see :mod:`allworlds.maps.combinatorial`).  Of a map: the least code of its
     rootings.
 class
     Which maps are meant: one of :class:`allworlds.maps.classes.MapClass`.
 
 Modules
 -------
-``combinatorial``, ``canonical``
+``combinatorial``
     the map itself; codes, automorphisms and isomorphisms;
 ``classes``
     **the** tables of the classes of maps, and of the conditions that narrow them;
@@ -44,10 +44,10 @@ Modules
     the source with which the enumeration of an extent is compared, and how many maps a partial
     gluing can become;
 ``build``, ``families``
-    maps by hand and by name, and large ones by a text and a seed;
-``surgery``, ``networks``
-    small changes to a map, and the shortest walk along every edge; to networkx and back, and every
-    embedding of a graph;
+    maps by hand and by name, small changes to a map, and the shortest walk along every edge; large
+    maps by a text and a seed;
+``networks``
+    maps to networkx and back, and every embedding of a graph;
 ``quotient``
     indistinguishable darts, the quotient by them, and the number of worlds that share a quotient.
 
@@ -64,22 +64,24 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.maps.build import (
+        contracted as contracted,
+        covering_walk as covering_walk,
+        deleted as deleted,
         from_cycles as from_cycles,
         from_rotation as from_rotation,
+        moved as moved,
         named_map as named_map,
         named_maps as named_maps,
-    )
-    from allworlds.maps.canonical import (
-        automorphisms as automorphisms,
-        isomorphism as isomorphism,
-        rooted_code as rooted_code,
-        rooted_isomorphism as rooted_isomorphism,
-        unrooted_code as unrooted_code,
     )
     from allworlds.maps.classes import MapClass as MapClass, girth as girth
     from allworlds.maps.combinatorial import (
         CombinatorialMap as CombinatorialMap,
         InvalidMap as InvalidMap,
+        automorphisms as automorphisms,
+        isomorphism as isomorphism,
+        rooted_code as rooted_code,
+        rooted_isomorphism as rooted_isomorphism,
+        unrooted_code as unrooted_code,
     )
     from allworlds.maps.enumeration import rooted_maps as rooted_maps
     from allworlds.maps.families import (
@@ -100,12 +102,6 @@ if TYPE_CHECKING:
         class_size as class_size,
         is_ambiguous as is_ambiguous,
         project as project,
-    )
-    from allworlds.maps.surgery import (
-        contracted as contracted,
-        covering_walk as covering_walk,
-        deleted as deleted,
-        moved as moved,
     )
 else:
     open_door(__name__)

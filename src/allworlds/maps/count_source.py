@@ -1,7 +1,5 @@
 """The independent source of a count, and the completions of a beginning."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping
 from functools import cache

@@ -25,8 +25,6 @@ A polynomial is a tuple of integer coefficients, lowest power first.  In the com
 edges and x vertices.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache

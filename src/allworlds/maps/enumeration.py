@@ -14,8 +14,6 @@ cuts off, in the same way, what can become no map of which it holds; one on the 
 one on the vertices of its dual, which is glued together in its place.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
@@ -73,7 +71,7 @@ class Gluing:
         """Whether no dart is open, and none is owed."""
         return bool(self.degrees) and not self.faces
 
-    def successors(self) -> Iterator[tuple[Decision, Gluing]]:
+    def successors(self) -> "Iterator[tuple[Decision, Gluing]]":
         """The legal decisions about the oldest open dart.
 
         They come in the fixed order: gluings ascending, then degrees ascending.  Each successor can
@@ -133,7 +131,7 @@ class Gluing:
         made = CombinatorialMap.trusted(sigma, self.alpha)
         return made.dual() if self._dual else made
 
-    def _fork(self) -> Gluing:
+    def _fork(self) -> "Gluing":
         twin = object.__new__(Gluing)
         twin.edges, twin.limit = self.edges, self.limit
         twin.planar, twin.simple = self.planar, self.simple

@@ -1,7 +1,5 @@
 """Named families of maps, small and large."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from itertools import cycle as repeated, islice, pairwise
@@ -12,8 +10,7 @@ from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import cycle, dense, from_cycles, lattice
-from allworlds.maps.canonical import automorphisms, rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, automorphisms, rooted_code
 
 Ends: TypeAlias = list[tuple[int, int]]
 """The edges of a graph: the numbers of the two vertices of each."""

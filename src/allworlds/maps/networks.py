@@ -10,8 +10,13 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from allworlds.inputs.checks import InputError, an_integer, integer, show
 from allworlds.maps.build import from_cycles, from_rotation, map_at
-from allworlds.maps.canonical import Code, rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles
+from allworlds.maps.combinatorial import (
+    Code,
+    CombinatorialMap,
+    InvalidMap,
+    cycles,
+    rooted_code,
+)
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -1,7 +1,5 @@
 """The least quotient of a map with colours, and the number of worlds that share one."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Hashable, Sequence
 from functools import cached_property
@@ -11,8 +9,15 @@ from typing import NamedTuple, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.maps.canonical import numbering, rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, inverse, places
+from allworlds.maps.combinatorial import (
+    CombinatorialMap,
+    Dart,
+    cycles,
+    inverse,
+    numbering,
+    places,
+    rooted_code,
+)
 
 
 def coarsest_partition(
@@ -150,7 +155,7 @@ class Quotient(Struct, frozen=True, dict=True):
                     queue.append(w)
         return tuple(edge for edge in self.edges if edge[0] not in tree)
 
-    def rerooted(self, root: int) -> Quotient:
+    def rerooted(self, root: int) -> "Quotient":
         """Return the quotient rooted at another class."""
         order = numbering(self.sigma, self.alpha, root)
         return Quotient(

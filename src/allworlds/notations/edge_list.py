@@ -4,8 +4,6 @@ The header ``from,to,from_rank,to_rank`` must be there, ``key`` may follow: a wo
 for the reader, since every line is an edge.  Ranks are any numbers, and differ at one vertex.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Iterable, Iterator

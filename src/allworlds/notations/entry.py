@@ -1,7 +1,5 @@
 """One world of a file, as a reader of its notation hands it over."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import IO, Any

@@ -1,7 +1,5 @@
 """Worlds that users give in place of a class: of files, of a graph's embeddings, or made here."""
 
-from __future__ import annotations
-
 import hashlib
 import re
 from array import array
@@ -14,12 +12,17 @@ from typing import Annotated, Any, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document.struct import IfAny, Text, about, replace
+from allworlds.document import IfAny, Text, about, replace
 from allworlds.inputs.checks import InputError, a_path, existing_file, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
 from allworlds.maps.build import named_map
-from allworlds.maps.canonical import numbering, rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, inverse
+from allworlds.maps.combinatorial import (
+    CombinatorialMap,
+    Dart,
+    inverse,
+    numbering,
+    rooted_code,
+)
 from allworlds.maps.networks import embeddings, to_networkx
 from allworlds.notations.entry import Entry
 from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
@@ -137,7 +140,7 @@ class GivenMaps:
 
     @property
     def described(self) -> dict[str, Any]:
-        """What the scope of a document tells of them."""
+        """Their keys in the scope of a document."""
         digests = {code.plain: code.record for code in self.codes}
         named = {} if self.of else {"worlds": ()}
         return {"sha256": digests or None, "given": self.count, **named}

@@ -13,8 +13,6 @@ In a face a dart is followed by the one before its other half in the order round
 ``FatGraph`` of the package surface_dynamics for Sage, whose vertices are anticlockwise.
 """
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Mapping

@@ -11,8 +11,6 @@ size has, and each number of an edge; the higher byte is first.
 Source: the guide of plantri, and its program; the headers are also those of CaGe.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import IO, Literal
 

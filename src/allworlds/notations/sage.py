@@ -6,8 +6,6 @@ a line likewise.  Keys are numbers, texts or tuples; their texts become the name
 Source: the reference manual of Sage, ``set_embedding``.
 """
 
-from __future__ import annotations
-
 import ast
 import warnings
 from collections.abc import Iterable, Iterator

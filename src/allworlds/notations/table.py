@@ -1,7 +1,5 @@
 """The notations of embedded graphs that files are read in and written in."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Files of JSON: worlds, rotations and fat graphs, alone, in lists, by names, or one a line."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import nullcontext

@@ -4,16 +4,13 @@ An explorer is a **generator function** ``explore(first)``.  It gets percepts, y
 and returns an answer; it never holds a world.  Turning is free and has no action of its own:
 it is folded into the next :class:`Move`, or into ``here`` of the answer.
 
-``percept``, ``actions``, ``answers``, ``transcript``
-    percepts, actions, answers about the world, and the log of a run;
+``actions``
+    percepts, actions, answers about the world, and the log of a run; an explorer as the harness
+    calls it, and what went wrong with one that is no generator;
 ``choices``
     the choices of an explorer: policies, and every schedule in turn;
-``player``
-    an explorer as the harness calls it;
 ``playing``, ``log``
     one run, played to its end, and the log that remains of it;
-``faults``
-    what went wrong with an explorer that is no generator;
 ``user_code``, ``importing``
     how code of the user's is named and found; how it is loaded; how a model is called.
 """

@@ -1,11 +1,27 @@
-"""Percepts, actions, and answers."""
+"""Percepts, actions, answers, and their log; and an explorer as the harness calls it.
 
-from __future__ import annotations
+Answers are an explorer's statements about the world, at the end and on the way.  The log of a run
+is its actions and percepts.  A fault is raised by the adapter of an explorer.
+"""
 
+from collections.abc import Generator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, TypeAlias
+from functools import cached_property
+from typing import Annotated, Any, Literal, Protocol, TypeAlias, assert_never
 
-from allworlds.document.struct import Natural, Positive, WrittenByFields, about
+from allworlds.document import (
+    Document,
+    Entries,
+    Natural,
+    Paged,
+    Positive,
+    WrittenByFields,
+    about,
+    plain,
+)
+from allworlds.inputs.checks import InputError, integer, show
+from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
+from allworlds.protocol.choices import Choices
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +41,7 @@ class Percept(WrittenByFields):
         ),
     ] = None
 
-    def marked(self, markers: int) -> Percept:
+    def marked(self, markers: int) -> "Percept":
         """Return this percept with ``markers`` more marks."""
         return Percept(self.degree, self.marks + markers, self.bearing) if markers else self
 
@@ -98,3 +114,270 @@ def action_numbered(number: int) -> Action:
     if number <= WRITE:
         return Write(WRITE - number)
     return Drop() if number == DROP else Pick()
+
+
+class RootedMap(Document):
+    """Rooted map.
+
+    A map, and where the robot is in it.
+    """
+
+    sigma: Sigma
+    alpha: Alpha
+    here: Annotated[Dart, about("the robot's dart")]
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """A map of the world and the robot's place in it.
+
+    ``here`` is the dart of ``map`` that stands for the dart the robot arrived by last (at
+    the start: the dart it faces).  Nothing is validated here: the judge does that.
+    """
+
+    map: CombinatorialMap
+    here: int
+
+    def to_json(self) -> dict[str, Any]:
+        """The document :class:`RootedMap`."""
+        return RootedMap(sigma=self.map.sigma, alpha=self.map.alpha, here=self.here).to_json()
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> "Estimate":
+        """The estimate of :meth:`to_json`'s document; other keys are ignored.
+
+        Raises:
+            InputError: if there is no map, or ``here`` is none of its darts.
+        """
+        map_, here = CombinatorialMap.from_json(document), document.get("here")
+        if type(here) is not int or here not in map_.darts:
+            raise InputError(f"here = {show(here)} is no dart of the rooted map")
+        return cls(map_, here)
+
+
+@dataclass(frozen=True, slots=True)
+class Ambiguous(WrittenByFields):
+    """Rooted quotient.
+
+    The most that a robot with position only can know of its world, and where it is in it.
+    Nothing is validated here.
+    """
+
+    sigma: Annotated[Entries[Dart], about("for each dart the next one clockwise round its vertex")]
+    alpha: Annotated[
+        Entries[Dart], about("for each dart the other one of its edge; of half an edge itself")
+    ]
+    degree: Annotated[Entries[Positive], about("for each dart the degree that is sensed there")]
+    marks: Annotated[Entries[Natural], about("for each dart how many markers lie there")]
+    here: Annotated[Dart, about("the robot's dart")]
+
+
+@dataclass(frozen=True, slots=True)
+class Checkpoint:
+    """The paper's S and U after a pass, shown to the judge.
+
+    The darts known so far: ``alpha[d] == d`` marks an open dart, and U is the set of those;
+    ``here`` is the robot's dart.  Yielding it costs nothing, is answered with None, stands
+    in no transcript, and must not influence the walk.
+    """
+
+    sigma: Sequence[int]
+    alpha: Sequence[int]
+    here: int
+
+
+Answer: TypeAlias = Estimate | Ambiguous
+"""Everything that an explorer may return."""
+
+
+class AtStart(Document, forbid_unknown_fields=False):
+    """The first row of a transcript."""
+
+    percept: Annotated[Percept, about("what was sensed before any motion")]
+
+
+class Moved(Document, forbid_unknown_fields=False):
+    """A row of a transcript: a motion and the percept after it."""
+
+    move: Annotated[int, about("by how many darts clockwise the robot turned before it left")]
+    percept: Annotated[Percept, about("what was sensed then")]
+
+
+class Dropped(Document, forbid_unknown_fields=False):
+    """A row of a transcript: a marker is laid down."""
+
+    drop: Annotated[Literal[True], about("always true")]
+    percept: Annotated[Percept, about("what was sensed then")]
+
+
+class Picked(Document, forbid_unknown_fields=False):
+    """A row of a transcript: a marker is taken up."""
+
+    pick: Annotated[Literal[True], about("always true")]
+    percept: Annotated[Percept, about("what was sensed then")]
+
+
+class Wrote(Document, forbid_unknown_fields=False):
+    """A number written."""
+
+    write: Annotated[Natural, about("the number")]
+    percept: Annotated[Percept, about("what was sensed then")]
+
+
+@dataclass(frozen=True)
+class Transcript(Paged):
+    """The first percept, then each action with the percept that answered it.
+
+    Motions stand modulo the degree.  Checkpoints stand in no transcript.
+    """
+
+    first: Percept
+    steps: tuple[tuple[Action, Percept], ...] = ()
+
+    @cached_property
+    def cost(self) -> int:
+        """The number of edge traversals."""
+        return sum(type(action) is Move for action, _ in self.steps)
+
+    @property
+    def percepts(self) -> list[Percept]:
+        """The percepts at the start and after each step."""
+        return [self.first, *(percept for _, percept in self.steps)]
+
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        """The actions, step by step."""
+        return tuple(action for action, _ in self.steps)
+
+    def to_json(self) -> list[dict[str, Any]]:
+        """The rows ``[{"percept": P}, {"move": k, "percept": P}, ...]``."""
+        rows: list[dict[str, Any]] = plain([AtStart(percept=self.first), *map(_row, self.steps)])
+        return rows
+
+    @classmethod
+    def from_json(cls, rows: object) -> "Transcript":
+        """The transcript of :meth:`to_json`'s rows.
+
+        Raises:
+            ValueError: naming the first row that is none.
+        """
+        if not isinstance(rows, list) or not rows:
+            raise ValueError("a transcript is a list that begins with the first percept")
+        steps = []
+        for i, row in enumerate(rows[1:], 1):
+            action = action_from_json(row)
+            if action is None:
+                raise ValueError(
+                    f"row {i} of the transcript has no move, drop, pick or write: {show(row)}"
+                )
+            steps.append((action, _percept(i, row)))
+        return cls(_percept(0, rows[0]), tuple(steps))
+
+
+def _row(step: tuple[Action, Percept]) -> Moved | Dropped | Picked | Wrote:
+    action, percept = step
+    match action:
+        case Move(k):
+            return Moved(move=k, percept=percept)
+        case Drop():
+            return Dropped(drop=True, percept=percept)
+        case Pick():
+            return Picked(pick=True, percept=percept)
+        case Write(k):
+            return Wrote(write=k, percept=percept)
+        case _:
+            assert_never(action)
+
+
+def action_from_json(row: object) -> Action | None:
+    """The action of a JSON object, None if it holds none; other keys are ignored."""
+    match row:
+        case {"move": int() as k} if not isinstance(k, bool):
+            return Move(k)
+        case {"drop": True}:
+            return Drop()
+        case {"pick": True}:
+            return Pick()
+        case {"write": int() as k} if not isinstance(k, bool) and k >= 0:
+            return Write(k)
+        case _:
+            return None
+
+
+def percept_from_json(value: object) -> Percept:
+    """The percept of ``{"degree", "marks", "bearing"}``.
+
+    Raises:
+        ValueError: if it is none.
+    """
+    if not isinstance(value, Mapping):
+        raise ValueError(f"a percept is an object with a degree, not {show(value)}")
+    try:
+        bearing = value.get("bearing")
+        return Percept(
+            integer(value.get("degree")),
+            integer(value.get("marks", 0)),
+            None if bearing is None else integer(bearing),
+        )
+    except TypeError:
+        raise ValueError(f"a percept holds integers: {show(value)}") from None
+
+
+def _percept(i: int, row: object) -> Percept:
+    value = row.get("percept") if isinstance(row, Mapping) else None
+    try:
+        return percept_from_json(value)
+    except ValueError as error:
+        raise ValueError(f"row {i} of the transcript: {error}") from None
+
+
+Told: TypeAlias = int | Mapping[str, int] | None
+"""The number, or the numbers by their names, that an explorer is told before the start."""
+
+
+class Player(Protocol):
+    """An explorer ready to run: its optional keywords are already bound."""
+
+    def __call__(self, first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
+        """Return the generator of one run."""
+
+
+ANSWER_TIMEOUT = 10.0
+"""Seconds of silence that break the law ``timeout``, unless another time is named."""
+
+
+FaultLaw: TypeAlias = Literal["crash", "timeout", "illegal-action", "no-estimate"]
+"""The laws that an explorer outside this process breaks by what it says."""
+
+
+class ExplorerFault(Exception):
+    """Raised by an adapter (a pipe to a user's program) in place of an action.
+
+    Attributes:
+        law: the broken law.
+        seen: a sentence: the event in place of an answer.
+        detail: for example the tail of the program's stderr; may be empty.
+        machine: whether the machine, not the program, may be the cause.
+    """
+
+    def __init__(
+        self,
+        law: FaultLaw,
+        seen: str,
+        detail: str = "",
+        *,
+        machine: bool = False,
+    ) -> None:
+        super().__init__(seen)
+        self.law = law
+        self.seen = seen
+        self.detail = detail
+        self.machine = machine
+
+
+class IllegalAction(ValueError):
+    """Raised for an action that is illegal in this world."""
+
+
+class BeyondRecord(Exception):
+    """Raised where recorded percepts end: the first play made no action there."""

@@ -5,8 +5,6 @@ picked.  The record replays the run, and together with the number of options at 
 it is all that is needed to enumerate every schedule.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence, Sized
 from random import Random
 from typing import Literal, Protocol, TypeAlias, TypeVar, cast, get_args

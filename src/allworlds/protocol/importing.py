@@ -21,12 +21,12 @@ from allworlds.inputs.checks import (
     SHOWN,
     InputError,
     existing_file,
+    exit_code_kept,
     let_users_interrupt,
     no_file,
     read_text,
     show,
 )
-from allworlds.inputs.exit_code import exit_code_kept
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint

@@ -3,8 +3,6 @@
 This is the explorer's side: what answers it may be a world, or the percepts of an earlier play.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import traceback
@@ -23,11 +21,22 @@ from allworlds.inputs.checks import (
     show,
 )
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import Drop, Move, Percept, Pick, Write
-from allworlds.protocol.answers import Ambiguous, Checkpoint, Estimate
+from allworlds.protocol.actions import (
+    Ambiguous,
+    BeyondRecord,
+    Checkpoint,
+    Drop,
+    Estimate,
+    ExplorerFault,
+    IllegalAction,
+    Move,
+    Percept,
+    Pick,
+    Player,
+    Told,
+    Write,
+)
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.faults import BeyondRecord, ExplorerFault, IllegalAction
-from allworlds.protocol.player import Player, Told
 
 FREE = 10
 """The drops and picks that are legal for each traversal of the budget, and as many more: they are

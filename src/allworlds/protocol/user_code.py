@@ -23,21 +23,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from msgspec import Struct
 from msgspec.structs import replace
 
-from allworlds.inputs.checks import InputError, did_you_mean, show
-from allworlds.inputs.exit_code import exit_code_kept
-from allworlds.protocol.importing import (
-    Argument,
-    SourceText,
-    arguments_of,
-    attempted,
-    attribute_of,
-    called,
-    imported,
-    module_named,
-    module_of_text,
-    points_of,
-    text_of,
-)
+from allworlds.inputs.checks import InputError, did_you_mean, exit_code_kept, show
+from allworlds.protocol import importing
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
@@ -68,7 +55,7 @@ class Role(Struct, frozen=True):
         Raises:
             InputError: if the name is incomplete, or there is no such file or module.
         """
-        plain, _ = arguments_of(name)
+        plain, _ = importing.arguments_of(name)
         if (record := _RECORDED.get().get(plain)) is not None:
             return UserCode(name, self, *_as_recorded(plain, record))
         if point := self.offered(plain):
@@ -76,7 +63,7 @@ class Role(Struct, frozen=True):
         place, colon, attribute = plain.rpartition(":")
         if not colon or not re.fullmatch(r"[^\W\d][\w.]*", attribute) or not place:
             raise InputError(self._legal(name))
-        source = text_of(place)
+        source = importing.text_of(place)
         if source is not None:
             return UserCode(name, self, source, source.digest)
         try:
@@ -86,7 +73,7 @@ class Role(Struct, frozen=True):
 
     def offered(self, name: str) -> EntryPoint | None:
         """The entry point of that name, which has no colon; None if no package offers it."""
-        return None if ":" in name else points_of(self.group).get(name)
+        return None if ":" in name else importing.points_of(self.group).get(name)
 
     def of(self, given: Any) -> UserCode:
         """The code of a function or class that other processes can import.
@@ -103,7 +90,7 @@ class Role(Struct, frozen=True):
         return self.find(f"{module}:{name}")
 
     def _legal(self, name: str, reason: str = "") -> str:
-        known = [*self.known, *sorted(points_of(self.group))]
+        known = [*self.known, *sorted(importing.points_of(self.group))]
         return (
             f"{self.noun} {show(name)} is not one of {', '.join(known)}, "
             f"path/to/file.py:attribute or module:attribute{reason}{did_you_mean(name, known)}"
@@ -122,13 +109,13 @@ class UserCode(Struct, frozen=True):
 
     name: str
     role: Role
-    source: SourceText | None
+    source: importing.SourceText | None
     digest: str
 
     @property
-    def arguments(self) -> dict[str, Argument]:
+    def arguments(self) -> dict[str, importing.Argument]:
         """Those that the name ends in."""
-        return arguments_of(self.name)[1]
+        return importing.arguments_of(self.name)[1]
 
     @property
     def plain(self) -> str:
@@ -185,7 +172,7 @@ class UserCode(Struct, frozen=True):
         Raises:
             InputError: if it cannot be called so, or raises.
         """
-        return called(self.name, self.load(), self.arguments)
+        return importing.called(self.name, self.load(), self.arguments)
 
     @property
     def function(self) -> Any:
@@ -203,7 +190,9 @@ class UserCode(Struct, frozen=True):
             InputError: naming it, if it raises.
         """
         function = _function(self)
-        return attempted(f"{self.role.noun} {show(self.name)} raises", lambda: function(*values))
+        return importing.attempted(
+            f"{self.role.noun} {show(self.name)} raises", lambda: function(*values)
+        )
 
 
 class LocalCode(Struct, frozen=True):
@@ -224,7 +213,7 @@ class LocalCode(Struct, frozen=True):
 
     def __call__(self, *values: Any) -> Any:
         """Call it as :class:`UserCode` does."""
-        return attempted(
+        return importing.attempted(
             f"{self.role.noun} {show(self.name)} raises", lambda: self.function(*values)
         )
 
@@ -252,17 +241,17 @@ def _loaded(code: UserCode) -> _Loaded:
 
 def _found(code: UserCode) -> Any:
     if point := code.role.offered(code.name):
-        return imported(code.name, point.load)
+        return importing.imported(code.name, point.load)
     place, _, attribute = code.name.rpartition(":")
-    module = module_named(place) if code.source is None else _module(place, code.source)
-    return attribute_of(module, attribute, place)
+    module = importing.module_named(place) if code.source is None else _module(place, code.source)
+    return importing.attribute_of(module, attribute, place)
 
 
 @cache
-def _module(place: str, source: SourceText) -> Any:
+def _module(place: str, source: importing.SourceText) -> Any:
     # The user's own import of the file must find another module: this one is ours to change.
     name = f"{Path(source.path).stem} of {source.digest[:12]}"
-    return module_of_text(place, source, name)
+    return importing.module_of_text(place, source, name)
 
 
 @cache
@@ -301,11 +290,11 @@ def recorded(plain: str) -> str | None:
     return _RECORDED.get().get(plain)
 
 
-def _as_recorded(plain: str, record: str) -> tuple[SourceText | None, str]:
+def _as_recorded(plain: str, record: str) -> tuple[importing.SourceText | None, str]:
     place = plain.rpartition(":")[0]
     if not place.endswith(".py"):
         return None, record
-    source = SourceText(str(Path(place).absolute()), record)
+    source = importing.SourceText(str(Path(place).absolute()), record)
     return source, source.digest
 
 

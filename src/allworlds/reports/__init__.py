@@ -1,16 +1,16 @@
 """Results for people and for other programs; each form of report is loaded on first use.
 
 ``parts``
-    the parts of which the content of a report is made, which every form can show, and rows for
-    programs;
+    the parts of which the content of a report is made, scenes among them, which every form can
+    show, and rows for programs;
 ``content``
     the content of each verb's report;
 ``plain_text``, ``web``
     content as a text, and as a web page; they know no verb;
-``formats``, ``ci_formats``
-    the texts and files of a verb's result, and the table of the formats; those for CI services;
-``drawing``, ``markup``
-    pictures of maps, of worlds and of walks; elements of HTML and SVG;
+``formats``
+    the texts and files of a verb's result, those for CI services too, and the table of the formats;
+``drawing``
+    pictures of maps, of worlds and of walks;
 ``schemas``
     the schemas of all documents;
 ``notebook``

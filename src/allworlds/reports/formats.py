@@ -1,35 +1,241 @@
 """Results of verbs as texts and as files, and which name of a file means which.
 
-A new format is a function and a line of the table.  What takes long to load is imported where it is
+The files for CI services are Markdown, JUnit XML, commands of GitHub's runner, and SARIF.  A new
+format is a function and a line of the table.  What takes long to load is imported where it is
 used, since the command line needs this module.
 """
-
-from __future__ import annotations
 
 import csv
 import io
 import json
+import os
 import re
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any
+from urllib.parse import quote
+from xml.etree import ElementTree as ET
 
 from msgspec import Struct
 
+from allworlds import verbs, words
+from allworlds.explorers.sources import SourceLine, place_of_explorer
 from allworlds.inputs.checks import InputError, ensure_installed, show
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.laws.law_table import ASKED
 from allworlds.notations.table import by_name, by_suffix, legal, to_write
-from allworlds.reports.ci_formats import junit, markdown, runner_commands, sarif
-from allworlds.reports.parts import ReportContent, rows_of
-from allworlds.reports.plain_text import content_line, content_text
-from allworlds.verbs import BY_NAME, CASES, FINDINGS, PAGE, ROWS, WORLD_FILE
-from allworlds.words import escaped, harmless, harmless_json
+from allworlds.outcome import Verdict
+from allworlds.reports import parts, plain_text
+from allworlds.version import __version__
+
+WIDTH = 100
 
 
-def content_of(result: Any) -> ReportContent:
+def markdown(content: parts.ReportContent) -> str:
+    """The headline, every section with a picture, and the others folded."""
+    head = [f"## {_plain(content.done)}: {_plain(content.subject)}"]
+    if said := content.headline:
+        named = content.done.partition(" ")[0]
+        head = [f"## {named}: {said.word} {_plain(content.subject)}", _plain(said.text)]
+    blocks = [block for section in content.sections for block in _section(section)]
+    return "\n\n".join([*head, *blocks]) + "\n"
+
+
+def _section(section: parts.Section) -> Iterator[str]:
+    if any(isinstance(block, parts.ShownWalk | parts.MapPictures) for block in section.blocks):
+        yield from [f"### {_plain(section.title)}"] if section.title else []
+        yield fenced(plain_text.text_of([section], WIDTH))
+        return
+    for table in section.blocks:
+        if isinstance(table, parts.Table) and table.rows:
+            yield from [f"**{_plain(table.caption)}**"] if table.caption else []
+            yield _table(table.header, table.texts, table.right)
+    others = [block for block in section.blocks if not isinstance(block, parts.Table)]
+    if others:
+        yield f"<details><summary>{_plain(section.title or 'More')}</summary>"
+        for block in others:
+            if isinstance(block, parts.FactList):
+                yield _table(["", ""], block.entries, "ll")
+            else:
+                yield fenced(plain_text.text_of([parts.Section("", "", [block])], WIDTH))
+        yield "</details>"
+
+
+def _table(header: Sequence[str], rows: Sequence[Sequence[str]], right: str) -> str:
+    rule = "| " + " | ".join("--:" if side == "r" else "---" for side in right) + " |"
+    first, *lines = (f"| {' | '.join(_plain(cell) for cell in line)} |" for line in (header, *rows))
+    return "\n".join([first, rule, *lines])
+
+
+def fenced(text: str) -> str:
+    """The text as a block of Markdown, in a fence that is longer than any in the text."""
+    longest = max((len(run) for run in re.findall("`+", text)), default=0)
+    fence = "`" * max(3, longest + 1)
+    return f"{fence}text\n{text}\n{fence}"
+
+
+def _plain(text: str) -> str:
+    """The text in one line, with markup escaped."""
+    one = words.escaped(re.sub(r"[\t\n\r]+", " ", text))
+    one = one.replace("&", "&amp;").replace("<", "&lt;")
+    return re.sub(r"([\\`*_|\[\]#~])", r"\\\1", one)
+
+
+_FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+def junit(content: parts.ReportContent) -> str:
+    """A document with one suite."""
+    assert content.cases is not None
+    cases, verb = content.cases(), content.done.removeprefix("allworlds ")
+    results = Counter(case.result for case in cases)
+    totals = {
+        "tests": str(len(cases)),
+        "failures": str(results["failure"]),
+        "errors": str(results["error"]),
+    }
+    root = ET.Element("testsuites", {"name": content.done, **totals})
+    # The schemas of services have this number at a suite, and not at the root.
+    skipped = {"skipped": str(results["skipped"])}
+    made = ET.SubElement(root, "testsuite", {"name": _legal(content.subject), **totals, **skipped})
+    for case in cases:
+        named = {"classname": f"allworlds.{verb}", "name": _legal(case.name)}
+        element = ET.SubElement(made, "testcase", named)
+        if case.result != "passed":
+            kind = {} if case.result == "skipped" else {"type": case.kind}
+            why = ET.SubElement(element, case.result, {"message": _legal(case.message), **kind})
+            why.text = _legal(plain_text.text_of(case.sections, WIDTH)) or None
+    ET.indent(root)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, "unicode") + "\n"
+
+
+def _legal(text: str) -> str:
+    """The text with control characters as numbers, and without others that XML does not allow."""
+    return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", words.escaped(text))
+
+
+LEVELS = {
+    Verdict.ERROR: "error",
+    Verdict.VACUOUS: "error",
+    Verdict.INCONCLUSIVE: "warning",
+}
+"""How loud a verdict is that is no finding; the others say nothing that needs a notification."""
+
+
+def runner_commands(content: parts.ReportContent) -> str:
+    """Commands, one for each finding at the explorer's file and line; else for the verdict."""
+    from allworlds.reports.content.single_run import headline_of
+
+    report: Any = content.result  # of a check
+    head = content.headline
+    assert head is not None
+    place = place_of_explorer(report.explorer)
+    at = {"file": place.named_from(project_folder()), "line": str(place.line)} if place else {}
+    shown = [
+        (headline_of(found), plain_text.finding_in_words(found, WIDTH, i))
+        for i, found in enumerate(report.findings, 1)
+    ]
+    kind, commands = "error" if shown else LEVELS.get(report.verdict, "notice"), []
+    for title, said in shown or [(f"allworlds: {head.word}", f"{report.explorer}: {head.text}")]:
+        named = (
+            f"{name}={_escaped(value, ':,')}" for name, value in {**at, "title": title}.items()
+        )
+        commands.append(f"::{kind} {','.join(named)}::{_escaped(said)}\n")
+    return "".join(commands)
+
+
+def _escaped(text: str, more: str = "") -> str:
+    """The text with per cent signs, line ends and further characters written as their numbers."""
+    return "".join(f"%{ord(sign):02X}" if sign in "%\r\n" + more else sign for sign in text)
+
+
+SCHEMA = (
+    "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
+)
+
+NO_FILE = "no file associated with this alert"
+"""The location of a result without a file, as other tools have it: GitHub refuses one without."""
+
+
+def sarif(content: parts.ReportContent) -> str:
+    """The report as a SARIF log with one run.
+
+    Every law is a rule.  Every finding is a result at the file and line of the explorer, or at
+    ``NO_FILE`` if no file is known (built-in explorers, programs on the PATH): its message has the
+    picture and the walk.  A verdict without a finding that is no good news is a notification.
+    """
+    report: Any = content.result  # of a check
+    head = content.headline
+    assert head is not None
+    place = place_of_explorer(report.explorer)
+    rules = [
+        {
+            "id": law,
+            "shortDescription": {"text": asked},
+            "defaultConfiguration": {"level": "error"},
+        }
+        for law, asked in ASKED.items()
+    ]
+    driver = {"name": "allworlds", "semanticVersion": __version__, "rules": rules}
+    level = LEVELS.get(report.verdict)
+    said = [(level, head.line)] if level else []
+    said += [("note", remark) for remark in report.remarks]
+    invocation = {
+        "executionSuccessful": report.verdict is not Verdict.ERROR and not report.interrupted,
+        "exitCode": int(report.exit_code),
+        "toolExecutionNotifications": [
+            {"level": level, "message": {"text": text}} for level, text in said
+        ],
+    }
+    run = {
+        "tool": {"driver": driver},
+        "invocations": [invocation],
+        "originalUriBaseIds": {"SRCROOT": {"uri": project_folder().as_uri() + "/"}},
+        "results": [_result(*found, place) for found in enumerate(report.findings, 1)],
+    }
+    log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
+    return words.harmless_json(json.dumps(log, indent=2)) + "\n"
+
+
+def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str, Any]:
+    from allworlds.reports.content.single_run import headline_of
+
+    text = plain_text.finding_in_words(finding, WIDTH, number)
+    head = f"{headline_of(finding)}."
+    where = _artifact(place) if place else {"uri": quote(NO_FILE)}
+    if not place:
+        head += " No file with the explorer's code is known, so this stands at none."
+    region = {"startLine": place.line if place else 1}
+    return {
+        "ruleId": finding.law,
+        "level": "error",
+        "message": {"text": f"{head}\n\n{text}", "markdown": f"{head}\n\n{fenced(text)}"},
+        "locations": [{"physicalLocation": {"artifactLocation": where, "region": region}}],
+        # The name of the finding's file holds a digest of all of it.
+        "partialFingerprints": {"finding/v1": finding.file_name},
+    }
+
+
+def _artifact(place: SourceLine) -> dict[str, Any]:
+    """The location of a file, relative to the project's folder where possible."""
+    name = place.named_from(project_folder())
+    if Path(name).is_absolute():
+        return {"uri": place.file.as_uri()}
+    return {"uri": quote(os.fsencode(name)), "uriBaseId": "SRCROOT"}
+
+
+def project_folder() -> Path:
+    """The project's folder in a CI service; elsewhere the current folder."""
+    return Path(os.environ.get("GITHUB_WORKSPACE") or Path.cwd()).resolve()
+
+
+def content_of(result: Any) -> parts.ReportContent:
     """The content of the report of a verb's result."""
     return _maker(type(result))(result)
 
 
-def _maker(kind: type) -> Callable[[Any], ReportContent]:
+def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
     """The function that makes it; of a report without words of its own keys and rows are shown."""
     match kind.__name__:  # which no other class of this package has
         case "CheckReport" | "TimeEstimate":
@@ -99,12 +305,12 @@ def _maker(kind: type) -> Callable[[Any], ReportContent]:
 
 def text(result: Any, width: int) -> str:
     """The whole text of a verb's result, with so many columns."""
-    return harmless(content_text(content_of(result), width))
+    return words.harmless(plain_text.content_text(content_of(result), width))
 
 
 def brief(result: Any, width: int) -> str:
     """The line that ``--quiet`` leaves."""
-    return harmless(content_line(content_of(result), width))
+    return words.harmless(plain_text.content_line(content_of(result), width))
 
 
 class Format(Struct, frozen=True):
@@ -121,17 +327,17 @@ class Format(Struct, frozen=True):
         read_by: the variable that says that a CI service reads stderr for it, likewise.
     """
 
-    of_content: Callable[[ReportContent], str | bytes]
+    of_content: Callable[[parts.ReportContent], str | bytes]
     suffix: str
-    shows: tuple[str, ...] = (ROWS,)
+    shows: tuple[str, ...] = (verbs.ROWS,)
     library: tuple[str, str, str] | None = None
     summary: str = ""
     read_by: str = ""
 
 
-def csv_rows(content: ReportContent) -> str:
+def csv_rows(content: parts.ReportContent) -> str:
     """The rows for programs; empty if there is none."""
-    out, found = io.StringIO(), rows_of(content)
+    out, found = io.StringIO(), parts.rows_of(content)
     if found.columns:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(found.columns)
@@ -139,13 +345,13 @@ def csv_rows(content: ReportContent) -> str:
     return out.getvalue()
 
 
-def parquet_rows(content: ReportContent) -> bytes:
+def parquet_rows(content: parts.ReportContent) -> bytes:
     """A file of Parquet with these rows, a column for each name and of its type."""
     from pyarrow import BufferOutputStream, Table, bool_, float64, int64, schema, string
     from pyarrow.parquet import write_table
 
     kinds = {int: int64(), float: float64(), str: string(), bool: bool_()}
-    found, out = rows_of(content), BufferOutputStream()
+    found, out = parts.rows_of(content), BufferOutputStream()
     columns = schema([(name, kinds[kind]) for name, kind in found.columns.items()])
     write_table(Table.from_pylist(found.records, schema=columns), out)
     written: bytes = out.getvalue().to_pybytes()
@@ -154,15 +360,14 @@ def parquet_rows(content: ReportContent) -> bytes:
 
 def document_text(document: Mapping[str, Any]) -> str:
     """The document as a text."""
-    return harmless_json(json.dumps(document, indent=2)) + "\n"
+    return words.harmless_json(json.dumps(document, indent=2)) + "\n"
 
 
-def html(content: ReportContent) -> str:
+def html(content: parts.ReportContent) -> str:
     """An HTML document that refers to no other file."""
     if content.page:
         return content.page()
-    from allworlds.reports.web.frame import framed
-    from allworlds.reports.web.sections import element
+    from allworlds.reports.web.sections import element, framed
 
     said = content.headline
     document = content.result.to_json()
@@ -175,21 +380,21 @@ def html(content: ReportContent) -> str:
 
 
 FORMATS = {
-    "html": Format(html, ".html", (ROWS, PAGE)),
+    "html": Format(html, ".html", (verbs.ROWS, verbs.PAGE)),
     "markdown": Format(markdown, ".md", summary="GITHUB_STEP_SUMMARY"),
     "csv": Format(csv_rows, ".csv"),
     "json": Format(lambda content: document_text(content.result.to_json()), ".json", ()),
     "parquet": Format(parquet_rows, ".parquet", library=("pyarrow", "notebook", "a file .parquet")),
-    "sarif": Format(sarif, ".sarif", (FINDINGS,)),
-    "junit": Format(junit, ".xml", (CASES,)),
-    "annotations": Format(runner_commands, "", (FINDINGS,), read_by="GITHUB_ACTIONS"),
+    "sarif": Format(sarif, ".sarif", (verbs.FINDINGS,)),
+    "junit": Format(junit, ".xml", (verbs.CASES,)),
+    "annotations": Format(runner_commands, "", (verbs.FINDINGS,), read_by="GITHUB_ACTIONS"),
 }
 """Every format by its name."""
 
 
 def formats_of(verb: str) -> dict[str, Format]:
     """The formats in which a verb's results can be written."""
-    has = {*BY_NAME[verb].has}
+    has = {*verbs.BY_NAME[verb].has}
     return {name: form for name, form in FORMATS.items() if not form.shows or has & {*form.shows}}
 
 
@@ -198,7 +403,7 @@ def legal_files(verb: str) -> str:
     forms = formats_of(verb)
     names = " ".join(form.suffix for form in forms.values() if form.suffix)
     told = f"{names}, or FORMAT:FILE ({', '.join(forms)})"
-    if WORLD_FILE in BY_NAME[verb].has:
+    if verbs.WORLD_FILE in verbs.BY_NAME[verb].has:
         return f"{legal(written=True)} are worlds; of the report {told}"
     return told
 
@@ -210,7 +415,7 @@ def names_world_file(verb: str, name: str) -> bool:
     """
     form = name.partition(":")[0]
     worlds = by_name(form) or (form not in FORMATS and by_suffix(name))
-    return WORLD_FILE in BY_NAME[verb].has and bool(worlds)
+    return verbs.WORLD_FILE in verbs.BY_NAME[verb].has and bool(worlds)
 
 
 def form_and_path(verb: str, name: str) -> tuple[str, str]:
@@ -242,4 +447,4 @@ def file_of(form: str, result: Any) -> Any:
     # UTF-8 has no halves of pairs: names of files and words of explorers may hold some.
     whole = re.sub("[\ud800-\udfff]", "\N{REPLACEMENT CHARACTER}", made).replace("\r", r"\x0d")
     # Lines that look like commands of a CI service are made harmless, but in a file of them.
-    return escaped(whole) if format_.read_by else harmless(whole)
+    return words.escaped(whole) if format_.read_by else words.harmless(whole)

@@ -1,20 +1,16 @@
 """Results as notebooks show them, and as ``print`` does."""
 
-from __future__ import annotations
-
 from html import escape
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from allworlds.document.report import Report
+from allworlds.document import Report
 from allworlds.judging.findings.finding import Finding
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Transcript
+from allworlds.reports import formats, plain_text
 from allworlds.reports.content.single_run import finding_section, headline_of
-from allworlds.reports.formats import content_of, html, text
 from allworlds.reports.parts import Cell, Table, rows_of
-from allworlds.reports.plain_text import finding_in_words, table
-from allworlds.reports.web.frame import framed
-from allworlds.reports.web.sections import element, table_element
+from allworlds.reports.web.sections import element, framed, table_element
 
 WIDTH = 100
 """Columns of a printed report."""
@@ -28,16 +24,16 @@ def text_of(value: Report | Finding | Transcript) -> str:
     match value:
         case Transcript():
             steps = _steps(value)
-            return "\n".join(table(steps.header, steps.texts, "r"))
+            return "\n".join(plain_text.table(steps.header, steps.texts, "r"))
         case Finding():
-            return finding_in_words(value, WIDTH)
+            return plain_text.finding_in_words(value, WIDTH)
         case _:
-            return text(value, WIDTH).rstrip("\n")
+            return formats.text(value, WIDTH).rstrip("\n")
 
 
 def records(report: Report) -> list[dict[str, Any]]:
     """The rows of ``-o FILE.csv``, by the names of their columns."""
-    return rows_of(content_of(report)).records
+    return rows_of(formats.content_of(report)).records
 
 
 def shown(value: Report | Finding | Transcript) -> str:
@@ -53,7 +49,7 @@ def shown(value: Report | Finding | Transcript) -> str:
             section = element(finding_section(value))
             page = framed(("finding", value.explorer), verdict, [section], value.to_json())
         case _:
-            page = html(content_of(value))
+            page = formats.html(formats.content_of(value))
     return (
         f'<iframe srcdoc="{escape(page)}" width="100%" height="{HEIGHT}" '
         'style="border: 1px solid #d5d9dd" title="allworlds"></iframe>'

@@ -1,26 +1,152 @@
 """Parts of which the content of every report is made, and rows for programs.
 
 A module of ``content`` makes the content of a verb's report.  ``plain_text``, ``web`` and the
-formats show any content, and know the parts below alone.
+formats show any content, and know the parts below alone.  A *scene* is a map with everything that a
+picture shows, whatever the lighthouse.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from itertools import zip_longest
+from collections import Counter, defaultdict
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import count, zip_longest
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from msgspec import Struct, field
 
-from allworlds.document.struct import replace
-from allworlds.words import number
+from allworlds import document as doc, outcome, words
+from allworlds.judging.findings.finding import believed_walk, true_walk
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Estimate, Move, Percept, Transcript
+from allworlds.world.labels import Position
+from allworlds.world.world import World
 
 if TYPE_CHECKING:
     from allworlds.judging.explanations.story import Walked
-    from allworlds.maps.combinatorial import Dart
-    from allworlds.outcome import Result
-    from allworlds.protocol.actions import Percept
-    from allworlds.reports.drawing.scene import Scene
+
+
+LONGEST_IN_LEGEND = 60
+"""Characters of a name of a vertex in a legend."""
+
+
+class Names(Struct, frozen=True):
+    """Names of darts and vertices in a picture, in their order."""
+
+    darts: tuple[str, ...]
+    vertices: tuple[str, ...]
+
+
+class Scene(Struct, frozen=True):
+    """Content of a picture; each form of picture draws as much of it as it can.
+
+    Attributes:
+        map: the map.
+        start: the dart that the robot faced at the start; a picture begins there.
+        robot: the dart where the robot is at the end of its walk; None where nobody walks.
+        marks: the number of markers at each vertex that has any, by the vertex's index in
+            ``map.vertices``.
+        pointed: the darts to which a bearing is counted, at any number of vertices.
+        labels: a short text for each dart, such as its class; None where there are none.
+        walked: the darts by which the robot has arrived anywhere.
+        ringed: the dart to look at; None where there is none.
+        names: the names of darts and vertices, where they are not their numbers.
+        positions: of the vertices, where these are given.
+    """
+
+    map: CombinatorialMap
+    start: Dart = 0
+    robot: Dart | None = None
+    marks: Mapping[int, int] = field(default_factory=dict)
+    pointed: Collection[Dart] = ()
+    labels: Sequence[str] | None = None
+    walked: Collection[Dart] = ()
+    ringed: Dart | None = None
+    names: Names | None = None
+    positions: tuple[Position, ...] = ()
+
+    @property
+    def dart_names(self) -> Sequence[str]:
+        """The name of each dart."""
+        return self.names.darts if self.names else [*map(str, self.map.darts)]
+
+    @property
+    def vertex_names(self) -> Sequence[str]:
+        """The name of each vertex."""
+        if self.names:
+            return self.names.vertices
+        return [f"v{vertex}" for vertex in range(self.map.vertex_count)]
+
+    def short_names(self, width: int) -> Sequence[str]:
+        """The names of the vertices; longer ones are cut, and no two become one."""
+        if self.names is None:
+            return self.vertex_names
+        taken, shown = {name for name in self.vertex_names if len(name) <= width}, list[str]()
+        numbers = defaultdict[str, Iterator[int]](lambda: count(1))
+        for name in self.vertex_names:
+            ends = ("" if k == 1 else str(k) for k in numbers[name[: width - 1]])
+            cuts = (f"{name[: max(width - 1 - len(end), 0)]}…{end}" for end in ends)
+            shown.append(name if name in taken else next(cut for cut in cuts if cut not in taken))
+            taken.add(shown[-1])
+        return shown
+
+    def cut_names(self, width: int) -> list[str]:
+        """For each name that :meth:`short_names` cuts: ``ki… kitchen``, itself cut if need be."""
+        pairs = zip(self.short_names(width), self.short_names(LONGEST_IN_LEGEND), strict=True)
+        return [f"{short} {name}" for short, name in pairs if short != name]
+
+    @classmethod
+    def sensed(
+        cls,
+        map_: CombinatorialMap,
+        start: Dart,
+        percepts: Iterable[tuple[Dart, Percept]],
+    ) -> Scene:
+        """Return the scene of a map in which percepts are known for arrival at some darts.
+
+        The dart at bearing 0 is pointed along, and a vertex with marks is marked.
+        """
+        known = list(percepts)
+        # What is sensed last holds: markers can be taken away.
+        marks = {map_.vertex_of[dart]: p.marks for dart, p in known}
+        marks = {vertex: number for vertex, number in marks.items() if number}
+        pointed = {map_.turn(dart, p.bearing) for dart, p in known if p.bearing is not None}
+        return cls(map_, start, None, marks, sorted(pointed))
+
+
+def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
+    """The scene of a world, with everything that can be sensed in it.
+
+    ``dropped`` holds the vertices at which the robot has dropped markers, one entry a marker.
+    """
+    map_, lying = world.map, Counter(dropped)
+    percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
+    scene, labels = Scene.sensed(map_, world.start, percepts), world.labels
+    names = Names((*map(str, map_.darts),), labels.vertices) if labels.vertices else None
+    return doc.replace(scene, names=names, positions=labels.positions)
+
+
+def walk_in_world(world: World, transcript: Transcript) -> Scene:
+    """The world with everything that is sensed, and the robot at the end of its walk."""
+    states = [state for state, _ in true_walk(world, transcript)]
+    trail = [state.dart for state in states]
+    scene = scene_of(world, states[-1].lying)
+    return doc.replace(scene, robot=trail[-1], walked=_arrivals(trail, transcript))
+
+
+def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Scene:
+    """The answer with the percepts that it predicts, and the robot where the answer says."""
+    walk = believed_walk(world, answer, transcript)
+    # Where the answer has no place for the lighthouse it says nothing of markers.
+    percepts = zip(walk.trail, walk.percepts or [], strict=False)
+    scene = Scene.sensed(answer.map, walk.trail[0], percepts)
+    return doc.replace(scene, robot=answer.here, walked=_arrivals(walk.trail, transcript))
+
+
+def _arrivals(trail: Sequence[Dart], transcript: Transcript) -> set[Dart]:
+    """The darts by which the robot arrived, step by step; none before the first motion."""
+    steps = zip(trail[1:], transcript.actions, strict=True)
+    return {dart for dart, action in steps if type(action) is Move}
+
 
 Value: TypeAlias = int | float | str | bool | None
 """A value of a row; None where there is none."""
@@ -125,7 +251,7 @@ def _text(cell: Cell) -> str:
         case str():
             return cell
         case int():
-            return number(cell)
+            return words.number(cell)
         case _:
             return f"{cell:,.2f}"
 
@@ -303,7 +429,7 @@ class ReportContent(Struct, frozen=True):
 
     done: str
     subject: str
-    result: Result
+    result: outcome.Result
     headline: Headline | None
     sections: Sequence[Section]
     more: Callable[[], Iterable[Section]] = field(default=tuple)
@@ -332,7 +458,7 @@ def so_far(report: Any, headline: Headline | None) -> Headline | None:
     if headline is None or not headline.text:
         return Headline("INCONCLUSIVE", f"{why}; nothing was finished before")
     if headline.verdict in ("refuted", "error"):
-        return replace(headline, text=f"{headline.text}; {why}, and the rest was not tried")
+        return doc.replace(headline, text=f"{headline.text}; {why}, and the rest was not tried")
     return Headline("INCONCLUSIVE", f"{why}; finished before: {headline.text}")
 
 

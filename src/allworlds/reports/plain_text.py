@@ -1,26 +1,13 @@
 """Reports as plain text."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import zip_longest
 from textwrap import wrap
 from typing import Any
 
+from allworlds.reports import parts
 from allworlds.reports.drawing.text import draw
-from allworlds.reports.parts import (
-    Block,
-    DataRecord,
-    FactList,
-    MapPictures,
-    Paragraph,
-    Quote,
-    ReportContent,
-    Section,
-    ShownWalk,
-    Table,
-)
 from allworlds.words import harmless
 
 MOST, FEW = 30, 3
@@ -46,14 +33,14 @@ def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
     return harmless(text_of([finding_section(finding, number)], width))
 
 
-def content_text(content: ReportContent, width: int) -> str:
+def content_text(content: parts.ReportContent, width: int) -> str:
     """The headline and every section."""
     said = content.headline
     head = entry(said.word, said.text, width) if said else []
     return _joined([head, *(_section(section, width) for section in content.sections)])
 
 
-def on_terminal(content: ReportContent, width: int, *, whole: bool) -> str:
+def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str:
     """The text; of a content with short facts at most :data:`MOST` lines, or the verdict last."""
     if not content.short or content.headline is None:
         return content_text(content, width)
@@ -75,30 +62,30 @@ def _cut(lines: Sequence[str]) -> str:
     return f"{lines[0]} ..." if len(lines) > 1 else lines[0]
 
 
-def _found(section: Section, width: int, room: int) -> list[str]:
+def _found(section: parts.Section, width: int, room: int) -> list[str]:
     """A finding without its walk, with the picture of its world if there is room."""
     lines = wrap(section.title, width, break_long_words=False)
     picture, command = list[str](), list[str]()
     for block in section.blocks:
-        if isinstance(block, FactList) and not picture:
+        if isinstance(block, parts.FactList) and not picture:
             lines += _block(block, width)
-        elif isinstance(block, ShownWalk):
+        elif isinstance(block, parts.ShownWalk):
             lines += [line for said in block.sentences for line in wrap(said, width)]
             picture = ["", *draw(block.views[0].scene, width).splitlines(), ""]
-        elif isinstance(block, Quote) and block.command:
+        elif isinstance(block, parts.Quote) and block.command:
             command = [*_block(block, width)]
     if len(lines) + len(picture) + len(command) <= room:
         lines += picture
     return [*lines[: room - len(command)], *command, "(-v: the walk, the answer, and the output)"]
 
 
-def content_line(content: ReportContent, width: int) -> str:
+def content_line(content: parts.ReportContent, width: int) -> str:
     """The answer in one line, however wide it is; without one the first line of the text."""
     head = content.headline
     return head.line if head else content_text(content, width).partition("\n")[0]
 
 
-def text_of(sections: Iterable[Section], width: int) -> str:
+def text_of(sections: Iterable[parts.Section], width: int) -> str:
     """The text of some sections."""
     return _joined(_section(section, width) for section in sections)
 
@@ -107,44 +94,46 @@ def _joined(parts: Iterable[Sequence[str]]) -> str:
     return "\n\n".join("\n".join(part) for part in parts if part)
 
 
-def _section(section: Section, width: int) -> list[str]:
+def _section(section: parts.Section, width: int) -> list[str]:
     lines = wrap(section.title, width, break_long_words=False)
-    before: Block | None = None
+    before: parts.Block | None = None
     for block in section.blocks:
         shown = [*_block(block, width)]
         # Facts, and the quotation of a command, follow facts without an empty line.
-        near = isinstance(before, FactList) and isinstance(block, FactList | Quote)
+        near = isinstance(before, parts.FactList) and isinstance(
+            block, parts.FactList | parts.Quote
+        )
         if shown:
             lines += [*([""] if lines and not near else []), *shown]
             before = block
     return lines
 
 
-def _block(block: Block, width: int) -> Iterator[str]:
+def _block(block: parts.Block, width: int) -> Iterator[str]:
     match block:
-        case Paragraph():
+        case parts.Paragraph():
             yield from wrap(block.text, width, break_on_hyphens=False)
-        case FactList():
+        case parts.FactList():
             for name, said in block.entries:
                 yield from entry(name, said, width)
-        case Table():
+        case parts.Table():
             if block.rows:
                 yield from wrap(block.caption, width)
                 yield from table(block.header, block.texts, block.right, width, block.keys)
-        case MapPictures():
+        case parts.MapPictures():
             for i, (title, scene) in enumerate(block.entries):
                 yield from [*([""] if i else []), *wrap(title, width), "", draw(scene, width)]
-        case ShownWalk():
+        case parts.ShownWalk():
             yield from _walk(block, width)
-        case Quote():
+        case parts.Quote():
             indent = block.prefix or ("  " if block.title else "")
             yield from [block.title] if block.title else []
             yield from (f"{indent}{line}".rstrip() for line in block.text.splitlines())
-        case DataRecord():
+        case parts.DataRecord():
             return  # for pages; documents hold the same
 
 
-def _walk(walk: ShownWalk, width: int) -> Iterator[str]:
+def _walk(walk: parts.ShownWalk, width: int) -> Iterator[str]:
     sentences = () if walk.tour else walk.sentences
     for sentence in sentences:
         yield from wrap(sentence, width, break_on_hyphens=False)
@@ -207,10 +196,10 @@ def table(
             wrap(cell, wide, break_on_hyphens=False) if len(cell) > wide else [cell]
             for cell, wide in zip(line, widths, strict=True)
         ]
-        for parts in zip_longest(*cells, fillvalue=""):
+        for row in zip_longest(*cells, fillvalue=""):
             flushed = [
                 part.rjust(wide) if side == "r" else part.ljust(wide)
-                for part, wide, side in zip(parts, widths, right, strict=True)
+                for part, wide, side in zip(row, widths, right, strict=True)
             ]
             lines.append((" " * GAP).join(flushed).rstrip())
     return lines

@@ -4,8 +4,6 @@
 the package does so.  Every file is complete in itself: what it refers to stands under ``$defs``.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 from collections.abc import Iterable, Iterator, Sequence
@@ -20,32 +18,35 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds.document.report import MadeBy
-from allworlds.document.struct import IF_ANY, Document, Text, WrittenByFields, about, keys_of, plain
+from allworlds import document as doc, outcome, verbs
 from allworlds.engines.engine_table import ENGINES
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
 from allworlds.maps.classes import MapClass
-from allworlds.outcome import Result, Verdict
-from allworlds.protocol.answers import Estimate, RootedMap
-from allworlds.protocol.transcript import AtStart, Dropped, Moved, Picked, Transcript, Wrote
+from allworlds.protocol.actions import (
+    AtStart,
+    Dropped,
+    Estimate,
+    Moved,
+    Picked,
+    RootedMap,
+    Transcript,
+    Wrote,
+)
 from allworlds.studies.check.exhaustive import TimeEstimate
 from allworlds.studies.run import WorldNames
-from allworlds.verbs import VERBS, Verb
-from allworlds.world.corpus import Manifest
+from allworlds.world import named, world
+from allworlds.world.lighthouses import kinds, options
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.kinds import LIGHTHOUSES
-from allworlds.world.lighthouses.options import place_keys
-from allworlds.world.world import World, WorldDocument
 
 Schema: TypeAlias = dict[str, Any]
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 WRITTEN_AS = {
-    World: WorldDocument,
+    world.World: world.WorldDocument,
     Estimate: RootedMap,
-    Path: Text,
+    Path: doc.Text,
 }
 """The JSON that is written in place of a value that is no JSON."""
 
@@ -56,7 +57,7 @@ NAMES: dict[str, tuple[str, Iterable[Any]]] = {
     "law": ("Law", PRECEDENCE),
     "judged_law": ("Judged law", JUDGED),
     "class": ("Class of maps", MapClass),
-    "verdict": ("Verdict", Verdict),
+    "verdict": ("Verdict", outcome.Verdict),
     "engine": ("Engine", ENGINES),
 }
 """The names that stand in tables, each with its title."""
@@ -66,7 +67,7 @@ NAMES: dict[str, tuple[str, Iterable[Any]]] = {
 def reports() -> dict[str, Any]:
     """The type of every report by the name of its schema."""
     found: dict[str, Any] = {}
-    for verb in VERBS:
+    for verb in verbs.VERBS:
         if reports_of(verb) != [Any]:  # merge hands on that of another verb
             first, *others = reports_of(verb)
             found[verb.document] = first
@@ -74,23 +75,23 @@ def reports() -> dict[str, Any]:
     return found | {"estimate": TimeEstimate, "worldnames": WorldNames}
 
 
-def reports_of(verb: Verb) -> list[Any]:
+def reports_of(verb: verbs.Verb) -> list[Any]:
     """The types of a verb's reports."""
     function = unwrap(verb.function)
-    return [*members(eval(function.__annotations__["return"], function.__globals__))]  # noqa: S307
+    return [*members(get_type_hints(function)["return"])]
 
 
 @cache
 def pages() -> dict[str, Any]:
     """The type of every document by the name of its schema: reports, then the rest."""
-    merged = dict.fromkeys(kind for verb in VERBS if verb.swept for kind in reports_of(verb))
+    merged = dict.fromkeys(kind for verb in verbs.VERBS if verb.swept for kind in reports_of(verb))
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
         "finding": Finding,
-        "world": WorldDocument,
+        "world": world.WorldDocument,
         "transcript": Transcript,
-        "made-by": MadeBy,
-        "manifest": Manifest,
+        "made-by": doc.MadeBy,
+        "manifest": named.Manifest,
     }
 
 
@@ -119,10 +120,10 @@ class Shapes:
             inner = self.of(kind)
             for note in shown:
                 if values := (note.extra_json_schema or {}).get("enum"):
-                    inner = Literal[*map(plain, values)]
+                    inner = Literal[*map(doc.plain, values)]
                     shown.remove(note)
             return Annotated[inner, *shown] if shown else inner
-        if tp is Result:
+        if tp is outcome.Result:
             files = [{"$ref": f"{name}.schema.json"} for name in reports()]
             return Annotated[Any, Meta(extra_json_schema={"anyOf": files})]
         if tp in WRITTEN_AS:
@@ -130,8 +131,8 @@ class Shapes:
         if tp is Transcript:
             return self._transcript()
         if tp is Lighthouse:
-            return self._one_of([self._lighthouse(kind) for kind in LIGHTHOUSES.values()])
-        if isinstance(tp, type) and issubclass(tp, Document | WrittenByFields):
+            return self._one_of([self._lighthouse(kind) for kind in kinds.LIGHTHOUSES.values()])
+        if isinstance(tp, type) and issubclass(tp, doc.Document | doc.WrittenByFields):
             return self._struct(tp)
         arguments = get_args(tp)
         if get_origin(tp) in (Union, UnionType):
@@ -150,7 +151,7 @@ class Shapes:
 
     def _struct(self, kind: Any) -> Any:
         if kind not in self._made:
-            closed = issubclass(kind, Document) and kind.__struct_config__.forbid_unknown_fields
+            closed = issubclass(kind, doc.Document) and kind.__struct_config__.forbid_unknown_fields
             self._made[kind] = self._defined(
                 kind.__name__, kind.__doc__, self._keys(kind), closed=closed
             )
@@ -164,7 +165,7 @@ class Shapes:
                 yield field.name, hints[field.name], self.written or field.default is MISSING
             return
         needed = {field.name for field in fields(kind) if field.required}
-        for key in keys_of(kind):
+        for key in doc.keys_of(kind):
             tp = key.type
             bare = get_args(tp)[0] if get_origin(tp) is Annotated else tp
             sometimes = key.if_any or UnsetType in members(bare)
@@ -187,11 +188,11 @@ class Shapes:
 
     def _lighthouse(self, kind: type[Lighthouse]) -> Any:
         hints = get_type_hints(kind, include_extras=True)
-        named: Any = Annotated[Literal[kind.kind], about("which lighthouse it is")]
+        named: Any = Annotated[Literal[kind.kind], doc.about("which lighthouse it is")]
         keys: list[tuple[str, Any, bool]] = [("kind", named, True)]
         keys += [
-            (key, hints[key], self.written and IF_ANY not in get_args(hints[key])[1:])
-            for key in place_keys(kind)
+            (key, hints[key], self.written and doc.IF_ANY not in get_args(hints[key])[1:])
+            for key in options.place_keys(kind)
         ]
         self._made[kind] = self._defined(f"{kind.__name__}Lighthouse", kind.__doc__ or "", keys)
         return self._made[kind]

@@ -1,17 +1,14 @@
 """Worlds of a file: told of, and written in another notation."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document.report import Report
-from allworlds.document.struct import Document, Edges, Natural, Positive, Vertices, about
+from allworlds.document import Document, Edges, Natural, Positive, Report, Vertices, about
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, Request, answers
-from allworlds.maps.canonical import automorphisms
+from allworlds.maps.combinatorial import automorphisms
 from allworlds.notations.entry import Entry
 from allworlds.notations.table import (
     PARTS,

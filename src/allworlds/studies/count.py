@@ -1,7 +1,5 @@
 """Counts of maps of a class, each made twice: by enumeration, and by an independent source."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from math import factorial
@@ -10,33 +8,11 @@ from typing import Annotated
 from msgspec import UNSET, Struct, UnsetType, field
 from typing_extensions import override
 
-from allworlds.document.struct import (
-    Document,
-    Edges,
-    Natural,
-    NotInDocument,
-    WhichShard,
-    about,
-    computed,
-    with_options,
-)
-from allworlds.engines.engine_table import COMPILER, ReadyEngine
-from allworlds.engines.here import local_or_dask
-from allworlds.engines.limits import (
-    ClusterOptions,
-    ListenerOptions,
-    RunDirectoryOptions,
-    TimeLimitOptions,
-)
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import SweptReport, ToldGate, told_scope
+from allworlds import document as doc, outcome
+from allworlds.engines import engine_table, limits, sweep
 from allworlds.engines.units import WHOLE, LevelUnit, ShardOptions, SweptLevel
-from allworlds.inputs.checks import lack_of
-from allworlds.inputs.requests import answers
-from allworlds.maps.canonical import automorphisms
-from allworlds.maps.classes import Extent, ExtentOptions, MapClass
-from allworlds.maps.count_source import source_of
-from allworlds.outcome import Ending
+from allworlds.inputs import checks, requests
+from allworlds.maps import classes, combinatorial, count_source
 from allworlds.world.selection import WhereOptions
 
 TOLD_EVERY = 1000
@@ -47,39 +23,41 @@ UNROOTED_LIMIT = 6
 
 
 class CountRequest(
-    ListenerOptions,
-    ClusterOptions,
-    RunDirectoryOptions,
-    TimeLimitOptions,
+    limits.ListenerOptions,
+    limits.ClusterOptions,
+    limits.RunDirectoryOptions,
+    limits.TimeLimitOptions,
     ShardOptions,
     WhereOptions,
-    ExtentOptions,
+    classes.ExtentOptions,
 ):
     """Request of ``count``: a class, its bounds and the effort."""
 
 
-class CountRow(Document, kw_only=True):
+class CountRow(doc.Document, kw_only=True):
     """The maps with one number of edges.
 
     ``counted`` holds the rooted maps by vertices according to the independent source, ``cells`` the
     number of vertices, the genus, and the numbers of rooted and of unrooted maps that have these.
     """
 
-    edges: Edges
-    rooted: Annotated[Natural, about("rooted maps")]
+    edges: doc.Edges
+    rooted: Annotated[doc.Natural, doc.about("rooted maps")]
     unrooted: Annotated[
-        Natural | None,
-        about("maps up to orientation-preserving isomorphism; null beyond 6 edges, or of a shard"),
+        doc.Natural | None,
+        doc.about(
+            "maps up to orientation-preserving isomorphism; null beyond 6 edges, or of a shard"
+        ),
     ]
-    by_vertices: Annotated[dict[int, Natural], about("rooted maps by vertices")]
-    by_genus: Annotated[dict[int, Natural], about("rooted maps by genus")]
+    by_vertices: Annotated[dict[int, doc.Natural], doc.about("rooted maps by vertices")]
+    by_genus: Annotated[dict[int, doc.Natural], doc.about("rooted maps by genus")]
     labelled: Annotated[
-        dict[int, Natural] | UnsetType,
-        about("in simple classes: rotation systems on labelled vertices, by vertices"),
+        dict[int, doc.Natural] | UnsetType,
+        doc.about("in simple classes: rotation systems on labelled vertices, by vertices"),
     ] = UNSET
-    counted: NotInDocument[dict[int, int] | None]
-    cells: NotInDocument[tuple[tuple[int, int, int, int | None], ...]]
-    whole: NotInDocument[bool] = True
+    counted: doc.NotInDocument[dict[int, int] | None]
+    cells: doc.NotInDocument[tuple[tuple[int, int, int, int | None], ...]]
+    whole: doc.NotInDocument[bool] = True
 
     @property
     def agrees(self) -> bool:
@@ -94,28 +72,28 @@ class CountRow(Document, kw_only=True):
         return self.by_vertices == {n: count for n, count in self.counted.items() if count}
 
 
-@with_options(CountRequest)
-class CountedScope(Document):
+@doc.with_options(CountRequest)
+class CountedScope(doc.Document):
     """The scope of a count."""
 
-    shard: WhichShard
+    shard: doc.WhichShard
 
 
-class Census(SweptReport):
+class Census(sweep.SweptReport):
     """Report of 'count'.
 
     Every level of a class, counted.
     """
 
-    rows: Annotated[tuple[CountRow, ...], about("one a number of edges, ascending")]
+    rows: Annotated[tuple[CountRow, ...], doc.about("one a number of edges, ascending")]
 
-    @computed
+    @doc.computed
     def scope(self) -> CountedScope:
         """All that was counted."""
-        return told_scope(CountedScope, self.request, shard=str(self.portion))
+        return sweep.told_scope(CountedScope, self.request, shard=str(self.portion))
 
-    @computed
-    def gate(self) -> ToldGate:
+    @doc.computed
+    def gate(self) -> sweep.ToldGate:
         """Count gate, if there is anything to compare."""
         return self.compared
 
@@ -130,7 +108,7 @@ class Census(SweptReport):
         return not any(row.rooted for row in self.rows)
 
 
-@answers(CountRequest)
+@requests.answers(CountRequest)
 def count(request: CountRequest) -> Census:
     """Enumerate every rooted map of a class and count them.
 
@@ -143,28 +121,28 @@ def count(request: CountRequest) -> Census:
     return CountSweep(request).answer(request.run)
 
 
-class CountSweep(Sweep["Counted", Census]):
+class CountSweep(sweep.Sweep["Counted", Census]):
     """The sweep of a count."""
 
     verb, asked = "count", CountRequest
-    extent: Extent
+    extent: classes.Extent
 
     def __init__(self, request: CountRequest) -> None:
         super().__init__(request, request.extent)
         self._rows: list[CountRow] = []
 
     @override
-    def ready(self) -> ReadyEngine:
-        return ReadyEngine(
-            local_or_dask(self.request.cluster, self.deadline), Enumerate(self.extent)
+    def ready(self) -> engine_table.ReadyEngine:
+        return engine_table.ReadyEngine(
+            engine_table.local_or_dask(self.request.cluster, self.deadline), Enumerate(self.extent)
         )
 
     @override
-    def finish(self, level: SweptLevel, total: Counted) -> None:
+    def finish(self, level: SweptLevel, total: "Counted") -> None:
         self._rows.append(row_of(self.extent, level.edges, total, whole=self.portion == WHOLE))
 
     @override
-    def report(self, ending: Ending) -> Census:
+    def report(self, ending: outcome.Ending) -> Census:
         return Census(**self.ended(ending), rows=tuple(self._rows))
 
 
@@ -184,7 +162,7 @@ class Counted(Struct):
         """The number of rooted maps."""
         return self.cells.total()
 
-    def add(self, other: Counted) -> None:
+    def add(self, other: "Counted") -> None:
         """Add the counts of another part."""
         self.cells.update(other.cells)
         self.fixed.update(other.fixed)
@@ -196,24 +174,24 @@ CountSweep.result = Counted
 class Enumerate(Struct, frozen=True):
     """The engine that counts by enumeration."""
 
-    extent: Extent
+    extent: classes.Extent
 
     def parts(self, unit: LevelUnit) -> Iterator[Counted]:
         """Count the maps of the unit, and yield results from time to time."""
         extent = self.extent
-        plain = extent.map_class is MapClass.MAPS and extent.where is None
-        if plain and unit.edges > UNROOTED_LIMIT and not lack_of(*COMPILER):
+        plain = extent.map_class is classes.MapClass.MAPS and extent.where is None
+        if plain and unit.edges > UNROOTED_LIMIT and not checks.lack_of(*engine_table.COMPILER):
             yield count_compiled(extent, unit)
         else:
             yield from count_one_by_one(extent, unit)
 
 
-def count_compiled(extent: Extent, unit: LevelUnit) -> Counted:
+def count_compiled(extent: classes.Extent, unit: LevelUnit) -> Counted:
     """Count a unit of the class ``maps`` by the compiled enumeration.
 
     Cost: some 150 ns a rooted map, after some seconds of compiling at the first use.
     """
-    from allworlds.engines.kernel.gluing import by_vertices_and_faces
+    from allworlds.engines.kernel.worlds import by_vertices_and_faces
 
     edges, counted = unit.edges, Counted()
     found = by_vertices_and_faces(edges, extent.vertex_limit(edges), unit.prefix)
@@ -222,21 +200,21 @@ def count_compiled(extent: Extent, unit: LevelUnit) -> Counted:
     return counted
 
 
-def count_one_by_one(extent: Extent, unit: LevelUnit) -> Iterator[Counted]:
+def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counted]:
     """Count a unit of any class map by map. Results are yielded from time to time."""
     counted = Counted()
     for met, map_ in enumerate(unit.maps(extent), 1):
         cell = map_.vertex_count, map_.genus
         counted.cells[cell] += 1
         if unit.edges <= UNROOTED_LIMIT:
-            counted.fixed[cell] += automorphisms(map_)
+            counted.fixed[cell] += combinatorial.automorphisms(map_)
         if met % TOLD_EVERY == 0:
             yield counted
             counted = Counted()
     yield counted
 
 
-def row_of(extent: Extent, edges: int, total: Counted, *, whole: bool) -> CountRow:
+def row_of(extent: classes.Extent, edges: int, total: Counted, *, whole: bool) -> CountRow:
     """The row of a level, or of a shard of it, beside the source's counts."""
     by_vertices: Counter[int] = Counter()
     by_genus: Counter[int] = Counter()
@@ -247,7 +225,7 @@ def row_of(extent: Extent, edges: int, total: Counted, *, whole: bool) -> CountR
     known = whole and edges <= UNROOTED_LIMIT
     labelled = {n: maps * factorial(n) // (2 * edges) for n, maps in by_vertices.items()}
     counted = None
-    if (counts := source_of(extent)) is not None:
+    if (counts := count_source.source_of(extent)) is not None:
         source = counts.cells(edges)
         counted = {n: source.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
     return CountRow(

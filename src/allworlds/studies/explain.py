@@ -1,11 +1,8 @@
 """A finding in words."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
-from allworlds.document.report import Report
-from allworlds.document.struct import Natural, NotInDocument, Positive, Some, Text, about, computed
+from allworlds.document import Natural, NotInDocument, Positive, Report, Some, Text, about, computed
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import Request, answers
 from allworlds.judging.explanations.by_law import teller_of
@@ -13,7 +10,7 @@ from allworlds.judging.explanations.story import Story
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import LawName
 from allworlds.maps.combinatorial import Dart
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate
 from allworlds.world.world import World
 
 

@@ -1,7 +1,5 @@
 """``fuzz``: worlds far beyond the exhaustive bound, and the way back to small ones."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import count, takewhile
@@ -11,44 +9,40 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 from typing_extensions import override
 
+from allworlds.engines import lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
-from allworlds.engines.lanes import workers_for
-from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions, TimeIsUp
-from allworlds.engines.progress import Listener, Silent
-from allworlds.engines.scope import GivenWorlds, Sample, Scope
-from allworlds.engines.single import played_again, subject_of
-from allworlds.engines.sweep import gather
+from allworlds.engines.limits import ClusterOptions, Listener, RunDirectoryOptions, Silent, TimeIsUp
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
+    GivenWorlds,
     Portion,
+    Sample,
+    Scope,
     Shard,
     ShardOptions,
     SweptLevel,
     Transport,
     shards_of,
 )
-from allworlds.explorers.asked import ExplorerOptions
-from allworlds.explorers.loading import Subject
+from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
-from allworlds.maps.build import lattice
-from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps import build, families
 from allworlds.maps.classes import Condition, Extent, MapClass, narrowing
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.maps.enumeration import Gluing
-from allworlds.maps.families import random_map
-from allworlds.maps.surgery import contracted, deleted, moved
 from allworlds.notations.given import Placed
 from allworlds.outcome import Completed, Ending
-from allworlds.studies.check.report import CheckReport
-from allworlds.studies.check.requests import ManyWorlds
+from allworlds.studies.check.report import CheckReport, ManyWorlds
 from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
+from allworlds.world import selection, world
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.selection import WhereOptions
-from allworlds.world.world import World
+
+Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
+"""A function that draws a map of the size that is asked, or less."""
 
 
 class SampleOptions(Request):
@@ -68,7 +62,7 @@ class SampleOptions(Request):
     seed: Annotated[int, Option(SCOPE, "S", "Which sample.", parse=integer_of)] = 0
 
 
-class MapsRequest(ManyWorlds, ExplorerOptions, WhereOptions):
+class MapsRequest(ManyWorlds, sources.ExplorerOptions, selection.WhereOptions):
     """Request for runs in given maps: an explorer, the class and a condition, rules and effort."""
 
 
@@ -88,7 +82,7 @@ def fuzz(request: FuzzRequest) -> CheckReport:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    subject = subject_of(request.explore, request.limits)
+    subject = single.subject_of(request.explore, request.limits)
     scope = scope_of(request, request.rules(subject))
     return FuzzSweep(request, scope, subject).answer(request.run)
 
@@ -121,7 +115,7 @@ class FuzzSweep(TallySweep[CheckReport]):
     verb, asked = "fuzz", FuzzRequest
 
     def __init__(
-        self, request: FuzzRequest, scope: Scope, subject: Subject, shards: int = 1
+        self, request: FuzzRequest, scope: Scope, subject: loading.Subject, shards: int = 1
     ) -> None:
         super().__init__(request, scope, subject)
         self._shards = max(shards, shards_of(self.portion))
@@ -129,7 +123,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> FuzzSweep:
+    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> "FuzzSweep":
         request = cls.asked_then(identity, portion, listener)
         rules = rules_known(request, identity.parameters)
         subject = subject_of_record(identity.explorer)
@@ -166,7 +160,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     def _shrunk(self, found: Finding) -> Finding:
         job = self.job
-        with workers_for(job.subject, job.limits, self.deadline) as workers:
+        with lanes.workers_for(job.subject, job.limits, self.deadline) as workers:
             return smallest_from(found, workers, self.scope)
 
     @override
@@ -208,7 +202,7 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
         finding, map_ = smaller, smaller.world.map
         smaller = _smallest(refute, _smaller(scope, finding, _fewer_edges(map_)))
         if smaller is None:
-            smaller = _smallest(refute, _smaller(scope, finding, [map_, *moved(map_)]))
+            smaller = _smallest(refute, _smaller(scope, finding, [map_, *build.moved(map_)]))
         if smaller:
             yield smaller
 
@@ -221,7 +215,7 @@ def _smallest(refute: Refute, chunks: Sequence[GivenWorlds]) -> Finding | None:
 
 def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
     for dart, _ in map_.edges:
-        for other in (deleted(map_, dart), contracted(map_, dart)):
+        for other in (build.deleted(map_, dart), build.contracted(map_, dart)):
             if other is not None:
                 yield other
 
@@ -235,7 +229,7 @@ def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -
 
 def _placed(
     maps: Iterable[CombinatorialMap], scope: Scope
-) -> Iterator[tuple[tuple[int, int, Code, int], tuple[World, int]]]:
+) -> Iterator[tuple[tuple[int, int, Code, int], tuple[world.World, int]]]:
     """Rootings of these maps, each once and with every place; ascending by what is beside them.
 
     That is: edges, vertices, code, place.  The maps are of the class of the extent, and its
@@ -251,10 +245,10 @@ def _placed(
     for key in sorted(rootings):
         map_ = CombinatorialMap.trusted(*key[2])
         for place, lighthouse in enumerate(scope.rules.kind.places(map_, 0)):
-            yield (*key, place), (World(map_, lighthouse), place)
+            yield (*key, place), (world.World(map_, lighthouse), place)
 
 
-def _in_chunks(worlds: Sequence[tuple[World, int]]) -> list[GivenWorlds]:
+def _in_chunks(worlds: Sequence[tuple[world.World, int]]) -> list[GivenWorlds]:
     """Worlds with the numbers of their places, in pieces that one worker tries at a time."""
     return [GivenWorlds(tuple(worlds[i : i + CHUNK])) for i in range(0, len(worlds), CHUNK)]
 
@@ -264,7 +258,7 @@ def smallest_from(finding: Finding, workers: Transport[RunCounter], scope: Scope
 
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:
         found = Tally(keep=1)
-        gather(workers, RunCounter(scope, found.keep), given, found, Silent())
+        sweep.gather(workers, RunCounter(scope, found.keep), given, found, Silent())
         return found.findings[0] if found.findings else None
 
     with suppress(TimeIsUp):
@@ -291,7 +285,7 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
     Cost: O(m) runs for each map with m edges.
     """
     limits = request.limits
-    subject = subject_of(request.explore, limits)
+    subject = single.subject_of(request.explore, limits)
     rules = request.rules(subject)
     tried = [*maps]
     most = max((map_.edge_count for map_ in tried), default=1)
@@ -300,11 +294,11 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
     if not given:
         return None
     tally = Tally(keep=1)
-    with workers_for(subject, limits, limits.deadline()) as workers:
-        gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, Silent())
+    with lanes.workers_for(subject, limits, limits.deadline()) as workers:
+        sweep.gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, Silent())
         for found in tally.findings:
             smallest = smallest_from(found, workers, scope)
-            return played_again(smallest, subject, limits)
+            return single.played_again(smallest, subject, limits)
     return None
 
 
@@ -323,7 +317,7 @@ DEAD_ENDS = 5
 """The number of histories under a condition that may come to nothing."""
 
 
-def batches(sample: Sample, shards: int) -> Iterator[Batch]:
+def batches(sample: Sample, shards: int) -> "Iterator[Batch]":
     """The sample in pieces, or its part for a shard: run numbers, dealt out evenly.
 
     They do not depend on the number of workers.
@@ -392,10 +386,6 @@ class Batch(Struct, frozen=True):
         )
 
 
-Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
-"""A function that draws a map of the size that is asked, or less."""
-
-
 def _generators(extent: Extent) -> tuple[Generator, ...]:
     """The generators of an extent; of a condition with a name its own histories alone."""
     map_class, where = extent.map_class, extent.where
@@ -447,14 +437,14 @@ def a_lattice(edges: int, random: Random) -> CombinatorialMap:
     total = size(rows, columns)
     # What is left must be connected.
     holes = random.randint(0, total - (rows * columns - 1)) / total
-    return _rerooted(lattice(rows, columns, holes, random.getrandbits(32)), random)
+    return _rerooted(build.lattice(rows, columns, holes, random.getrandbits(32)), random)
 
 
 def dense(edges: int, random: Random) -> CombinatorialMap:
     """Draw a gluing with at most three vertices, which have many darts each."""
     vertices = random.randint(1, 3)
     while True:
-        map_ = random_map(edges, random)
+        map_ = families.random_map(edges, random)
         if map_.vertex_count <= vertices or edges + 1 < vertices:
             return map_
 
@@ -480,7 +470,7 @@ def looped_tree(edges: int, random: Random) -> CombinatorialMap:
 
 
 GENERATORS: dict[MapClass, tuple[Generator, ...]] = {
-    MapClass.MAPS: (random_map, looped_tree, glued(MapClass.PLANAR), a_lattice, dense),
+    MapClass.MAPS: (families.random_map, looped_tree, glued(MapClass.PLANAR), a_lattice, dense),
     MapClass.PLANAR: (glued(MapClass.PLANAR), a_lattice),
     MapClass.SIMPLE: (glued(MapClass.SIMPLE), a_lattice, glued(MapClass.PLANAR_SIMPLE)),
     MapClass.PLANAR_SIMPLE: (glued(MapClass.PLANAR_SIMPLE), a_lattice),

@@ -1,15 +1,12 @@
 """A skeleton of an explorer, with the gate that CI needs; or of a paper's ledger."""
 
-from __future__ import annotations
-
 import shlex
 from collections.abc import Mapping
 from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document.report import Report
-from allworlds.document.struct import Positive, Text, about, computed, one_of
+from allworlds.document import Positive, Report, Text, about, computed, one_of
 from allworlds.explorers.languages import LANGUAGES, SKELETONS, Language, templates
 from allworlds.explorers.shared_library import INTERFACE_VERSION, header_text
 from allworlds.inputs.checks import InputError, a_path, one_of as one_of_these, show

@@ -4,8 +4,6 @@ Expected verdicts and numbers stand in ``ledger.toml`` alone; the functions that
 read it.
 """
 
-from __future__ import annotations
-
 import re
 import time
 import tomllib
@@ -19,24 +17,10 @@ from typing import Annotated, Any, Literal, TypeAlias, cast, get_args
 from msgspec import Meta, Struct, field
 from typing_extensions import override
 
-from allworlds.document.reading import parse
-from allworlds.document.struct import (
-    Document,
-    Natural,
-    NotInDocument,
-    Positive,
-    Text,
-    about,
-    computed,
-    key,
-)
-from allworlds.engines.limits import ListenerOptions, WorkerOptions
-from allworlds.engines.progress import Listener
-from allworlds.engines.swept_report import RowsReport
-from allworlds.engines.tally import EnginesDisagree
+from allworlds import document as doc, outcome
+from allworlds.engines import limits, tally
 from allworlds.inputs.checks import InputError, a_path, read_text, show
 from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Converted, Option, answers
-from allworlds.outcome import Disagreement, Verdict, until_interrupted
 from allworlds.protocol.importing import attribute_of, module_of_text, text_of
 from allworlds.studies.check.report import CheckReport
 from allworlds.world.world import World
@@ -113,7 +97,7 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
         Unfinished: where it neither holds nor is refuted.
     """
     whole = report.uninterrupted()
-    if whole.verdict not in (Verdict.HOLDS, Verdict.REFUTED):
+    if whole.verdict not in (outcome.Verdict.HOLDS, outcome.Verdict.REFUTED):
         raise Unfinished(f"the check of {whole.explorer} ended as {whole.verdict.value}")
     seen: dict[str, Any] = {"worlds": whole.worlds, "runs": whole.runs}
     seen |= {event: whole.tally.witnesses.get(event, 0) for event in events}
@@ -126,35 +110,35 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
         f"{finding.world.map.vertex_count} vertices"
         for finding in whole.findings[:1]
     )
-    return Found(truth(whole.verdict is Verdict.HOLDS), seen, figures, pictures, refutation)
+    return Found(truth(whole.verdict is outcome.Verdict.HOLDS), seen, figures, pictures, refutation)
 
 
 # ---------------------------------------------------------------- ledger.toml
 
 
-class ClaimScope(Document, kw_only=True):
+class ClaimScope(doc.Document, kw_only=True):
     """The scope of a claim under a budget, and the numbers that must be found there.
 
     The bounds are the keywords of its function.
     """
 
-    bounds: dict[str, Any] = key(default_factory=dict)
-    witnesses: Annotated[dict[str, Positive], Meta(min_length=1)]
-    figures: dict[str, Shown] = key(default_factory=dict)
+    bounds: dict[str, Any] = doc.key(default_factory=dict)
+    witnesses: Annotated[dict[str, doc.Positive], Meta(min_length=1)]
+    figures: dict[str, Shown] = doc.key(default_factory=dict)
 
 
-class Sentence(Document):
+class Sentence(doc.Document):
     """A sentence that can be checked, and the expected verdict."""
 
-    id: Annotated[Text, about("its name, for `--only` and `--require`")]
-    section: Annotated[Text, about("of the paper")]
-    statement: Annotated[Text, about("the sentence in short")]
-    method: Annotated[Text, about("how it is decided")]
-    scope: Annotated[Text, about("on what it was decided under this budget")]
+    id: Annotated[doc.Text, doc.about("its name, for `--only` and `--require`")]
+    section: Annotated[doc.Text, doc.about("of the paper")]
+    statement: Annotated[doc.Text, doc.about("the sentence in short")]
+    method: Annotated[doc.Text, doc.about("how it is decided")]
+    scope: Annotated[doc.Text, doc.about("on what it was decided under this budget")]
     source: Annotated[
-        Text, about("where the sentence stands, and where the expected numbers come from")
+        doc.Text, doc.about("where the sentence stands, and where the expected numbers come from")
     ]
-    expected: Annotated[Truth, about("the verdict that it must get; `refuted`: an erratum")]
+    expected: Annotated[Truth, doc.about("the verdict that it must get; `refuted`: an erratum")]
 
 
 class Claim(Sentence):
@@ -202,7 +186,7 @@ def _claim(file: Path, name: str, table: Any) -> Claim:
     if not isinstance(table, dict):
         raise InputError(f"{said}: {show(table)} is no table")
     try:
-        claim = parse({"id": name, **table}, Claim, "it")
+        claim = doc.parse({"id": name, **table}, Claim, "it")
     except InputError as error:
         raise InputError(f"{said}: {error}") from None
     for budget, scope in claim.scopes.items():
@@ -224,7 +208,7 @@ Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-check
 LEDGER, CLAIMS = "ledger.toml", "claims.py"
 """The files of a ledger: what is claimed, and a function for each claim."""
 
-FAULTS = (Unfinished, Disagreement, EnginesDisagree)
+FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
 """The faults of this program that refute the claim that meets them."""
 
 BUDGETS: tuple[str, ...] = get_args(Budget)
@@ -243,22 +227,22 @@ class CheckedClaim(Sentence):
     """
 
     witnesses: Annotated[
-        dict[str, Natural], about("how often each case occurred that the sentence is about")
+        dict[str, doc.Natural], doc.about("how often each case occurred that the sentence is about")
     ]
-    expected_witnesses: Annotated[dict[str, Positive], about("how often it must occur")]
-    figures: Annotated[dict[str, Shown], about("the numbers that the sentence names, as found")]
-    expected_figures: Annotated[dict[str, Shown], about("the expected numbers")]
+    expected_witnesses: Annotated[dict[str, doc.Positive], doc.about("how often it must occur")]
+    figures: Annotated[dict[str, Shown], doc.about("the numbers that the sentence names, as found")]
+    expected_figures: Annotated[dict[str, Shown], doc.about("the expected numbers")]
     told: Annotated[
-        str, about("the refutation, an explanation, why it was not checked, or a traceback")
+        str, doc.about("the refutation, an explanation, why it was not checked, or a traceback")
     ]
-    worlds: Annotated[tuple[World, ...], about("worlds that show it")]
-    captions: NotInDocument[tuple[str, ...]]
-    truth: NotInDocument[Truth | None]
-    disagreement: NotInDocument[str]
-    error: NotInDocument[str]
-    seconds: NotInDocument[float]
+    worlds: Annotated[tuple[World, ...], doc.about("worlds that show it")]
+    captions: doc.NotInDocument[tuple[str, ...]]
+    truth: doc.NotInDocument[Truth | None]
+    disagreement: doc.NotInDocument[str]
+    error: doc.NotInDocument[str]
+    seconds: doc.NotInDocument[float]
 
-    @computed
+    @doc.computed
     def verdict(self) -> Seen:
         """The verdict found; ``vacuous``: a witness is missing; ``error``: this program failed."""
         if self.error:
@@ -271,14 +255,14 @@ class CheckedClaim(Sentence):
         met = seen and all(seen.values()) and seen.keys() >= self.expected_witnesses.keys()
         return self.truth if met else "vacuous"
 
-    @computed
+    @doc.computed
     def standing(self) -> Standing:
         """Whether verdict, witnesses and figures are as expected."""
         if self.verdict in ("not-checked", "vacuous"):
             return self.verdict
         return "unexpected" if self.differences else "as-expected"
 
-    @computed
+    @doc.computed
     def differences(self) -> tuple[str, ...]:
         """The differences from the expected outcome, in words."""
         if self.error:
@@ -302,15 +286,15 @@ class CheckedClaim(Sentence):
         return tuple(differ)
 
 
-class LedgerReport(RowsReport):
+class LedgerReport(limits.RowsReport):
     """Report of 'ledger'.
 
     The ledger, as far as it was made.
     """
 
-    budget: Annotated[Budget, about("how much was done")]
-    required: Annotated[tuple[str, ...], about("the claims that had to be checked")]
-    claims: Annotated[tuple[CheckedClaim, ...], about("in the order of the file")]
+    budget: Annotated[Budget, doc.about("how much was done")]
+    required: Annotated[tuple[str, ...], doc.about("the claims that had to be checked")]
+    claims: Annotated[tuple[CheckedClaim, ...], doc.about("in the order of the file")]
 
     @property
     def _standings(self) -> set[str]:
@@ -361,7 +345,7 @@ def _names(given: Iterable[str]) -> tuple[str, ...]:
     return (given,) if isinstance(given, str) else tuple(given)
 
 
-class LedgerRequest(ListenerOptions, WorkerOptions, kw_only=False):
+class LedgerRequest(limits.ListenerOptions, limits.WorkerOptions, kw_only=False):
     """Request of ``ledger``: of which paper, which of its claims, and how much of each."""
 
     directory: Annotated[
@@ -412,7 +396,7 @@ def ledger(request: LedgerRequest) -> LedgerReport:
     wanted = [c for c in claims if not chosen or c.id in {*chosen, *required}]
     means = Means(request.workers, request.budget)
     request.listener.stage("claims", len(wanted), "claims")
-    entries, ending = until_interrupted(_entries(wanted, checks, means, request.listener))
+    entries, ending = outcome.until_interrupted(_entries(wanted, checks, means, request.listener))
     return LedgerReport(ending=ending, budget=means.budget, required=required, claims=entries)
 
 
@@ -429,7 +413,7 @@ def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, Check]:
 
 
 def _entries(
-    wanted: Sequence[Claim], checks: Mapping[str, Check], means: Means, listener: Listener
+    wanted: Sequence[Claim], checks: Mapping[str, Check], means: Means, listener: limits.Listener
 ) -> Iterator[CheckedClaim]:
     for claim in wanted:
         yield entry_of(claim, checks[claim.id], means)

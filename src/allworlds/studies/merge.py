@@ -1,24 +1,20 @@
-"""Run directories that are joined."""
+"""Run directories: joined by ``merge``, their progress shown by ``status``."""
 
-from __future__ import annotations
-
+import time
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal, TypeAlias
 
-from allworlds.engines.limits import ListenerOptions
-from allworlds.engines.progress import Listener
-from allworlds.engines.run_directory import merged
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import RowOptions
-from allworlds.engines.units import WHOLE
-from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import Argument, takes_fields
+from allworlds import document as doc
+from allworlds.engines import job_records, limits, run_directory, sweep
+from allworlds.engines.units import WHOLE, is_counted, shards_of
+from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.inputs.requests import Argument, Request, answers, given_again, takes_fields
 from allworlds.protocol.user_code import as_recorded
 from allworlds.version import __version__
 
 
-class MergeRequest(RowOptions, ListenerOptions):
+class MergeRequest(sweep.RowOptions, limits.ListenerOptions):
     """Request of ``merge``: the run directories, and the rows that are wanted."""
 
     runs: Annotated[
@@ -27,7 +23,7 @@ class MergeRequest(RowOptions, ListenerOptions):
     ]
 
 
-def sweep_of(verb: str) -> type[Sweep[Any, Any]]:
+def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
     """The class of what goes through the units of a verb that a run directory keeps."""
     match verb:
         case "check":
@@ -59,7 +55,7 @@ def sweep_of(verb: str) -> type[Sweep[Any, Any]]:
 
 def _merged(request: MergeRequest) -> Any:
     runs = request.runs
-    with merged(runs) as (identity, records):
+    with run_directory.merged(runs) as (identity, records):
         if identity.version != __version__:
             raise InputError(
                 f"run directory {show(str(runs[0]))} is of version {show(identity.version)}, not "
@@ -74,7 +70,7 @@ def _merged(request: MergeRequest) -> Any:
 
 
 @takes_fields(MergeRequest, several="runs", answered=_merged)
-def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = None) -> Any:
+def merge(*runs: str | Path, by: str | None = None, listener: limits.Listener | None = None) -> Any:
     """Merge the shards of a job, which were kept in run directories, into one report.
 
     Counts are compared with their source, and witnesses looked for, as if it had been one job.
@@ -88,3 +84,125 @@ def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = 
         Gap: if something is missing.
     """
     return _merged(MergeRequest(runs=runs, by=by, listener=listener))
+
+
+State: TypeAlias = Literal["running", "finished", "unfinished"]
+
+
+class DoneOf(doc.Document):
+    """Number done, and number of all."""
+
+    done: Annotated[doc.Natural, doc.about("are finished")]
+    all: Annotated[doc.Natural, doc.about("are to be done")]
+
+
+class LargestCost(doc.Document):
+    """The largest cost so far, and the smallest size of a world with that cost."""
+
+    edges: doc.Edges
+    vertices: doc.Vertices
+    cost: Annotated[doc.Natural, doc.about("traversals")]
+
+
+class Standing(doc.Report):
+    """Report of 'status'.
+
+    The content of a run directory. Larger worlds take longer, so the time left is a guess.
+
+    ``counted`` tells that all worlds were counted beforehand; ``options`` are further options of
+    the job.
+    """
+
+    verb: Annotated[doc.Text, doc.about("the verb whose units these are")]
+    version: Annotated[doc.Text, doc.about("of the program that does them")]
+    explorer: Annotated[str, doc.about("its name; empty where there is none")]
+    shard: doc.WhichShard
+    parameters: Annotated[dict[str, Any], doc.about("further options that the result depends on")]
+    state: Annotated[
+        State,
+        doc.about(
+            "whether somebody adds to it now; if nobody does, whether anything is left to add"
+        ),
+    ]
+    units: Annotated[DoneOf, doc.about("pieces of work")]
+    worlds: Annotated[
+        DoneOf,
+        doc.about(
+            "rooted maps, of `compare` once for each explorer, in a family runs; of a shard `all` "
+            "is about its part, under a condition without a source at most so many"
+        ),
+    ]
+    rate: Annotated[
+        doc.Figure | None,
+        doc.about("worlds a second since somebody last began; null: none yet, or all are"),
+    ]
+    left_s: Annotated[
+        doc.Seconds | None,
+        doc.about("seconds until the end at this rate, a guess; null if there is no rate"),
+    ]
+    worst: Annotated[LargestCost | None, doc.about("the largest cost so far; null: there is none")]
+    findings: Annotated[doc.Natural, doc.about("in the finished units")]
+    counted: doc.NotInDocument[bool] = True
+    options: doc.NotInDocument[tuple[str, ...]] = ()
+
+
+class StatusRequest(Request, kw_only=False):
+    """Request of ``status``: the run directory."""
+
+    run: Annotated[str | Path, Argument("", "DIR", "A run directory.")]
+
+
+@answers(StatusRequest)
+def status(request: StatusRequest) -> Standing:
+    """Report the progress of a run directory, from every unit in it.
+
+    Raises:
+        InputError: if it is none, or is damaged.
+    """
+    path = a_path("run", request.run)
+    running = run_directory.in_use(path)
+    with run_directory.reading(path) as database, as_recorded(database.identity.code):
+        identity = database.identity
+        sweep = sweep_of(identity.verb).known(identity, identity.portion, limits.Silent())
+        ended = database.recall("ended") == job_records.ENDED
+        began = database.last_session()
+        units = worlds = recent = findings = 0
+        last = began
+        costs: list[LargestCost] = []
+        for _, met, finished, kept in database.rows():
+            units, worlds = units + 1, worlds + met
+            if finished >= began:
+                recent, last = recent + met, max(last, finished)
+            total = sweep.read(kept)
+            costs += (
+                LargestCost(edges=edges, vertices=vertices, cost=cost)
+                for edges, vertices, cost in sweep.costs(total)
+            )
+            findings += len(getattr(total, "findings", ()))
+    until = time.time() if running and not ended else last
+    worst = min(costs, key=lambda d: (-d.cost, d.edges, d.vertices), default=None)
+    state: State = "running" if running and not ended else "finished" if ended else "unfinished"
+    levels = [(level.worlds, sum(1 for _ in level.units)) for level in sweep.levels()]
+    all_worlds = sum(size for size, _ in levels) // shards_of(identity.portion)
+    rate = recent / (until - began) if recent and until > began and not ended else None
+    left = 0.0 if ended else max(0, all_worlds - worlds) / rate if rate else None
+    return Standing(
+        verb=identity.verb,
+        version=identity.version,
+        explorer=identity.explorer["name"],
+        shard=str(identity.portion),
+        parameters=dict(identity.parameters),
+        state=state,
+        units=DoneOf(done=units, all=sum(number for _, number in levels)),
+        worlds=DoneOf(done=worlds, all=all_worlds),
+        rate=None if rate is None else round(rate, 1),
+        left_s=None if left is None else round(left, 1),
+        worst=worst,
+        findings=findings,
+        counted=is_counted(sweep.extent),
+        options=tuple(given_again(type(sweep.request), sweep.request, but=NAMED)),
+    )
+
+
+NAMED = ("edges", "vertices", "map_class", "family", "to", "where", "lighthouse", "task")
+"""The fields of requests that the text of a status names by themselves."""

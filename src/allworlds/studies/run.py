@@ -1,22 +1,32 @@
-"""``run``: one world, told step by step."""
+"""One run: ``run`` plays it in one world, step by step, ``replay`` plays it again.
 
-from __future__ import annotations
+A replayed run is that of a finding, or of an entry of the corpus.  In ``play`` the reader is the
+robot, in a page with costs beside the player's.
+"""
 
 import os
 import re
-from collections.abc import Callable, Iterable, Sequence
-from typing import Annotated, Any
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import KW_ONLY
+from enum import StrEnum
+from typing import Annotated, Any, Literal, TypeAlias
 
-from allworlds.document.report import Report
-from allworlds.document.struct import Text, about
-from allworlds.engines.limits import TimeoutOptions
-from allworlds.engines.single import SingleRun, single_run, subject_of, unused_choice
-from allworlds.explorers.loading import HASH_SEED
+from allworlds import document as doc
+from allworlds.document import Document, Natural, Report, about, computed
+from allworlds.engines import limits, single
+from allworlds.explorers import loading, sources
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.inputs import checks, requests
 from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.inputs.requests import RULES, Converted, Option, answers
+from allworlds.inputs.requests import RULES, SCOPE, Converted, Option, OptionGroup, answers
+from allworlds.judging.findings.finding import Finding, FindingOptions, recorded_trail
 from allworlds.judging.findings.rules import RuleOptions
-from allworlds.world.lighthouses.kinds import kind_of
-from allworlds.world.named import WorldOptions
+from allworlds.judging.laws.law_table import LawName
+from allworlds.maps.build import covering_walk
+from allworlds.outcome import Facts
+from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript
+from allworlds.world.lighthouses import kinds, marked
+from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, WorldOptions, world_named
 from allworlds.world.world import World
 
 
@@ -33,7 +43,7 @@ def _indices(choices: object) -> tuple[int, ...]:
     return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
 
 
-class RunOptions(TimeoutOptions, RuleOptions, WorldOptions):
+class RunOptions(limits.TimeoutOptions, RuleOptions, WorldOptions):
     """Options for one run: the world, how it is played and judged."""
 
     choices: Annotated[
@@ -58,19 +68,19 @@ class RunRequest(RunOptions, kw_only=False):
     ] = None
 
 
-class WorldNames(Report):
+class WorldNames(doc.Report):
     """Report of 'run --list'.
 
     The names that a WORLD can have; a capital letter stands for a number.
     """
 
-    maps: Annotated[tuple[Text, ...], about("small maps")]
-    families: Annotated[tuple[Text, ...], about("families of maps, small or large")]
-    corpus: Annotated[tuple[Text, ...], about("worlds of the corpus")]
+    maps: Annotated[tuple[doc.Text, ...], doc.about("small maps")]
+    families: Annotated[tuple[doc.Text, ...], doc.about("families of maps, small or large")]
+    corpus: Annotated[tuple[doc.Text, ...], doc.about("worlds of the corpus")]
 
 
 @answers(RunRequest)
-def run(request: RunRequest) -> SingleRun:
+def run(request: RunRequest) -> single.SingleRun:
     """Run an explorer once, and judge the run.
 
     A user's explorer that another process can import is played in a process of its own, as in a
@@ -82,16 +92,249 @@ def run(request: RunRequest) -> SingleRun:
             that was not taken.
     """
     limits = request.patience
-    subject = subject_of(request.explore, limits)
+    subject = single.subject_of(request.explore, limits)
     world = request.meant(request.world, subject.lighthouse)
-    rules = request.rules_of(subject, kind_of(world.lighthouse))
-    played = single_run(subject, world, rules, request.choices, limits, _asked_hash_seed())
-    if unused := unused_choice(request.choices, played):
+    rules = request.rules_of(subject, kinds.kind_of(world.lighthouse))
+    played = single.single_run(subject, world, rules, request.choices, limits, _asked_hash_seed())
+    if unused := single.unused_choice(request.choices, played):
         raise InputError(unused)
     return played
 
 
 def _asked_hash_seed() -> int | None:
     """The hash seed that the environment names; None if it names none."""
-    seed = os.environ.get(HASH_SEED, "")
+    seed = os.environ.get(loading.HASH_SEED, "")
     return int(seed) if re.fullmatch("[0-9]{1,9}", seed) else None
+
+
+class AnotherExplorer(sources.ProgramWords):
+    """An explorer in place of the recorded one, as the command line names it."""
+
+    explorer: Annotated[
+        str | None, Option(SCOPE, "EXPLORER", "In place of the recorded explorer.")
+    ] = None
+
+    def value(self) -> str | None:
+        """The name of the explorer, if one is given."""
+        return self.named(self.explorer)
+
+
+class ReplayRequest(limits.TimeoutOptions, FindingOptions, kw_only=False):
+    """Request of ``replay``: a finding, and another explorer if wanted."""
+
+    explore: Annotated[
+        str | Callable[..., Any] | None,
+        OptionGroup(AnotherExplorer, "an explorer in place of the recorded one"),
+    ] = None
+
+
+TRIES = 8
+"""The number of runs, each in two fresh processes, before ``not-reproduced`` is said."""
+
+
+class Replay(doc.Report):
+    """Report of 'replay'.
+
+    The result of running a finding again.
+
+    ``notice`` names the first recorded choice that this run did not take. It is empty if the run
+    took all, or if another explorer made its own choices. ``users`` says that a user's explorer
+    ran, not a built-in one.
+    """
+
+    again: Annotated[single.SingleRun, doc.about("the run of today")] = doc.key(name="run")
+    recorded: doc.NotInDocument[Finding]
+    notice: doc.NotInDocument[str] = ""
+    users: doc.NotInDocument[bool] = False
+
+    @doc.computed
+    def explorer(self) -> doc.Text:
+        """The explorer that ran."""
+        return self.again.explorer
+
+    @doc.computed
+    def law(self) -> LawName:
+        """The recorded one."""
+        return self.recorded.law
+
+    @doc.computed
+    def law_now(self) -> LawName | None:
+        """The law that is broken now; null: none."""
+        return self.again.finding.law if self.again.finding else None
+
+    @doc.computed
+    def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
+        """``reproduced``: a law is broken again; ``fixed``: none is; else it cannot be shown."""
+        if self.again.finding:
+            return "reproduced"
+        open_ = self.users and self.recorded.law == "nondeterministic"
+        return "not-reproduced" if open_ else "fixed"
+
+    @property
+    def facts(self) -> Facts:
+        """Whether no law is broken any more, or whether that is open."""
+        outcome = self.outcome
+        return Facts(fixed=outcome == "fixed", undecided=outcome == "not-reproduced")
+
+
+@answers(ReplayRequest)
+def replay(request: ReplayRequest) -> Replay:
+    """Run a finding's world again under its rules, with ``explore`` in place of its explorer.
+
+    The recorded choices are repeated for the recorded explorer, as far as they fit: it may have
+    been changed since.  Another one answers to the recorded policy.  After a finding of the law
+    ``nondeterministic`` the run is made up to :data:`TRIES` times.
+
+    Raises:
+        InputError: if the explorer is not to be found, the finding's transcript is no walk in
+            its world, or it records choices of an explorer that takes none, unless that one is
+            named by ``explore``, too.
+    """
+    finding, explore = request.finding, request.explore
+    if not isinstance(finding, Finding):
+        raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
+    limits = request.patience
+    recorded_trail(finding.world, finding.transcript)
+    same = explore is None or explore == finding.explorer
+    subject = single.subject_of(finding.explorer if explore is None else explore, limits)
+    if explore is None and finding.choices and not subject.takes_choices:
+        raise InputError(
+            f"the finding records the choices {show(list(finding.choices))}, but "
+            f"{finding.explorer} takes no choices; to run it without them, name it as the "
+            "explorer, too"
+        )
+    kind = finding.world.lighthouse.kind
+    rules = doc.replace(
+        finding.rules,
+        own_bound=loading.own_bound(subject.name, kind),
+        bound=finding.rules.the_bound,
+        laws=finding.rules.applying or None,
+    )
+    script = finding.choices if same else ()
+    for _ in range(TRIES if finding.law == "nondeterministic" else 1):
+        again = single.single_run(subject, finding.world, rules, script, limits, finding.hash_seed)
+        if again.finding:
+            break
+    notice = single.unused_choice(finding.choices, again) if same else ""
+    if notice:
+        notice = f"the recorded {notice}; choices are repeated as far as they fit"
+    return Replay(again=again, recorded=finding, notice=notice, users=subject.from_user)
+
+
+LARGEST = 200
+"""The most edges for which Algorithm 1 takes no more than some seconds."""
+
+VARIANTS = {
+    BUILT_IN[name].lighthouse: name
+    for name in ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
+}
+"""Algorithm 1 for each lighthouse that it is written for."""
+
+
+class Walker(StrEnum):
+    """Whose cost it is."""
+
+    ALGORITHM_1 = "algorithm1"
+    EVERY_EDGE = "every-edge"
+
+
+class CostBeside(Document):
+    """The cost of somebody else in the world that is played."""
+
+    who: Annotated[
+        Walker,
+        about(
+            "`algorithm1`; `every-edge`: the shortest walk from the start along every edge, for "
+            "which one must know the map"
+        ),
+    ]
+    cost: Annotated[Natural, about("traversals")]
+
+
+def _costs(world: World) -> Iterator[CostBeside]:
+    """The costs of Algorithm 1, where it is known, and of the shortest walk along every edge.
+
+    Cost: seconds at most; larger worlds do not have the first.
+    """
+    kind = world.lighthouse.kind
+    if world.map.edge_count <= LARGEST and kind in VARIANTS:
+        subject = single.subject_of(VARIANTS[kind], limits.Limits())
+        rules = RuleOptions().rules_of(subject, kinds.kind_of(world.lighthouse))
+        cost = single.single_run(subject, world, rules, (), limits.Limits()).cost
+        yield CostBeside(who=Walker.ALGORITHM_1, cost=cost)
+    yield CostBeside(who=Walker.EVERY_EDGE, cost=covering_walk(world.map, world.start))
+
+
+Player: TypeAlias = Callable[[Percept, str], Action | None]
+"""A player: given the percept, and the fault of the last action (empty if there is none),
+it returns the next action; None ends the game."""
+
+
+class Play(Report, kw_only=True):
+    """Report of 'play'.
+
+    A world and a walk in it.
+    """
+
+    path: Annotated[str | None, about("the page for playing; null: played in the terminal")] = None
+    world: World
+    transcript: Annotated[Transcript, about("the actions and percepts; for a page only the start")]
+
+    @computed
+    def costs(self) -> tuple[CostBeside, ...]:
+        """Of others in the same world."""
+        return tuple(_costs(self.world))
+
+    @property
+    def not_compared(self) -> str:
+        """A sentence that says whose cost is not compared, and why; empty if each is."""
+        edges, kind = self.world.map.edge_count, self.world.lighthouse.kind
+        if kind not in VARIANTS:
+            return f"Algorithm 1 is not for the {kind} lighthouse."
+        if edges > LARGEST:
+            return f"Algorithm 1 is not run in worlds with more than {LARGEST} edges."
+        return ""
+
+
+class PlayRequest(requests.Request, kw_only=False):
+    """Request of ``play``: a world, and who walks in it."""
+
+    world: Annotated[World | str, WORLD]
+    _: KW_ONLY
+    lighthouse: Annotated[kinds.GivenLighthouse, LIGHTHOUSE] = marked.Directional.kind
+    seed: Annotated[
+        int | None,
+        requests.Option(
+            requests.SCOPE,
+            "S",
+            "Seed for families that are drawn at random: with it, everybody gets the same world.",
+            parse=checks.integer_of,
+        ),
+    ] = None
+    holes: Annotated[str | None, HOLES] = None
+    player: Annotated[
+        Player,
+        "takes a percept and the fault of the last action, and returns the next action, or None to "
+        "end the game; by default it ends the game at once",
+    ] = lambda *_: None
+
+
+@requests.answers(PlayRequest)
+def play(request: PlayRequest) -> Play:
+    """Let a player walk in the world, action by action.
+
+    Raises:
+        InputError: if there is no such world.
+    """
+    world = world_named(request.world, request.lighthouse, request.seed, request.holes)
+    player = request.player
+    state, percept, steps, refused = world.initial, world.first, [], ""
+    while (action := player(percept, refused)) is not None:
+        try:
+            state, percept = world.step(state, action)
+        except IllegalAction as error:
+            refused = str(error)
+        else:
+            refused = ""
+            steps.append((action, percept))
+    return Play(world=world, transcript=Transcript(world.first, tuple(steps)))

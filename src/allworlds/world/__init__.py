@@ -8,12 +8,11 @@
 ``labels``
     what a user calls a world and its vertices, and where they are drawn;
 ``named``
-    the forms of a WORLD on the command line and in Python;
+    the forms of a WORLD on the command line and in Python; the worlds, findings and pairs that
+    ship with the package;
 ``selection``
     the lighthouse of a request, and conditions that narrow a class of maps; the user's are tried;
     every world of a class;
-``corpus``
-    the worlds, findings and pairs that ship with the package;
 ``bisimulation``
     the checker of a proof that two worlds look alike.
 """
@@ -23,7 +22,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.protocol.faults import IllegalAction as IllegalAction
+    from allworlds.protocol.actions import IllegalAction as IllegalAction
     from allworlds.world.labels import Labelling as Labelling
     from allworlds.world.lighthouses.base import (
         Lighthouse as Lighthouse,
@@ -31,7 +30,14 @@ if TYPE_CHECKING:
         State as State,
         Where as Where,
     )
-    from allworlds.world.lighthouses.composed import Composed as Composed
+    from allworlds.world.lighthouses.composed import (
+        Composed as Composed,
+        Knowledge as Knowledge,
+        Movable as Movable,
+        Nothing as Nothing,
+        Ports as Ports,
+        Whiteboard as Whiteboard,
+    )
     from allworlds.world.lighthouses.kinds import LIGHTHOUSES as LIGHTHOUSES
     from allworlds.world.lighthouses.marked import (
         Cluster as Cluster,
@@ -42,13 +48,6 @@ if TYPE_CHECKING:
         Position as Position,
     )
     from allworlds.world.lighthouses.options import InvalidWorld as InvalidWorld
-    from allworlds.world.lighthouses.placeless import (
-        Knowledge as Knowledge,
-        Movable as Movable,
-        Nothing as Nothing,
-        Ports as Ports,
-        Whiteboard as Whiteboard,
-    )
     from allworlds.world.named import (
         code_of as code_of,
         map_of_code as map_of_code,

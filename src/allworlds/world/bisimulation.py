@@ -1,11 +1,8 @@
 """The checker of bisimulations, and worlds that are the same; how twins are found is not used."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
-from allworlds.maps.canonical import carries, numbering
-from allworlds.maps.combinatorial import Dart
+from allworlds.maps.combinatorial import Dart, carries, numbering
 from allworlds.protocol.actions import Move, Percept
 from allworlds.world.world import World
 

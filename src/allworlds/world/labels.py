@@ -1,7 +1,5 @@
 """The labels of a world: its name, and the names and positions of its vertices."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
@@ -35,7 +33,7 @@ class Labelling(Struct, frozen=True):
         """The name of a vertex; ``v3`` if it has none."""
         return self.vertices[vertex] if self.vertices else f"v{vertex}"
 
-    def checked(self, map_: CombinatorialMap) -> Labelling:
+    def checked(self, map_: CombinatorialMap) -> "Labelling":
         """These labels, in tuples.
 
         Raises:
@@ -62,7 +60,7 @@ class Labelling(Struct, frozen=True):
 
     def relabelled(
         self, map_: CombinatorialMap, names: Sequence[Dart], other: CombinatorialMap
-    ) -> Labelling:
+    ) -> "Labelling":
         """The labels of the other map, in which dart ``d`` of the map is ``names[d]``."""
         old = [0] * other.vertex_count
         for vertex, darts in enumerate(map_.vertices):
@@ -73,15 +71,13 @@ class Labelling(Struct, frozen=True):
             tuple(self.positions[v] for v in old) if self.positions else (),
         )
 
-    def mirrored(self) -> Labelling:
+    def mirrored(self) -> "Labelling":
         """The labels of the mirror image: left becomes right."""
         return Labelling(self.name, self.vertices, tuple((-x, y) for x, y in self.positions))
 
 
 PLAIN = Labelling()
 """No labels."""
-
-Labels = Labelling
 
 
 def labels_of_nodes(

@@ -1,13 +1,19 @@
-"""The world of a text: inline JSON, a file, a name, or a family of maps."""
+"""The world of a text: inline JSON, a file, a name, a family of maps, and the corpus.
 
-from __future__ import annotations
+The corpus ships with the package: known worlds, and every finding so far.  It is a manifest, and a
+file for each of its entries: named worlds, findings, pairs of worlds that no motion tells apart,
+counts, and checks, with their provenance and what is expected of them.
+"""
 
 import re
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, Literal, TypeAlias
 
-from allworlds.document.struct import Text, about
+from msgspec import Meta, Struct
+
+from allworlds.document import Document, Text, about, parse
 from allworlds.inputs.checks import (
     InputError,
     did_you_mean,
@@ -19,13 +25,11 @@ from allworlds.inputs.checks import (
 )
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Converted, Option, Request
 from allworlds.maps.build import NoSuchMap, named_map, named_maps
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, rooted_code
 from allworlds.maps.families import FORMS, family
 from allworlds.notations.entry import Entry
 from allworlds.notations.objects import entry_of
 from allworlds.notations.table import entry_named
-from allworlds.world.corpus import CorpusEntry, own_corpus
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
     OWN,
@@ -38,6 +42,59 @@ from allworlds.world.lighthouses.kinds import (
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.selection import tried_kind
 from allworlds.world.world import World, at_place
+
+Kind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
+
+MANIFEST = "manifest.json"
+
+
+class CorpusEntry(Document):
+    """An entry of a corpus.
+
+    Its file holds a WORLD, a FINDING, a pair of worlds, counts, or the options of a check.
+    """
+
+    name: Annotated[Text, about("unique in the corpus")]
+    kind: Annotated[Kind, about("what the file holds")]
+    file: Annotated[Text, about("where it stands, below the corpus")]
+    sha256: Annotated[str, Meta(pattern="^[0-9a-f]{64}$"), about("of the file")]
+    provenance: Annotated[Text, about("where it comes from")]
+    expected: Annotated[dict[str, Any], about("what must come out when it is tried")]
+
+
+class Manifest(Document):
+    """Manifest of a corpus."""
+
+    schema: Annotated[Literal[1], about("the version of the document")]
+    entries: Annotated[
+        tuple[CorpusEntry, ...], about("what is kept, in the order in which it is told")
+    ]
+
+
+class Corpus(Struct, frozen=True):
+    """A directory with its manifest."""
+
+    directory: Path
+    entries: tuple[CorpusEntry, ...]
+
+    def of_kind(self, kind: Kind) -> list[CorpusEntry]:
+        """The entries of that kind, in the order of the manifest."""
+        return [entry for entry in self.entries if entry.kind == kind]
+
+    def document(self, entry: CorpusEntry) -> Any:
+        """The JSON document of an entry."""
+        return parse_json((self.directory / entry.file).read_text(encoding="utf-8"))
+
+
+@cache
+def own_corpus() -> Corpus:
+    """The corpus that ships with the package."""
+    package = Path(__file__).parents[1]
+    installed = package / "corpus"
+    directory = installed if installed.is_dir() else package.parents[1] / "corpus"
+    document = parse_json((directory / MANIFEST).read_text(encoding="utf-8"))
+    return Corpus(directory, parse(document, Manifest, MANIFEST).entries)
+
 
 WORLD = Argument(
     "", "WORLD", "Inline JSON, @file or @file:name, or a name such as k4, wheel:4, cycle:5."

@@ -3,8 +3,6 @@
 Code of the user's is tried in small maps before it is used.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
@@ -13,7 +11,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document.struct import IfAny, Text, about
+from allworlds.document import IfAny, Text, about
 from allworlds.inputs.checks import InputError, a_text, one_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
 from allworlds.maps.classes import (
@@ -29,7 +27,7 @@ from allworlds.maps.classes import (
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol.user_code import LocalCode, Role, UserCode
-from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses import base, options
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
     OWN,
@@ -37,7 +35,6 @@ from allworlds.world.lighthouses.kinds import (
     LighthouseKind,
     lighthouse_kind,
 )
-from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import World
 
 TRIED_EDGES = 3
@@ -175,7 +172,7 @@ def tried_kind(given: object) -> LighthouseKind:
 @cache
 def _try(kind: LighthouseKind) -> None:
     for wrong in flaws_of(kind, TRIED_EDGES):
-        raise InvalidWorld(wrong)
+        raise options.InvalidWorld(wrong)
 
 
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
@@ -195,7 +192,7 @@ def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
         yield f"the lighthouse {kind} has no place in any map with at most {edges + 1} edges"
 
 
-def _flaw(kind: type[Lighthouse], map_: CombinatorialMap, other: Sequence[int]) -> str:
+def _flaw(kind: type[base.Lighthouse], map_: CombinatorialMap, other: Sequence[int]) -> str:
     places = [*kind.places(map_, 0)]
     for number, place in enumerate(places):
         if place in places[:number]:
@@ -265,7 +262,7 @@ def worlds(
     return _worlds(extent, kind, places)
 
 
-def _worlds(extent: Extent, kind: type[Lighthouse], places: str) -> Iterator[World]:
+def _worlds(extent: Extent, kind: type[base.Lighthouse], places: str) -> Iterator[World]:
     for level in extent.levels:
         bounds = (level, extent.map_class, extent.vertices)
         for map_ in rooted_maps(*bounds, where=extent.where):

@@ -1,20 +1,15 @@
 """The world: pure, and the only place where the robot's position is known."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Annotated, Any, Literal
 
-from allworlds.document.report import Pictured
-from allworlds.document.struct import Document, IfAny, Pair, about
+from allworlds.document import Document, IfAny, Pair, Pictured, about
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.maps.networks import from_networkx, to_networkx
-from allworlds.protocol.actions import Action, Move, Percept
-from allworlds.protocol.faults import IllegalAction
-from allworlds.protocol.player import Told
+from allworlds.protocol.actions import Action, IllegalAction, Move, Percept, Told
 from allworlds.words import size
 from allworlds.world.labels import PLAIN, Labelling, labels_of_nodes
 from allworlds.world.lighthouses.base import Lighthouse, State
@@ -144,14 +139,14 @@ class World(Pictured):
         """The robot's percept in a state, with the marks that it has left there itself."""
         return self.percepts[state.dart].marked(self.lighthouse.left_marks(self.map, state))
 
-    def relabelled(self, names: Sequence[Dart]) -> World:
+    def relabelled(self, names: Sequence[Dart]) -> "World":
         """Return this world with dart ``d`` renamed to ``names[d]``."""
         map_, labels = self.map.relabelled(names), self.labels
         if labels is not PLAIN:
             labels = labels.relabelled(self.map, names, map_)
         return World(map_, self.lighthouse.relabelled(names), names[self.start], labels=labels)
 
-    def mirrored(self) -> World:
+    def mirrored(self) -> "World":
         """The mirror image, marker and start included."""
         return World(
             self.map.mirrored(), self.lighthouse, self.start, labels=self.labels.mirrored()
@@ -179,7 +174,7 @@ class World(Pictured):
         lighthouse: Lighthouse | GivenLighthouse | None = None,
         start: Dart = 0,
         order: Literal["positions", "planar"] | None = None,
-    ) -> World:
+    ) -> "World":
         """The world in the map of a graph of networkx.
 
         Args:
@@ -219,7 +214,7 @@ class World(Pictured):
     @classmethod
     def from_json(
         cls, document: str | Mapping[str, Any], *, missing: GivenLighthouse = Directional.kind
-    ) -> World:
+    ) -> "World":
         """The world of :meth:`to_json`'s document, or of its text; other keys are refused.
 
         ``start`` may be missing (0), and so may the lighthouse: then it is of the kind

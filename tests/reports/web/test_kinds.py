@@ -10,7 +10,7 @@ from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.maps import named_map
 from allworlds.reports.content.ambiguity import letters
 from allworlds.reports.formats import file_of
-from allworlds.reports.web import frame
+from allworlds.reports.web import sections as frame
 from allworlds.reports.web.sections import LONGEST
 from allworlds.studies.ambiguity import class_of, projection_of
 from allworlds.studies.check.exhaustive import check

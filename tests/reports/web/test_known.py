@@ -1,8 +1,8 @@
 """The knowledge of an explorer, shown beside the world."""
 
 from allworlds import run
-from allworlds.document.struct import replace
-from allworlds.protocol.answers import Checkpoint
+from allworlds.document import replace
+from allworlds.protocol.actions import Checkpoint
 from allworlds.reports.content.single_run import known
 from allworlds.reports.formats import file_of
 from allworlds.reports.web.sections import NEVER

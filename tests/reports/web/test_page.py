@@ -10,11 +10,11 @@ import pytest
 
 from allworlds import Estimate, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import named_map
+from allworlds.reports.drawing.svg import legal
 from allworlds.reports.formats import file_of
-from allworlds.reports.markup import legal
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import GateCell
 from allworlds.studies.explain import explain

@@ -65,6 +65,7 @@ def tried_in_compiled_code():
                     yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize(("attack", "function", "workers"), [*tried_in_compiled_code()])
 def test_an_attack_gets_the_same_verdict_where_compiled_code_judges(
@@ -91,6 +92,7 @@ def explore(first):
 """
 
 
+@pytest.mark.long
 def test_a_right_explorer_is_not_refuted_by_who_kills_its_player(scene):
     scene.place.joinpath("waits.py").write_text(WAITS)
     words = ["waits.py:explore", "--edges", 2, "--workers", 1, "--answer-timeout", 600, "--json"]
@@ -111,6 +113,7 @@ def explore(first):
 """
 
 
+@pytest.mark.long
 def test_what_was_found_in_another_scope_refutes_nothing_in_this_one(scene):
     scene.place.joinpath("right.py").write_text(RIGHT)
 

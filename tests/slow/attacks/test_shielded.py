@@ -24,7 +24,7 @@ def tried():
 
 
 @pytest.mark.early
-@pytest.mark.parametrize(("attack", "function"), tried())
+@pytest.mark.parametrize(("attack", "function"), [*tried()])
 def test_an_attack_is_made_right_as_far_as_its_process_lives(attack, function, scene):
     words = placed(attack, function, scene)
     if not function:  # a program takes long to make its many plays with a shield

@@ -76,6 +76,7 @@ def robots(page):
     )
 
 
+@pytest.mark.long
 def test_keys_step_along_the_walk_in_every_picture(shows):
     with shows("twins") as page:
         items = page.locator(".walk li")

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds.reports.web.play import NAMES, game as game_page
-from allworlds.studies.play import play
+from allworlds.studies.run import play
 
 pytestmark = pytest.mark.no_cover
 
@@ -142,6 +142,7 @@ def in_frame(page, selector):
     return sum(seen), len(seen)
 
 
+@pytest.mark.long
 def test_places_stay_where_they_are_and_fifteen_are_seen_at_once(visit, tmp_path):
     page_file = tmp_path / "play.html"
     page_file.write_text(game_page(play("torus:4x4", seed=3)), encoding="utf-8")

@@ -57,6 +57,7 @@ def told(seed, commands):
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
+@pytest.mark.long
 def test_no_document_depends_on_the_order_of_hashes(tmp):
     # init refuses to do twice what it has done.
     names = [name for name in NAMES if name != "init"]

@@ -9,11 +9,11 @@ from random import Random
 import pytest
 
 from allworlds import check
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines import compiled_engine as agreement
 from allworlds.engines.compiled_engine import AGREED, compare_engines, compared_to, level_of
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.scope import Scope
+from allworlds.engines.units import Scope
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps import MapClass
@@ -37,6 +37,7 @@ POLICIES = ["fifo", "lifo", "nearest"]
 ALGORITHM1 = load("algorithm1")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("policy", POLICIES)
 def test_both_modes_agree_world_by_world(policy):
     for edges in (1, 2, 3, 4):
@@ -44,6 +45,7 @@ def test_both_modes_agree_world_by_world(policy):
             assert walk(asked(edges, policy), prefix) == judge(asked(edges, policy), prefix)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("policy", POLICIES)
 def test_both_modes_agree_in_every_number_of_a_level(policy):
     assert level(walk, 6, policy) == level(judge, 6, policy)
@@ -84,6 +86,7 @@ SETTINGS = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("options", SETTINGS.values(), ids=SETTINGS)
 def test_both_engines_give_the_same_report(options):
     reports = [check(engine=name, workers=2, **options).to_json() for name in ("python", "kernel")]
@@ -92,6 +95,7 @@ def test_both_engines_give_the_same_report(options):
     assert reports[0] == reports[1]
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.parametrize("explore", ["algorithm1-cluster", "algorithm1-natural"])
 def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(explore):
@@ -103,12 +107,14 @@ def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(
     compare_engines(scope, load(explore))
 
 
+@pytest.mark.long
 def test_bearings_are_counted_together_from_six_edges_on_and_the_report_says_so():
     small, large = (check(edges=m, engine="kernel").to_json()["scope"] for m in (5, 6))
     assert small["symmetry"] is None
     assert "from m = 6 on" in large["symmetry"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("bound", ["m * n", "n - m - 3", "0 - 10**30"])
 @pytest.mark.parametrize("keep", [1, 4])
 def test_both_engines_report_the_same_least_findings(keep, bound):
@@ -123,6 +129,7 @@ def test_both_engines_report_the_same_least_findings(keep, bound):
     assert reports[0]["rows"] == reports[1]["rows"]
 
 
+@pytest.mark.long
 def test_shards_add_up_to_the_whole():
     whole = check(edges=6, engine="kernel")
     parts = [check(edges=6, engine="kernel", shard=(k, 3), workers=2) for k in range(3)]
@@ -203,6 +210,7 @@ def level(does, edges, policy="fifo", limit=None):
     return total, events
 
 
+@pytest.mark.long
 def test_a_limit_of_vertices_leaves_the_other_worlds_as_they_are():
     whole, _ = level(walk, 5)
     for limit in range(2, 6):

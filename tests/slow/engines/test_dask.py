@@ -9,7 +9,7 @@ import pytest
 
 import processes
 from allworlds import check, count, worst
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from clusters import cluster_apart
 from engines import test_dask as quick
 from engines.test_dask import WRONG, distributed
@@ -28,6 +28,7 @@ class Interrupts(Silent):
         raise KeyboardInterrupt
 
 
+@pytest.mark.long
 def test_an_interrupt_cancels_what_is_done_elsewhere(here, tmp_path):
     report = check(edges=5, engine="kernel", dask=here, listener=Interrupts(), run=tmp_path)
     assert report.exit_code == 130
@@ -58,6 +59,7 @@ def apart(tmp_path):
         yield cluster
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["python", long("kernel"), long("foreign")])
 def test_a_worker_that_is_killed_changes_nothing(name, apart, tmp_path):
     job, after = {
@@ -77,6 +79,7 @@ SILENCE = 10.0
 """Seconds that no heartbeat takes, under any load."""
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("verb", ["check", long("worst"), long("count")])
 def test_a_worker_that_is_stopped_is_given_up(verb, apart):
     job, after = {
@@ -98,6 +101,7 @@ GOES_AWAY = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "what", [name if name == "scheduler killed" else long(name) for name in GOES_AWAY]
 )
@@ -119,6 +123,7 @@ def test_a_cluster_that_goes_away_leaves_what_was_finished(what, apart, tmp_path
     assert check(**asked).to_json() == check(edges=4, engine="python").to_json()
 
 
+@pytest.mark.long
 def test_an_interrupt_waits_for_no_cluster(apart):
     def interrupt():
         for process in apart.all:
@@ -132,6 +137,7 @@ def test_an_interrupt_waits_for_no_cluster(apart):
     assert time.monotonic() - began[0] < 5
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("stopped", [False, True], ids=["lively", "stopped"])
 def test_a_cluster_of_this_machine_leaves_nothing_behind(stopped, tmp_path, monkeypatch):
     monkeypatch.setenv("TMPDIR", str(tmp_path))
@@ -153,6 +159,7 @@ def test_a_cluster_of_this_machine_leaves_nothing_behind(stopped, tmp_path, monk
     assert [*tmp_path.iterdir()] == []
 
 
+@pytest.mark.long
 def test_a_cluster_of_this_machine_that_is_killed_is_told_of_in_one_line(capfd):
     def kill():
         (cluster_,) = {*processes.named("engines.dask")} & {*processes.children_of(os.getpid())}

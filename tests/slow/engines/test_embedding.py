@@ -2,9 +2,12 @@
 
 from random import Random
 
+import pytest
+
 from engines.test_embedding import grown, judge
 
 
+@pytest.mark.long
 def test_a_right_s_breaks_no_law():
     random = Random(1)
     for _ in range(30):

@@ -5,10 +5,10 @@ import json
 import pytest
 
 from allworlds.engines.lane import GOES_BY_HASHES, SECOND
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.fuzz import fuzz
-from allworlds.studies.replay import replay
+from allworlds.studies.run import replay
 
 pytestmark = pytest.mark.processes
 

@@ -6,15 +6,14 @@ import pytest
 from numba import cfunc, from_dtype, types
 
 from allworlds import CombinatorialMap, Estimate, Move
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines.compiled_engine import level_of, played_tally
 from allworlds.engines.kernel.algorithm1 import explorer_addresses
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
+from allworlds.engines.kernel.compiling import address_of
 from allworlds.engines.kernel.engine import judge
-from allworlds.engines.kernel.instructions import address_of
 from allworlds.engines.kernel.records import ACTION, ANSWER, PERCEPT, ROBOT
-from allworlds.engines.scope import Scope
-from allworlds.engines.units import LevelUnit
+from allworlds.engines.units import LevelUnit, Scope
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import in_process_subject
 from allworlds.judging.findings.rules import Rules
@@ -22,7 +21,7 @@ from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.maps.enumeration import prefixes
-from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.actions import Checkpoint
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -245,6 +244,7 @@ def test_both_judges_find_the_same_law_broken(monkeypatch, explore, only):
     assert [python for python, _ in both] == [compiled for _, compiled in both]
 
 
+@pytest.mark.long
 def test_every_law_is_broken_by_one_of_them(monkeypatch):
     found = set()
     for explore in WRONG:

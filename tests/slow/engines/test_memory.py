@@ -6,7 +6,7 @@ import tracemalloc
 import pytest
 
 from allworlds import ambiguity, check, worst
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.engines.tally import Tally
 from small import long
 
@@ -66,6 +66,7 @@ def growth_of(name, **more):
     return watches.growth
 
 
+@pytest.mark.long
 @pytest.mark.early
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", [long("python"), long("compiled"), "worst", "census"])
@@ -76,6 +77,7 @@ def test_memory_does_not_grow_with_the_units(name, tmp_path):
     assert growth_of(name, run=tmp_path / "run") < most
 
 
+@pytest.mark.long
 @pytest.mark.early
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["python", long("compiled")])

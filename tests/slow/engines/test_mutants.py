@@ -3,13 +3,13 @@
 import pytest
 
 from allworlds import check
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import compare_engines
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.kernel.gluing import gluing_rule
-from allworlds.engines.scope import Scope
+from allworlds.engines.kernel.worlds import gluing_rule
 from allworlds.engines.tally import EnginesDisagree
+from allworlds.engines.units import Scope
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import CombinatorialMap, MapClass, rooted_maps, unrooted_code
@@ -63,6 +63,7 @@ MUTANTS = [
 ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("where", "honest", "mutant"), MUTANTS, ids=lambda part: getattr(part, "__name__", part)
 )
@@ -80,6 +81,7 @@ def test_a_check_with_a_damaged_table_ends_as_an_internal_error(
         assert report.ending.reason
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("damage", ["doubled", "lost"])
 def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damage):
     units = Scope.units
@@ -98,6 +100,7 @@ def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damag
     assert all((cell.enumerated > cell.counted) == (damage == "doubled") for cell in wrong)
 
 
+@pytest.mark.long
 def test_both_modes_break_in_the_same_worlds():
     allowed = [4, 20, 20, 20, 20, 20]
     level = asked(5, bounds=table_of([0, *allowed]))
@@ -110,6 +113,7 @@ def test_both_modes_break_in_the_same_worlds():
         assert walked.counts == judged.counts
 
 
+@pytest.mark.long
 def test_a_disagreement_names_the_world(monkeypatch):
     honest = walk
 

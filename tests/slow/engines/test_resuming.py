@@ -13,7 +13,7 @@ import pytest
 
 import processes
 from allworlds import check
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from engines.test_resuming import VERBS, wrong
 from kept_jobs import EXPLORERS, stable
 from small import long
@@ -63,6 +63,7 @@ LONGER = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [name if name == "census" else long(name) for name in LONGER])
 def test_a_job_that_is_killed_at_random_moments_says_the_same(name, tmp_path):
     command, times = LONGER[name], 20 if name == "foreign" else 4
@@ -105,6 +106,7 @@ def units_in(directory):
         return {key for (key,) in connection.execute("SELECT key FROM units")}
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["compiled", "refuted", "worst", "census", "own", "foreign"])
@@ -137,6 +139,7 @@ class NoticeOnce(Silent):
         self.notices += [text] if "run directory" in text else []
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["refuted", "worst", *("own", "compiled", "foreign", "census")])
@@ -175,6 +178,7 @@ def test_a_command_says_that_its_directory_was_removed(what, tmp_path):
     assert "was removed; the job goes on without it, and keeps nothing" in notice
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["here_of_another", "sys_exit", "raises", "everywhere"])

@@ -7,11 +7,12 @@ import pytest
 
 from allworlds import check
 from allworlds.engines import run_directory
-from allworlds.engines.progress import Silent
+from allworlds.engines.limits import Silent
 from allworlds.engines.run_directory import FILE, reading
 from allworlds.inputs.checks import InputError
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("compiled")
 def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
     said = []
@@ -38,6 +39,7 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
         assert set(kept) < set(read.keys())
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 def test_a_flipped_byte_is_detected_or_harms_nothing(tmp_path):

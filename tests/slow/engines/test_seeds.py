@@ -2,16 +2,17 @@
 
 import pytest
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.replay import replay
+from allworlds.studies.run import replay
 from engines import test_seeds as quick
 from engines.test_seeds import GOES_BY_ORDER
 
 pytestmark = pytest.mark.processes
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("edges", "workers"), [(1, 1), (2, 2), (4, 1)])
 def test_there_are_two_plays_a_run_and_more_under_other_seeds(tmp_path, edges, workers):
     quick.test_there_are_two_plays_a_run_and_more_under_other_seeds(tmp_path, edges, workers)
@@ -46,6 +47,7 @@ def explore(first):
 """
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("later", "outcome", "plays"),
     [("len(RUNS.read_text()) >= 6", ("reproduced", 0), 6), ("False", ("not-reproduced", 3), 16)],

@@ -42,6 +42,7 @@ def test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name):
     quick.test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name)
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_path):
@@ -73,6 +74,7 @@ def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
     assert text(merged) == undisturbed(name)
 
 
+@pytest.mark.long
 def test_what_a_shrinker_had_when_the_time_was_up_is_not_the_end(tmp_path, monkeypatch):
     """A directory keeps no smallest finding that was not sought to the end."""
 

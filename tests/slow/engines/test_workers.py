@@ -6,8 +6,7 @@ import small
 from allworlds.engines.players import GRACE
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.replay import replay
-from allworlds.studies.run import run
+from allworlds.studies.run import replay, run
 from engines import test_workers as quick
 from engines.test_workers import EDGE, LOOP, only_finding
 from processes import PATIENCE, SOON
@@ -22,6 +21,7 @@ def test_what_harms_nobody_is_no_finding(wrong, capfd, name):
     assert capfd.readouterr().out == ""
 
 
+@pytest.mark.long
 def test_the_walk_of_a_killed_explorer_is_known(wrong):
     finding = only_finding(wrong("hang_in_the_middle"))
     assert finding.law == "timeout"
@@ -29,6 +29,7 @@ def test_the_walk_of_a_killed_explorer_is_known(wrong):
     assert finding.confirmed
 
 
+@pytest.mark.long
 def test_the_choices_of_a_killed_explorer_are_known(wrong, clock):
     # No further than what is allowed where something is still to be heard.
     clock.LEAP = SOON + GRACE / 2
@@ -37,6 +38,7 @@ def test_the_choices_of_a_killed_explorer_are_known(wrong, clock):
     assert len(finding.transcript.steps) == 1
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "name", ["chooses_for_ever", small.long("chooses_for_ever_whatever_is_raised")]
 )
@@ -55,11 +57,13 @@ def test_a_program_that_plays_one_episode_is_told_that_there_are_more(program):
     assert "one process plays many" in finding.seen
 
 
+@pytest.mark.long
 def test_an_explorer_that_takes_its_interpreter_with_it_when_it_is_closed(wrong):
     report = check(wrong("ends_at_its_close"), edges=1)
     assert [finding.law for finding in report.findings] == ["crash"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["by_random", "by_time", "by_id", "by_hash", "by_state"])
 def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, name):
     finding = only_finding(wrong(name))
@@ -121,6 +125,7 @@ def test_a_program_in_the_middle_of_a_run_is_ended_with_the_check(
     assert gone(tmp_path / "pids")
 
 
+@pytest.mark.long
 def test_one_run_of_an_explorer_that_hangs_is_stopped_too(wrong):
     told = run(wrong("hang_in_the_middle"), EDGE, answer_timeout=PATIENCE)
     assert (told.exit_code, told.finding.law, told.outcome.cost) == (1, "timeout", 1)
@@ -134,6 +139,7 @@ def test_one_run_of_an_explorer_that_dies_is_a_crash(wrong, name):
     assert (told.exit_code, told.finding.law, told.outcome.cost) == (1, "crash", 0)
 
 
+@pytest.mark.long
 @pytest.mark.early
 @pytest.mark.parametrize(
     ("name", "law", "seen"),
@@ -153,6 +159,7 @@ def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):
     quick.test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen)
 
 
+@pytest.mark.long
 def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong):
     # In three runs both plays may agree by chance; in the 300 of three edges they do not.
     report = check(wrong("by_answer"), edges=3, laws=["map"])
@@ -162,6 +169,7 @@ def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong
     assert "answer differs" in finding.seen or "in some plays only" in finding.seen
 
 
+@pytest.mark.long
 def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
     finding = only_finding(wrong("crashes_the_second_time"))
     assert finding.law == "nondeterministic"

@@ -27,6 +27,7 @@ def test_an_explorer_of_the_field_holds_further(asked, options):
     assert checked(*asked, options).verdict.value == "holds"
 
 
+@pytest.mark.long
 def test_views_of_depth_2_are_not_enough_for_4_edges():
     (finding,) = checked("views.py:looks?depth=2", "none", 4, VIEWS).findings
     assert (finding.law, finding.world.map.edge_count) == ("task", 4)

@@ -4,7 +4,7 @@ import pytest
 
 from allworlds import check
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from native_libraries import PROJECT, built
 
 SOON_KILLED = ("lucky-guess", "crashes-at-leaves", "no-answer", "drops-markers")
@@ -48,6 +48,7 @@ def same(mutant, engine):
         assert ours.confirmed
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "mutant", [m for m in WRONG_EXPLORERS if m.name in SOON_KILLED], ids=lambda m: m.name
 )

@@ -13,6 +13,7 @@ from small import long
 mine = quick.mine
 
 
+@pytest.mark.long
 @pytest.mark.early
 def test_an_explorer_that_does_not_yield_is_silent_with_a_shield_too(mine):
     report = allworlds.check(f"shield:{mine}:explore", edges=2, answer_timeout=1)
@@ -36,6 +37,7 @@ def test_every_wrong_explorer_is_made_right(mutant, edges):
     quick.test_every_wrong_explorer_is_made_right(mutant, edges)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("edges", [3])
 @pytest.mark.parametrize("stranger", STRANGERS, ids=lambda s: s.__name__)
 def test_whatever_is_inside_the_map_is_right(stranger, edges):
@@ -62,6 +64,7 @@ def program(tmp_path, silent):
     return f"exec:{sys.executable} -I {file}"
 
 
+@pytest.mark.long
 @pytest.mark.processes
 def test_a_program_can_have_one(tmp_path):
     name = program(tmp_path, silent=False)

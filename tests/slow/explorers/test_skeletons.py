@@ -12,6 +12,7 @@ from explorers import test_skeletons as quick
 shell = quick.shell
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("lang", [lang for lang in LANGUAGES if lang != "python"])
 def test_the_test_of_a_skeleton_fails_with_the_picture(lang, shell, tmp_path):
     ready(lang)
@@ -31,6 +32,7 @@ def ready(lang):
             pytest.skip(f"there is no {program}")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("lang", ["python", "c", "javascript", "rust"])
 def test_a_skeleton_builds_and_is_refuted_in_a_picture(lang, shell, tmp_path):
     ready(lang)

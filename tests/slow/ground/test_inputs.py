@@ -16,6 +16,7 @@ folder = quick.folder
 pytestmark = pytest.mark.usefixtures("without_workers")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("first", [0, *map(long, range(PART, ALL, PART))])
 def test_every_input_is_answered_or_refused_in_one_line(first, folder):
     keep_the_law(range(first, first + PART), folder)

@@ -1,7 +1,7 @@
 import pytest
 
-from allworlds.document.struct import replace
-from allworlds.studies.replay import replay
+from allworlds.document import replace
+from allworlds.studies.run import replay
 from judging import test_finding as quick
 from judging.test_finding import algorithm
 
@@ -9,6 +9,7 @@ finding = quick.finding
 one_schedule = quick.one_schedule
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("choices", "notice"),
     [

@@ -1,7 +1,7 @@
 import pytest
 
-from allworlds.document.struct import replace
-from allworlds.judging.laws.finished_run import invariant_1
+from allworlds.document import replace
+from allworlds.judging.laws.law_table import invariant_1
 from judging.test_invariants import embeds, every, kept, put, runs, single, up_to
 
 
@@ -13,6 +13,7 @@ def test_algorithm_1_keeps_every_invariant(m):
         assert kept(case)
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 def test_the_whole_map_glued_otherwise_breaks_invariant_1_unless_it_is_the_same():
     same = 0
@@ -33,6 +34,7 @@ def test_the_whole_map_glued_otherwise_breaks_invariant_1_unless_it_is_the_same(
     assert same  # two leaves may be exchanged
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 def test_another_here_breaks_invariant_1_unless_it_is_the_same_by_symmetry():
     wrong = 0

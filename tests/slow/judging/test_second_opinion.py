@@ -44,6 +44,7 @@ def agree_on(a, b):
     return bool(found)
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 def test_the_judge_agrees_with_all_dart_bijections_on_up_to_two_edges():
     maps = [*all_maps(1), *all_maps(2)]
@@ -51,6 +52,7 @@ def test_the_judge_agrees_with_all_dart_bijections_on_up_to_two_edges():
     assert outcomes == {True, False}
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 def test_the_judge_agrees_with_all_dart_bijections_on_some_pairs_with_three_edges():
     maps = list(all_maps(3))

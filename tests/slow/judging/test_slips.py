@@ -13,6 +13,7 @@ def findings(request, untraced):
     return quick.found_about(request.param, untraced)
 
 
+@pytest.mark.long
 def test_a_mirror_image_is_claimed_exactly_where_there_is_one(findings):
     quick.test_a_mirror_image_is_claimed_exactly_where_there_is_one(findings)
 
@@ -29,6 +30,7 @@ def test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings):
     quick.test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings)
 
 
+@pytest.mark.long
 def test_the_slip_stands_in_the_explanation():
     (finding,) = check(spoiling(mirrored), edges=4, laws=("map",)).findings
     told = explain(finding)

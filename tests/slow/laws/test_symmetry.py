@@ -4,11 +4,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis.strategies import data, permutations
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import Answered
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.actions import Checkpoint, Estimate, Move
 from allworlds.strategies import maps, worlds
 from laws.test_symmetry import WRONG, episode_of, flipped, mirrored
 

@@ -4,11 +4,12 @@ from random import Random
 import pytest
 from test_quotient import labelled_maps, looked_at
 
-from allworlds.document.struct import replace
+from allworlds.document import replace
 from allworlds.maps import named_map, project, random_map
 from allworlds.maps.quotient import classes_of_union
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 def test_rooted_quotients_are_equal_exactly_if_the_roots_share_a_class_of_the_union():
     some = list(labelled_maps(3))

@@ -16,6 +16,7 @@ job = quick.job
 programs = quick.programs
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "lang", ["python", *(long(lang) for lang in LANGUAGES if lang != "python")]
 )

@@ -100,6 +100,7 @@ LIES = {
 }
 
 
+@pytest.mark.long
 def test_a_folding_that_says_the_same_agrees(folding, tmp_path, monkeypatch, capsys):
     impostor(folding, tmp_path, monkeypatch, lambda folded: folded)
     assert folding.foldings_agree(2)

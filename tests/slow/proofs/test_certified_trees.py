@@ -61,6 +61,7 @@ def test_an_explorer_is_played_where_it_does_no_harm_and_its_silence_is_waited_o
     assert (text is not None) == written_down
 
 
+@pytest.mark.long
 def test_a_program_that_is_silent_is_waited_for_in_one_run(written):
     code, text, said = written("--exec", "sleep 60", "--answer-timeout", "0.5", "--edges", "4")
     assert (code, text) == (1, None)

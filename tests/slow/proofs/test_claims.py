@@ -37,6 +37,7 @@ def test_a_certificate_with_one_byte_changed_makes_the_check_fail(copied, seed):
     assert (code, "FAILS" in said) == (1, True), said
 
 
+@pytest.mark.long
 def test_a_harmless_change_of_a_certificate_is_rejected_too(copied):
     path = copied / "no-twins-directional" / "m1.lrat.xz"
     path.write_bytes(lzma.compress(lzma.decompress(path.read_bytes()), preset=0))
@@ -66,6 +67,7 @@ def test_a_file_that_says_something_else_is_refused_whatever_the_manifest_says(
     assert (code, reason in said, len(said.splitlines())) == (1, True, 2), said
 
 
+@pytest.mark.long
 def test_a_certificate_that_the_manifest_does_not_name_is_refused(copied):
     shutil.copy(copied / "natural-lighthouse" / "pair.json", copied / "cycles" / "more.json")
     code, said = check(copied, "cycles")

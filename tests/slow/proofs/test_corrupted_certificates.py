@@ -17,8 +17,7 @@ import pytest
 from allworlds import check
 from allworlds.explorers.loading import load
 from allworlds.maps import CombinatorialMap
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate, Move
 from proofs import test_corrupted_certificates as quick
 from proofs.test_corrupted_certificates import EDGES, NOT_CLAIMED, OTHER_TEXTS, checked, code
 
@@ -230,6 +229,7 @@ def asked(trees, folder, text):
     return trees.asked_of_coq(file)
 
 
+@pytest.mark.long
 def test_there_are_a_hundred_changes_of_all_kinds(trees):
     kinds = {name for name, _ in false_ones(trees)}
     assert len(false_ones(trees)) == COUNT

@@ -87,6 +87,7 @@ def test_a_formula_that_contradicts_itself_is_refused(copied, refuted, checkers,
         refuted(name, folder)
 
 
+@pytest.mark.long
 def test_a_formula_that_excludes_one_rooted_map_of_8162_is_refused(copied, refuted, checkers):
     name = "no-twins-directional/m5"
     maps, lrat, folder = checkers("maps"), checkers("lrat"), copied(name)

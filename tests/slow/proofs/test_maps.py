@@ -5,6 +5,7 @@ import pytest
 from proofs import test_maps as quick
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "most", "count"),

@@ -66,6 +66,7 @@ def test_nor_any_two_with_three_edges(checkers, meant, lighthouse, map_class):
     assert require_meaning(checkers, meant, lighthouse, map_class, (3, 3), sample=sample) >= 3
 
 
+@pytest.mark.long
 def test_the_pairs_that_look_alike_are_models(checkers, meant, proofs):
     documents, maps = checkers("documents"), checkers("maps")
     pairs = documents.read_json(proofs / "smallest-pairs" / "pairs.json")

@@ -14,6 +14,7 @@ CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P"
 WALK = tuple((k, int(p[0]), p[1] == "P") for k, p in zip(*CAPTION.values(), strict=True))
 
 
+@pytest.mark.long
 @needs_python_sat
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "edges", "formulas"),

@@ -3,8 +3,8 @@ import itertools
 import pytest
 
 from allworlds.maps import CombinatorialMap, InvalidMap, rooted_code
-from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.text import draw, rotation_table
+from allworlds.reports.parts import Scene
 from reports.test_text import parsed, parsed_table, without_numbers
 from small import long
 
@@ -32,6 +32,7 @@ def test_the_drawing_and_the_table_are_exact_for_every_small_map(edges):
         assert parsed_table(rotation_table(scene)) == (map_, [scene.start])
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 def test_without_the_numbers_two_drawings_agree_exactly_for_the_same_rooted_map():
     # 10 + 74 rooted maps of 2 and 3 edges: Arques and Beraud, Discrete Math. 215 (2000).

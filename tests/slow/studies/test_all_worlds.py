@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds import check
-from allworlds.engines.examiner import Examiner
+from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
@@ -28,6 +28,7 @@ def test_other_classes_agree_with_the_twin(map_class):
     assert report.exit_code == 0
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says():
     examiner = Examiner(load("algorithm1"), Rules())
@@ -41,6 +42,7 @@ def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says()
             assert (every.worst, every.best) == (max(costs), min(costs))
 
 
+@pytest.mark.long
 def test_the_check_of_all_schedules_finds_the_same_largest_costs():
     checked = check(edges=3, schedules="all", workers=2)
     report = worst(edges=3)

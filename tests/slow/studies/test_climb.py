@@ -10,6 +10,7 @@ from studies import test_climb as quick
 report = quick.report
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
     for row in report.rows:
@@ -25,6 +26,7 @@ def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
                 assert run(row.explorer, world).outcome.cost == cost
 
 
+@pytest.mark.long
 def test_rows_stand_by_family_size_and_explorer_whoever_was_faster(report):
     names = [(row.family, row.edges, row.explorer) for row in report.rows]
     order = {"lattice": 0, "cubic": 1, "algorithm1": 0, "folding-oldest": 1}

@@ -7,6 +7,7 @@ from studies import test_encoder as quick
 from studies.test_encoder import solved
 
 
+@pytest.mark.long
 def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(tmp_path):
     # Planar simple, 6 edges: one map has two starts that look alike; nothing else does.
     asked = question("position", "planar-simple", 6, 6)
@@ -18,6 +19,7 @@ def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(t
     assert solved(tmp_path / "f.cnf", formula) == "unsat"
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "count"),

@@ -24,6 +24,7 @@ def plain(values):
     return ends[0], ends[-1]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [5, 10])
 def test_an_interval_holds_the_true_mean_nearly_as_often_as_it_says(size):
     assert 0.92 < covered(size, 1000, mean_interval) < 0.97

@@ -6,6 +6,7 @@ from allworlds.studies.check.exhaustive import check
 from studies.test_most_expensive import most_expensive
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize(

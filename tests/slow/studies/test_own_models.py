@@ -11,6 +11,7 @@ from studies.test_own_models import ASKED, WRONG
 folder = quick.folder
 
 
+@pytest.mark.long
 def test_a_cluster_changes_nothing(folder):
     one = allworlds.check("mine.py:walks", workers=1, **WRONG)
     assert counts(allworlds.check("mine.py:walks", dask="local", workers=1, **WRONG)) == counts(one)

@@ -7,6 +7,7 @@ from studies import test_sensed_worlds as quick
 folder = quick.folder
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("kind", "edges"),
     [("natural", 4), ("heard.py:Words", 4), ("heard.py:Neighbour", 4)],

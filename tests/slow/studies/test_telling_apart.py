@@ -32,6 +32,7 @@ def same_start_class(one, other):
     return first[one.start] == second[other.start]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("kind", "fewest"), [("natural", 4)])
 def test_worlds_look_alike_under_a_cluster_from_3_edges_on_and_under_a_natural_from_4(kind, fewest):
     quick.test_worlds_look_alike_under_a_cluster_from_3_edges_on_and_under_a_natural_from_4(

@@ -16,6 +16,7 @@ def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
     quick.test_an_estimate_is_about_all_worlds(engine, monkeypatch)
 
 
+@pytest.mark.long
 def test_worlds_that_no_source_counts_are_at_most_so_many(tmp_path):
     predicate = tmp_path / "mine.py"
     predicate.write_text("def few(map):\n    return map.vertex_count == 2\n", encoding="utf-8")

@@ -126,6 +126,7 @@ def test_search_and_enumeration_give_the_same_answer(tmp_path, monkeypatch, kind
     assert result.status == ("unsat" if expected is None else "sat")
 
 
+@pytest.mark.long
 def test_one_vertex_more_or_less_decides(tmp_path):
     # K4 with its marker: n = 4; with three vertices a simple map has at most three edges.
     bounds = {"lighthouse": "position", "map_class": "simple", "edges": 6, "out": tmp_path}
@@ -168,6 +169,7 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
     )
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @needs_python_sat
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from world.test_notations import (
     valid,
 )
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.long
 
 
 @pytest.mark.parametrize("notation", STREAMS)

@@ -9,8 +9,7 @@ import json
 import sys
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.protocol.actions import Percept
-from allworlds.protocol.answers import Checkpoint
+from allworlds.protocol.actions import Checkpoint, Percept
 from allworlds.protocol.choices import Choices, policy_named
 
 HOW, POLICY, LIGHTHOUSE = sys.argv[1:]

@@ -4,8 +4,7 @@ import ctypes
 
 from allworlds.explorers.loading import load
 from allworlds.explorers.shared_library import CAction, CPercept
-from allworlds.protocol.actions import Drop, Move, Percept
-from allworlds.protocol.answers import Checkpoint, Estimate
+from allworlds.protocol.actions import Checkpoint, Drop, Estimate, Move, Percept
 from allworlds.protocol.choices import Choices
 
 MOVE, DROP, CHECKPOINT, ANSWER = 1, 2, 4, 5

@@ -9,9 +9,7 @@ from typing import Any
 from msgspec import Struct
 
 from allworlds.judging.tasks import TASKS, Judge, Task, WalkLog
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.player import Told
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Move, Percept, Told, Transcript
 from allworlds.world import World
 
 

@@ -7,11 +7,16 @@ from collections.abc import Callable, Mapping
 from msgspec import Struct
 
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.finished_run import Case, Violation, ambiguity_law, bound_law, map_law
-from allworlds.judging.laws.law_table import Check
+from allworlds.judging.laws.law_table import (
+    Case,
+    Check,
+    Violation,
+    ambiguity_law,
+    bound_law,
+    map_law,
+)
 from allworlds.maps import CombinatorialMap, isomorphism, to_networkx
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Estimate
+from allworlds.protocol.actions import Estimate, Move
 
 
 def mirror_accepted(case: Case) -> Violation | None:

@@ -28,8 +28,7 @@ from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import canonical_world
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.finished_run import Case
-from allworlds.judging.laws.law_table import LAWS, judge
+from allworlds.judging.laws.law_table import LAWS, Case, judge
 from allworlds.judging.tasks import task_named
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
 from allworlds.maps.counting import SOURCES

@@ -3,15 +3,15 @@
 Each is compared with a readable twin that shares no code with it.  They hold the interpreter's
 lock only to start and to end, so that threads share the work.
 
-``engine``, ``rows``: the door; plain numbers in, plain rows out.
+``engine``: the door; plain numbers in, plain rows out; users' runs, laid out and judged.
 ``runs``, ``laws``, ``code``: every run of a unit, played or read from its log, judged and tallied.
-``gluing``, ``worlds``: maps one after the other, with lighthouses, or their numbers.
+``worlds``: maps one after the other, with lighthouses, or their numbers.
 ``algorithm1``: built-in explorers, behind the C interface of all explorers.
-``batches``, ``library_player``: runs of users' explorers, laid out and judged; played by a library.
+``library_player``: runs of users' explorers, played by a library.
 ``demand_driven``: the check of Algorithm 1 in which a world is decided where the robot looks.
 ``schedules``: the worst and the best cost of a world over all schedules.
 ``capabilities``: what the kernel knows and has room for, without compiled code.
-``records``, ``compiling``, ``instructions``: records in memory, compilation, calls by address.
+``records``, ``compiling``: requests, rows, records in memory; compilation, calls by address.
 
 This package is imported where it is used: the first use compiles for some seconds, later ones
 load what was compiled.

@@ -10,16 +10,13 @@ The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
 Source: Algorithm 1, Section IV.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 from numba import types
 from numpy import int64
 
 from allworlds.engines.kernel import capabilities as names
-from allworlds.engines.kernel.compiling import RECORD, callback, inlined, inner
-from allworlds.engines.kernel.instructions import address_of
+from allworlds.engines.kernel.compiling import RECORD, address_of, callback, inlined, inner
 from allworlds.engines.kernel.records import ACTION, ANSWER, NONE, PERCEPT, ROBOT
 
 PASSING, FOLLOWING, CROSSING, TESTING, RETRACING, MATCHED = range(6)

@@ -3,8 +3,6 @@
 No compiled code is loaded here, so that a process can ask what the kernel could do.
 """
 
-from __future__ import annotations
-
 EXPLORERS = ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
 """The built-in explorers that are compiled."""
 

@@ -1,7 +1,5 @@
 """Canonical codes of rooted maps, and lists of the least of them."""
 
-from __future__ import annotations
-
 from allworlds.engines.kernel.compiling import inlined, inner
 from allworlds.engines.kernel.records import NONE
 

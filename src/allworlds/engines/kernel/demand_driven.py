@@ -15,12 +15,18 @@ the folded log holds every edge of S.  At the end S must be all of W.
 Source: Algorithm 1, Sections IV and V.
 """
 
-from __future__ import annotations
-
 from allworlds.engines.kernel.capabilities import FIFO, LIFO
 from allworlds.engines.kernel.code import blame, is_less, note
-from allworlds.engines.kernel.compiling import entry, inlined, inner
-from allworlds.engines.kernel.instructions import copy, highest, lowest, neighbours, size
+from allworlds.engines.kernel.compiling import (
+    copy,
+    entry,
+    highest,
+    inlined,
+    inner,
+    lowest,
+    neighbours,
+    size,
+)
 
 # One number holds the cost and the counters of a walk, so that a decision saves one number.
 COST = 0xFFFFF

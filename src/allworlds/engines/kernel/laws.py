@@ -12,13 +12,10 @@ The twins are :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.
 """
 
-from __future__ import annotations
-
 from numpy import int64
 
 from allworlds.engines.kernel.capabilities import LONG
-from allworlds.engines.kernel.compiling import inlined, inner
-from allworlds.engines.kernel.instructions import entry_of, lowest, size as size_of
+from allworlds.engines.kernel.compiling import entry_of, inlined, inner, lowest, size as size_of
 from allworlds.engines.kernel.records import DARTS, NONE
 from allworlds.judging.laws.law_table import PRECEDENCE
 

@@ -4,8 +4,6 @@ A run leaves a log (:mod:`allworlds.log`), which is judged elsewhere.  The twin 
 :mod:`allworlds.explorers.shared_library`.
 """
 
-from __future__ import annotations
-
 from collections.abc import MutableSequence, Sequence
 from functools import cache
 from typing import Any, NamedTuple
@@ -16,8 +14,18 @@ from numpy.random import default_rng
 
 from allworlds import log as codes
 from allworlds.engines.kernel import capabilities as names, records as layout
-from allworlds.engines.kernel.compiling import RECORD, callback, entry, inlined, inner
-from allworlds.engines.kernel.instructions import address_of, ask, byte_of, call, entry_of
+from allworlds.engines.kernel.compiling import (
+    RECORD,
+    address_of,
+    ask,
+    byte_of,
+    call,
+    callback,
+    entry,
+    entry_of,
+    inlined,
+    inner,
+)
 from allworlds.engines.kernel.records import LIBRARY, NONE, Stretch, new
 from allworlds.explorers.shared_library import NativeExplorer, threads_left, threads_now
 

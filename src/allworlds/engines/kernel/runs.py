@@ -7,8 +7,6 @@ A player is an explorer behind its C interface, or a log that is read; which of 
 when the judge is compiled.
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 from numba import int32
@@ -19,12 +17,20 @@ from allworlds import log as codes
 from allworlds.engines.kernel import laws
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
 from allworlds.engines.kernel.code import blame, is_less, note
-from allworlds.engines.kernel.compiling import RECORD, entry, inlined, inner
-from allworlds.engines.kernel.gluing import advance
-from allworlds.engines.kernel.instructions import address_of, byte_of, call, entry_of, put_entry
+from allworlds.engines.kernel.compiling import (
+    RECORD,
+    address_of,
+    byte_of,
+    call,
+    entry,
+    entry_of,
+    inlined,
+    inner,
+    put_entry,
+)
 from allworlds.engines.kernel.laws import answer_law, folds, look_at
 from allworlds.engines.kernel.records import LOG_BYTES, NONE, READER, Kept
-from allworlds.engines.kernel.worlds import arrival, doubled, settle
+from allworlds.engines.kernel.worlds import advance, arrival, doubled, settle
 
 # The columns of the tally, by vertices.
 WORLDS, RUNS, TRAVERSALS, TRAVERSALS_ROOTED, LARGEST = range(5)

@@ -11,19 +11,15 @@ v0 is worked on.
 Source: Algorithm 1, Section IV.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from numpy import array, int64, zeros
 
 from allworlds.engines.kernel.code import encode, keep_least
-from allworlds.engines.kernel.compiling import entry, inner
-from allworlds.engines.kernel.gluing import advance, gluing_rule, rule_address
-from allworlds.engines.kernel.instructions import lowest, neighbours
+from allworlds.engines.kernel.compiling import entry, inner, lowest, neighbours
 from allworlds.engines.kernel.records import SCHEDULES, new
-from allworlds.engines.kernel.worlds import settle
+from allworlds.engines.kernel.worlds import advance, gluing_rule, rule_address, settle
 
 SHORTEST, SIMPLE = range(2)
 TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}

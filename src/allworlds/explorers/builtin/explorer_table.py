@@ -26,8 +26,7 @@ from allworlds.explorers.builtin.algorithm1 import (
     algorithm1_cluster,
     algorithm1_natural,
 )
-from allworlds.explorers.builtin.depth_first import dfs
-from allworlds.explorers.builtin.dudek91 import dudek91
+from allworlds.explorers.builtin.baselines import dfs, dudek91
 from allworlds.explorers.builtin.folding import folding, folding_oldest
 from allworlds.explorers.builtin.quotient import quotient
 

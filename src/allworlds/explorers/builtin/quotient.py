@@ -1,14 +1,11 @@
 """The explorer of the quotient, and its experiments."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
 from allworlds.explorers.builtin.algorithm1 import Walk, nobody
 from allworlds.maps.combinatorial import CombinatorialMap, cycles
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.protocol.actions import Ambiguous, Estimate, Move, Percept
 from allworlds.protocol.choices import Choices
 
 Word: TypeAlias = tuple[str, ...]
@@ -25,7 +22,7 @@ class TreeDart(NamedTuple):
     turn: int
 
     @property
-    def beyond(self) -> TreeDart:
+    def beyond(self) -> "TreeDart":
         """The other end of its edge; a node's dart of entry leads back to the parent."""
         if self.node and self.turn == 0:
             return TreeDart(self.node[:-1], self.node[-1])

@@ -2,8 +2,7 @@
 
 ``by_law``
     **the** table of the laws, each with the explanation of a run that breaks it;
-``slips``
-    the one slip by which a right answer becomes a wrong one;
 ``story``
-    the finding with its walk, and that walk in a wrong answer: the input of all explanations.
+    the finding with its walk, and that walk in a wrong answer: the input of all explanations; the
+    one slip by which a right answer becomes a wrong one.
 """

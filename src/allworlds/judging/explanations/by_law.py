@@ -1,7 +1,5 @@
 """The words about a finding, law by law."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator
@@ -9,16 +7,27 @@ from collections.abc import Iterator
 from allworlds.explorers.loading import is_program
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import default_step_budget
-from allworlds.judging.explanations.slips import bearings_anticlockwise, mirror_image, the_slip
-from allworlds.judging.explanations.story import Belief, Story, Teller, Telling, Walked
-from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import Parting
-from allworlds.judging.laws.bounds import paper_terms
-from allworlds.judging.laws.folding import Folded, fold
-from allworlds.maps.canonical import carries, numbering, rooted_isomorphism
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
-from allworlds.protocol.playing import BUILT, NO_MAP
-from allworlds.protocol.transcript import Transcript
+from allworlds.judging.explanations.story import (
+    Belief,
+    Story,
+    Teller,
+    Telling,
+    Walked,
+    bearings_anticlockwise,
+    mirror_image,
+    the_slip,
+)
+from allworlds.judging.findings.finding import Finding, Parting
+from allworlds.judging.laws import bounds, folding
+from allworlds.maps.combinatorial import (
+    CombinatorialMap,
+    Dart,
+    carries,
+    cycles,
+    numbering,
+    rooted_isomorphism,
+)
+from allworlds.protocol import actions, playing
 from allworlds.words import listed, plural, size
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.world import World
@@ -102,14 +111,14 @@ ANTICLOCKWISE = (
 def tell_no_estimate(story: Story) -> Telling:
     """Tell the ending, and for a map that could not be built the law of maps that it breaks."""
     seen = str(story.finding.seen)
-    if not seen.startswith(NO_MAP):
+    if not seen.startswith(playing.NO_MAP):
         return ending("The explorer ended without an answer that could be judged.")(story)
-    built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
-    message = seen.removeprefix(NO_MAP)
+    built = [line for line in story.finding.detail.splitlines() if line.startswith(playing.BUILT)]
+    message = seen.removeprefix(playing.NO_MAP)
     sentences = [f"The answer is no map: {message}."]
     if built:
         sentences = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
-        sentences += [f"The call is {line.removeprefix(BUILT)}." for line in built]
+        sentences += [f"The call is {line.removeprefix(playing.BUILT)}." for line in built]
         if "must be a permutation" in message:
             sentences.append(ANTICLOCKWISE)
     return Telling([*sentences, *_tell_first_wrong(story), _say_last_step(story)], story.checkpoint)
@@ -147,7 +156,7 @@ def tell_whose_budget(finding: Finding) -> str:
     if rules.step_budget is not None:
         return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
     value = rules.budget(map_)
-    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    new, closing = bounds.paper_terms(map_.vertex_count, map_.edge_count)
     world = size(map_.edge_count, map_.vertex_count)
     origin = "the bound that the explorer names"
     if value == default_step_budget(new + closing):
@@ -370,7 +379,7 @@ def tell_open_darts(story: Story) -> list[str]:
     """
     if not story.world.lighthouse.as_kind.folds:
         return []
-    folded, map_ = fold(story.transcript), story.map
+    folded, map_ = folding.fold(story.transcript), story.map
     image = {0: story.world.start}
     for x in (queue := [0]):
         for y, true in ((folded.sigma[x], map_.sigma), (folded.alpha[x], map_.alpha)):
@@ -396,7 +405,7 @@ def tell_open_darts(story: Story) -> list[str]:
     return sentences
 
 
-def another_world(world: World, transcript: Transcript) -> World | None:
+def another_world(world: World, transcript: actions.Transcript) -> World | None:
     """A world that is not this one, and agrees with the log; None if the log determines it.
 
     The other world extends the folded log: its open darts are joined with each other, or lead to
@@ -405,7 +414,7 @@ def another_world(world: World, transcript: Transcript) -> World | None:
     Cost: exponential in the number of these darts at the worst; the first try is nearly always
     another world.
     """
-    folded, bearing = fold(transcript), transcript.first.bearing
+    folded, bearing = folding.fold(transcript), transcript.first.bearing
     if not folded.open_darts:
         return None
     assert bearing is not None
@@ -417,7 +426,7 @@ def another_world(world: World, transcript: Transcript) -> World | None:
     )
 
 
-def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
+def _completions(folded: folding.Folded) -> Iterator[CombinatorialMap]:
     """The folded log with every open dart joined or led to a new vertex, fewest edges first."""
     unsettled = [dart for dart, end in enumerate(folded.alpha) if dart == end]
     for leaves in range(len(unsettled) % 2, len(unsettled) + 1, 2):
@@ -441,7 +450,7 @@ def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart
 
 
 def _completed(
-    folded: Folded, pairs: list[tuple[Dart, Dart]], longer: Dart | None = None
+    folded: folding.Folded, pairs: list[tuple[Dart, Dart]], longer: Dart | None = None
 ) -> CombinatorialMap:
     """The folded log with these darts joined; each of the others leads to a leaf.
 
@@ -503,7 +512,7 @@ def _whose(finding: Finding) -> str:
     rules, map_ = finding.rules, finding.world.map
     name, value = rules.the_bound.name, finding.expected
     world = size(map_.edge_count, map_.vertex_count)
-    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    new, closing = bounds.paper_terms(map_.vertex_count, map_.edge_count)
     paper = (
         "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
         "find a new vertex, and (2), the passes that close an edge between known ones"

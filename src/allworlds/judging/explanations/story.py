@@ -1,19 +1,25 @@
-"""The story of a run: its walk in names, and that walk in a wrong answer."""
+"""The story of a run: its walk in names, that walk in a wrong answer, and slips.
 
-from __future__ import annotations
+A slip is the one difference between a wrong answer and the world, where there is one.
+"""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from typing import TypeAlias
 
 from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.walks import believed_walk, recorded_trail
-from allworlds.maps.combinatorial import Dart
-from allworlds.protocol.actions import Move
-from allworlds.protocol.answers import Estimate
-from allworlds.protocol.transcript import Transcript
+from allworlds.judging.findings.finding import Finding, believed_walk, recorded_trail, trail_to
+from allworlds.maps.build import contracted, deleted
+from allworlds.maps.combinatorial import (
+    CombinatorialMap,
+    Dart,
+    InvalidMap,
+    Mismatch,
+    isomorphism,
+    rooted_isomorphism,
+)
+from allworlds.protocol.actions import Estimate, Move, Percept, Transcript
 from allworlds.world.world import World
 
 
@@ -160,3 +166,221 @@ class Telling(Struct, frozen=True):
 
 Teller: TypeAlias = Callable[[Story], Telling]
 """The explanation of a story by a law; may raise InputError."""
+
+
+LARGEST = 40
+"""Edges above which slips are not looked for: there are quadratically many, each compared anew."""
+
+
+class Slip(Struct, frozen=True):
+    """The one difference between an answer and the world.
+
+    Attributes:
+        name: in a word or two.
+        sentence: a description with the darts of the world.
+        mended: the map without the slip; None if the slip is in the reading of percepts.
+        truth: the map that the mended one equals: the world's, or that without the edge of the
+            slip.
+        here: the robot's dart in the mended map; None if that is wrong, too, or unknown.
+    """
+
+    name: str
+    sentence: str
+    mended: CombinatorialMap | None
+    truth: CombinatorialMap
+    here: Dart | None = None
+
+
+MIRROR_IMAGE, BEARINGS = "mirror image", "bearings anticlockwise"
+
+Recogniser: TypeAlias = Callable[[Belief], Slip | None]
+"""A recogniser: the slip, or None if it is another one, or none."""
+
+
+def the_slip(belief: Belief) -> Slip | None:
+    """The first slip that accounts for all of the difference; None if none does."""
+    if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
+        return None
+    return next((slip for recognise in SLIPS if (slip := recognise(belief))), None)
+
+
+def mirror_image(belief: Belief) -> Slip | None:
+    """Recognise an answer in which every rotation is given anticlockwise."""
+    answer, world, robot = belief.answer, belief.story.map, belief.story.walked[-1]
+    mirrored = answer.map.mirrored()
+    if rooted_isomorphism(mirrored, answer.here, world, robot):
+        sentence = (
+            "The answer is a mirror image: with its rotations read anticlockwise it would be right."
+        )
+        return Slip(MIRROR_IMAGE, sentence, mirrored, world, answer.here)
+    if isomorphism(mirrored, world) and not isomorphism(answer.map, world):
+        sentence = (
+            "The answer's map is the mirror image of the world's: its rotations are anticlockwise."
+        )
+        return Slip(MIRROR_IMAGE, sentence, mirrored, world)
+    return None
+
+
+def bearings_anticlockwise(belief: Belief) -> Slip | None:
+    """Recognise an answer whose edges end as sensed if bearings are counted anticlockwise.
+
+    The walk that ends at ``here`` is followed in the answer.  Percepts count at the start and
+    where the walk takes an edge for the first time: on its way back a robot need not look.  Where
+    the map is right, all percepts count: there a wrong ``here`` alone is likelier.
+    """
+    map_, transcript = belief.answer.map, belief.story.transcript
+    trail = trail_to(map_, belief.answer.here, transcript)
+    is_right = bool(isomorphism(map_, belief.story.map))
+    sensed, taken = [(trail[0], transcript.first)], set()
+    for dart, percept in zip(trail[1:], transcript.percepts[1:], strict=True):
+        edge = min(dart, map_.alpha[dart])
+        if is_right or edge not in taken:
+            sensed.append((dart, percept))
+        taken.add(edge)
+    if _fits(map_, sensed, 1) or not _fits(map_, sensed, -1):
+        return None
+    sentence = (
+        "The explorer seems to count bearings anticlockwise: read so, the percepts show all edges "
+        "as the answer has them. A bearing counts the darts clockwise, from the dart by which the "
+        "robot arrives to the pointed dart."
+    )
+    return Slip(BEARINGS, sentence, None, belief.story.map)
+
+
+def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: int) -> bool:
+    """Whether each vertex has one degree, one number of marks and one pointed dart."""
+    found: dict[int, tuple[int, Dart | None]] = {}
+    for dart, percept in sensed:
+        if map_.degree_at[dart] != percept.degree:
+            return False
+        pointed = None if percept.bearing is None else map_.turn(dart, way * percept.bearing)
+        here = (percept.marks, pointed)
+        if found.setdefault(map_.vertex_of[dart], here) != here:
+            return False
+    return True
+
+
+def _glued_crosswise(belief: Belief) -> Slip | None:
+    """Recognise an answer in which two edges have one end each exchanged."""
+    answer, world, robot = belief.answer, belief.story.map, belief.story.walked[-1]
+    if isomorphism(answer.map, world):
+        return None
+    with_wrong_place = None
+    for mended, wrong in _reglued(answer.map):
+        here: Dart | None = answer.here
+        names = rooted_isomorphism(mended, answer.here, world, robot)
+        if not names and with_wrong_place is None:
+            here, names = None, isomorphism(mended, world)
+        if isinstance(names, Mismatch):
+            continue
+        sentence = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
+        slip = Slip("edges crossed", sentence, mended, world, here)
+        if here is not None:
+            return slip
+        with_wrong_place = slip
+    return with_wrong_place
+
+
+def _reglued(
+    map_: CombinatorialMap,
+) -> Iterator[tuple[CombinatorialMap, tuple[tuple[Dart, Dart], tuple[Dart, Dart]]]]:
+    """The maps with two edges glued otherwise, each with the two original edges."""
+    for i, (a, b) in enumerate(map_.edges):
+        for c, d in map_.edges[i + 1 :]:
+            for pairs in (((a, c), (b, d)), ((a, d), (b, c))):
+                alpha = [*map_.alpha]
+                for x, y in pairs:
+                    alpha[x], alpha[y] = y, x
+                try:
+                    yield CombinatorialMap(map_.sigma, alpha), ((a, b), (c, d))
+                except InvalidMap:  # it falls apart
+                    continue
+
+
+def _say_crosswise(belief: Belief, wrong: list[tuple[Dart, Dart]]) -> str:
+    world = belief.story.map
+    (a, b), (c, d) = wrong
+    for x, y in ((a, c), (a, d), (b, c), (b, d)):
+        if world.alpha[x] != y and world.vertex_of[x] == world.vertex_of[y]:
+            first, second = sorted((x, y))
+            return (
+                f"The answer differs from the world only in this: darts {first} and {second} of "
+                f"{belief.story.vertex(x)} are exchanged."
+            )
+    return (
+        f"The answer differs from the world only in this: it joins {_pairs(wrong)}, the world "
+        f"joins {_pairs([(a, world.alpha[a]), (b, world.alpha[b])])}."
+    )
+
+
+def _pairs(edges: list[tuple[Dart, Dart]]) -> str:
+    ordered = sorted((min(edge), max(edge)) for edge in edges)
+    return " and ".join(f"dart {d} with {e}" for d, e in ordered)
+
+
+def _edge_misplaced(belief: Belief) -> Slip | None:
+    """Recognise an answer in which one edge has an end, or both, in another place."""
+    world, answer = belief.story.map, belief.answer.map
+    if answer.edge_count != world.edge_count or isomorphism(answer, world):
+        return None
+    left = [(edge, less) for edge in world.edges if (less := deleted(world, edge[0]))]
+    for d, _ in answer.edges:
+        fewer = deleted(answer, d)
+        for (a, b), less in left:
+            if fewer and isomorphism(fewer, less):
+                sentence = (
+                    f"All but one edge is right: that of darts {a} and {b} of the world is "
+                    "elsewhere in the answer."
+                )
+                return Slip("edge misplaced", sentence, fewer, less)
+    return None
+
+
+def _edge_missing(belief: Belief) -> Slip | None:
+    """Recognise an answer that lacks one edge of the world, or has a vertex in its place."""
+    world, answer = belief.story.map, belief.answer.map
+    for d, less in _without_an_edge(deleted, world, answer):
+        ends = f"darts {d} and {world.alpha[d]}"
+        sentence = f"The answer lacks one edge of the world: that of {ends}."
+        return Slip("edge missing", sentence, answer, less)
+    for d, less in _without_an_edge(contracted, world, answer):
+        ends = f"{belief.story.vertex(d)} and {belief.story.vertex(world.alpha[d])}"
+        sentence = f"The answer takes {ends} for one vertex, and has no edge between them."
+        return Slip("one vertex for two", sentence, answer, less)
+    return None
+
+
+def _edge_too_many(belief: Belief) -> Slip | None:
+    """Recognise an answer with one edge that is not in the world, or is a vertex there."""
+    world, answer = belief.story.map, belief.answer.map
+    for _, less in _without_an_edge(deleted, answer, world):
+        sentence = "The answer has one edge too many: without it, it is the map of the world."
+        return Slip("edge too many", sentence, less, world)
+    for _, less in _without_an_edge(contracted, answer, world):
+        sentence = "The answer takes one vertex for two, with an edge between them."
+        return Slip("two vertices for one", sentence, less, world)
+    return None
+
+
+def _without_an_edge(
+    taking: Callable[[CombinatorialMap, Dart], CombinatorialMap | None],
+    larger: CombinatorialMap,
+    smaller: CombinatorialMap,
+) -> Iterator[tuple[Dart, CombinatorialMap]]:
+    """The edges of the larger map without which it is the smaller one; each by its first dart."""
+    if larger.edge_count == smaller.edge_count + 1:
+        for d, _ in larger.edges:
+            less = taking(larger, d)
+            if less is not None and isomorphism(less, smaller):
+                yield d, less
+
+
+SLIPS: tuple[Recogniser, ...] = (
+    mirror_image,
+    bearings_anticlockwise,
+    _glued_crosswise,
+    _edge_misplaced,
+    _edge_missing,
+    _edge_too_many,
+)
+"""The slips that are looked for, the commonest first."""

@@ -3,7 +3,6 @@
 ``rules``
     the rules by which a run is played and judged; a finding records them;
 ``finding``
-    a world, an explorer, its run there, and the law that it broke; as a file holds it, too;
-``walks``
-    the walk of a log in the world, the same walk in a wrong answer, and where they diverge.
+    a world, an explorer, its run there, and the law that it broke; as a file holds it, too; the
+    walk of its log in the world, the same walk in a wrong answer, and where they diverge.
 """

@@ -1,35 +1,29 @@
-"""The finding: a refuting run, with what further plays have shown of it."""
+"""The finding: a refuting run, with what further plays have shown of it, and its walk.
 
-from __future__ import annotations
+A log is walked in the world, in a wrong answer, and to the step at which the two diverge.
+"""
 
 import hashlib
 import json
 import shlex
-from collections.abc import Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
+from operator import eq
 from typing import Annotated, Any, Final, Literal, NamedTuple
 
-from allworlds.document.reading import parse
-from allworlds.document.report import SCHEMA, Paged
-from allworlds.document.struct import (
-    Document,
-    FromJson,
-    IfAny,
-    Natural,
-    NotInDocument,
-    about,
-    computed,
-    read_by,
-)
+from msgspec import Struct
+
+from allworlds import document as doc
 from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
 from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request
 from allworlds.judging.findings.rules import RecordedRules, Rules
-from allworlds.judging.laws.finished_run import Value
-from allworlds.judging.laws.law_table import PRECEDENCE, LawName
-from allworlds.maps.canonical import Code, numbering, rooted_code
-from allworlds.protocol.answers import Estimate
-from allworlds.protocol.transcript import Transcript
+from allworlds.judging.laws.law_table import PRECEDENCE, LawName, Value
+from allworlds.maps.combinatorial import Code, CombinatorialMap, Dart, numbering, rooted_code
+from allworlds.protocol import actions
+from allworlds.protocol.actions import Transcript
+from allworlds.world.lighthouses.base import State, WalkInAnswer
 from allworlds.world.world import World
 
 VERSION: Final = 2
@@ -41,7 +35,7 @@ def _value(name: str, given: Any) -> Value:
     """The recorded expectation, or observation, as a value."""
     if isinstance(given, Mapping):
         try:
-            return Estimate.from_json(given)
+            return actions.Estimate.from_json(given)
         except InputError as error:
             raise InputError(f"{name}.{error}") from None
     if isinstance(given, str) or type(given) is int:
@@ -49,11 +43,11 @@ def _value(name: str, given: Any) -> Value:
     raise InputError(f"{name} is a rooted map, an integer or a text, not {show(given)}")
 
 
-EXPECTED, SEEN = (read_by(Value, partial(_value, name)) for name in ("expected", "seen"))
+EXPECTED, SEEN = (doc.read_by(Value, partial(_value, name)) for name in ("expected", "seen"))
 """How the values of two keys are read."""
 
 
-class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
+class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
     A refuting run, as it is written: enough to replay it with nothing else. Where one is read,
@@ -63,66 +57,70 @@ class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
     options. The ``machine`` may be the cause.
     """
 
-    version: Annotated[Literal[2], about("the version of findings")]
-    explorer: Annotated[str, about("its name")]
-    law: Annotated[LawName, about("the broken law")]
+    version: Annotated[Literal[2], doc.about("the version of findings")]
+    explorer: Annotated[str, doc.about("its name")]
+    law: Annotated[LawName, doc.about("the broken law")]
     world: Annotated[
-        FromJson[World],
-        about("in canonical numbering: the start is dart 0; any numbering where it is read"),
+        doc.FromJson[World],
+        doc.about("in canonical numbering: the start is dart 0; any numbering where it is read"),
     ]
-    options: Annotated[RecordedRules, about("how the run was played and judged")] = RecordedRules()
+    options: Annotated[RecordedRules, doc.about("how the run was played and judged")] = (
+        RecordedRules()
+    )
     choices: Annotated[
-        tuple[Natural, ...],
-        about("the index taken at each choice; of a turn that never ended the first 1000"),
+        tuple[doc.Natural, ...],
+        doc.about("the index taken at each choice; of a turn that never ended the first 1000"),
     ] = ()
-    transcript: Annotated[FromJson[Transcript], about("the log, which must be a walk in the world")]
+    transcript: Annotated[
+        doc.FromJson[Transcript], doc.about("the log, which must be a walk in the world")
+    ]
     expected: Annotated[
         Any,
         EXPECTED,
-        about("a rooted map for `map` and `pose`, an integer for `bound`, else a sentence"),
+        doc.about("a rooted map for `map` and `pose`, an integer for `bound`, else a sentence"),
     ] = NOT_RECORDED
     seen: Annotated[
         Any,
         SEEN,
-        about("the same of what was found"),
+        doc.about("the same of what was found"),
     ] = NOT_RECORDED
     confirmed: Annotated[
-        bool, about("a fresh process did the same, from the recorded percepts alone")
+        bool, doc.about("a fresh process did the same, from the recorded percepts alone")
     ] = False
-    minimal: Annotated[bool, about("no smaller world of the scope refutes")] = False
+    minimal: Annotated[bool, doc.about("no smaller world of the scope refutes")] = False
     step: Annotated[
-        IfAny[Natural | None],
-        about(
+        doc.IfAny[doc.Natural | None],
+        doc.about(
             "how many steps came before the checkpoint that breaks the law; in a run without an "
             "answer, before the first wrong checkpoint"
         ),
     ] = None
     wrong_checkpoint: Annotated[
-        IfAny[str], about("what is wrong with that checkpoint, in a run without an answer")
+        doc.IfAny[str], doc.about("what is wrong with that checkpoint, in a run without an answer")
     ] = ""
     detail: Annotated[
-        IfAny[str],
-        about(
+        doc.IfAny[str],
+        doc.about(
             "a traceback, the end of a program's stderr, two plays that differ, side by side, "
             "or the permutations that are no map"
         ),
     ] = ""
     hash_seed: Annotated[
-        IfAny[Natural | None],
-        about("the `PYTHONHASHSEED` with which it is so, where another one makes a difference"),
+        doc.IfAny[doc.Natural | None],
+        doc.about("the `PYTHONHASHSEED` with which it is so, where another one makes a difference"),
     ] = None
     output: Annotated[
-        IfAny[str],
-        about(
+        doc.IfAny[str],
+        doc.about(
             "what the explorer printed in this run, to stdout and stderr; at most 4 KiB, of more "
             "the first and the last half, with control characters escaped"
         ),
     ] = ""
-    at: NotInDocument[int | None] = None
-    under: NotInDocument[Rules | None] = None
-    machine: NotInDocument[bool] = False
+    at: doc.NotInDocument[int | None] = None
+    under: doc.NotInDocument[Rules | None] = None
+    machine: doc.NotInDocument[bool] = False
 
-    @computed
+    @doc.computed
     def reproduce(self) -> str:
         """A shell command that runs it again."""
         return self.command
@@ -178,7 +176,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
         return f"{self.law}-{size}-{digest_of(self.text)}.json"
 
     @classmethod
-    def from_json(cls, document: str | Mapping[str, Any]) -> Finding:
+    def from_json(cls, document: str | Mapping[str, Any]) -> "Finding":
         """The finding of :meth:`to_json`'s document, or of its text.
 
         Of a report of ``check`` it is the first finding, of a report of ``run`` its finding.
@@ -204,7 +202,7 @@ class Finding(Document, Paged, forbid_unknown_fields=False, kw_only=True):
             raise InputError(f"a finding names its explorer, not {show(explorer)}")
         if law not in PRECEDENCE:
             raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
-        found = parse(document, cls, "finding")
+        found = doc.parse(document, cls, "finding")
         found.rules  # noqa: B018  # wrong options are refused here, and not where they are used
         return found
 
@@ -216,8 +214,8 @@ def findings_of(document: Any) -> Sequence[Any]:
         InputError: if the report holds none, or is of another version.
     """
     match document:
-        case {"schema": schema} if schema != SCHEMA:
-            raise InputError(f"report of schema {show(schema)}; this program reads {SCHEMA}")
+        case {"schema": schema} if schema != doc.SCHEMA:
+            raise InputError(f"report of schema {show(schema)}; this program reads {doc.SCHEMA}")
         case {"schema": _, "findings": [_, *_]}:
             findings: Sequence[Any] = document["findings"]
             return findings
@@ -307,3 +305,205 @@ class FindingOptions(Request, kw_only=False):
     """The part of a request that names a finding."""
 
     finding: Annotated[Finding, OptionGroup(FindingWords, "the finding")]
+
+
+def true_trail(world: World, transcript: Transcript) -> list[Dart]:
+    """The robot's dart in the world at the start and after each step."""
+    return [state.dart for state, _ in true_walk(world, transcript)]
+
+
+def true_walk(world: World, transcript: Transcript) -> list[tuple[State, actions.Percept]]:
+    """The world's state at the start and after each step, with the percepts in it."""
+    walk = [(world.initial, world.first)]
+    for action in transcript.actions:
+        walk.append(world.step(walk[-1][0], action))
+    return walk
+
+
+def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
+    """The robot's darts by a transcript from elsewhere, which may be no walk in the world.
+
+    Raises:
+        InputError: naming the first step that does not fit.
+    """
+    try:
+        walk = true_walk(world, transcript)
+    except actions.IllegalAction as error:
+        raise InputError(f"the finding's transcript is no walk in its world: {error}") from None
+    sensed = transcript.percepts
+    for step, ((_, truth), percept) in enumerate(zip(walk, sensed, strict=True)):
+        if percept != truth:
+            raise InputError(
+                f"the finding's transcript is no walk in its world: at step {step} it has "
+                f"{percept!s}, where the world has {truth!s}"
+            )
+    return [state.dart for state, _ in walk]
+
+
+def trail_to(map_: CombinatorialMap, here: Dart, transcript: Transcript) -> list[Dart]:
+    """The robot's dart at the start and after each step of the walk that ends at ``here``.
+
+    Motion is reversible: the walk is traced back to the dart where it must have begun.
+    """
+    trail = [here]
+    for action in reversed(transcript.actions):
+        dart = trail[-1]
+        if type(action) is actions.Move:
+            dart = map_.turn(map_.alpha[dart], -action.k)
+        trail.append(dart)
+    trail.reverse()
+    return trail
+
+
+def trail_from(map_: CombinatorialMap, start: Dart, transcript: Transcript) -> Iterator[Dart]:
+    """The robot's dart at the start and after each step of the walk that begins at ``start``."""
+    yield (dart := start)
+    for action, _ in transcript.steps:
+        if type(action) is actions.Move:
+            dart = map_.alpha[map_.turn(dart, action.k)]
+        yield dart
+
+
+def believed_percepts(
+    world: World, estimate: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
+) -> list[actions.Percept] | None:
+    """The percepts, first one included, of a walk along these darts of the estimated map.
+
+    The lighthouse stands where the robot must believe it; None if the answer has no such place.
+    """
+    walk = WalkInAnswer(estimate, trail, transcript.percepts)
+    lighthouse = world.lighthouse.believed(world.map, world.start, walk)
+    if lighthouse is None:
+        return None
+    percepts = lighthouse.percepts(estimate)
+    dropped: Counter[int] = Counter()
+    expected = [percepts[trail[0]]]
+    for dart, action in zip(trail[1:], transcript.actions, strict=True):
+        vertex = estimate.vertex_of[dart]
+        dropped[vertex] += (type(action) is actions.Drop) - (type(action) is actions.Pick)
+        # A wrong answer may make the robot take up what it has never dropped there.
+        expected.append(percepts[dart].marked(max(dropped[vertex], 0)))
+    return expected
+
+
+class Parting(Struct, frozen=True):
+    """The first step at which the answer diverges from the world.
+
+    Attributes:
+        step: the number of the step; 0 is the start.
+        robot: the robot's dart in the world.
+        taken_for: the dart of the world for which the answer takes it; None if the answer has the
+            robot at a vertex where it has not been before.
+        fresh: whether in the world the robot has not been at this vertex before.
+    """
+
+    step: int
+    robot: Dart
+    taken_for: Dart | None
+    fresh: bool
+
+
+def find_parting(
+    world: CombinatorialMap,
+    walked: Sequence[Dart],
+    answer: CombinatorialMap,
+    believed: Sequence[Dart],
+    fits: Sequence[bool],
+) -> Parting | None:
+    """The first step at which the two walks diverge; None if they never do.
+
+    Every dart that the robot arrives by is tied to the dart by which it arrives in the
+    answer, and with the two darts their whole rotations.  The walks diverge where a tie would be
+    contradicted.
+
+    Args:
+        world: the true map.
+        walked: the robot's darts in it, start included.
+        answer: the estimated map.
+        believed: the robot's darts in that, start included.
+        fits: for each step whether the answer predicts the percept.  Where it does,
+            both vertices have one degree.
+
+    Cost: linear in the steps and the darts.
+    """
+    tied: dict[Dart, Dart] = {}
+    means: dict[Dart, Dart] = {}
+    for step, (robot, belief) in enumerate(zip(walked, believed, strict=True)):
+        fresh, taken_for = robot not in tied, means.get(belief)
+        if not fits[step] or taken_for != (None if fresh else robot):
+            return Parting(step, robot, taken_for, fresh)
+        if fresh:
+            for k in range(world.degree_at[robot]):
+                a, b = world.turn(robot, k), answer.turn(belief, k)
+                tied[a], means[b] = b, a
+    return None
+
+
+class BelievedWalk(Struct, frozen=True):
+    """A walk in an answer beside the walk in the world.
+
+    Attributes:
+        trail: the robot's darts in the answer at the start and after each step; the last is
+            where the answer says that the robot is.
+        percepts: the ones that the answer predicts at each; None if it has no place for the
+            lighthouse.
+        expected: the same, where there are none with the degrees alone.
+        misfits: the steps at which the percept was another one.
+        parting: the first step at which it diverges from the world; None if there is none.
+    """
+
+    trail: Sequence[Dart]
+    percepts: Sequence[actions.Percept] | None
+    expected: Sequence[actions.Percept]
+    misfits: Sequence[int]
+    parting: Parting | None
+
+    @property
+    def agreement(self) -> int:
+        """The number of steps, the start included, in which both agree."""
+        return self.parting.step if self.parting else len(self.trail)
+
+
+def believed_walk(world: World, answer: actions.Estimate, transcript: Transcript) -> BelievedWalk:
+    """The walk in the answer from the dart from which it agrees for longest.
+
+    Of equals it is the one from which the motions lead to ``here``, if it is among them, else the
+    one from the smallest dart: an explorer that errs only at the end was right before.
+
+    Cost: the steps, times the darts of the answer from which the degrees agree that long.
+    """
+    best = _beside(world, answer.map, trail_to(answer.map, answer.here, transcript), transcript)
+    walked, degrees = len(transcript.steps), [percept.degree for percept in transcript.percepts]
+    alike = {
+        dart: _alike(answer.map, trail_from(answer.map, dart, transcript), degrees)
+        for dart in (answer.map.darts if best.agreement < walked else ())
+    }
+    for dart in sorted(alike, key=lambda dart: -alike[dart]):
+        if alike[dart] <= best.agreement:
+            break
+        trail = [*trail_from(answer.map, dart, transcript)]
+        trail[-1] = answer.here
+        other = _beside(world, answer.map, trail, transcript)
+        if other.agreement > best.agreement:
+            best = other
+    return best
+
+
+def _alike(map_: CombinatorialMap, trail: Iterable[Dart], degrees: Sequence[int]) -> int:
+    """The number of steps, the start included, before a degree differs."""
+    pairs = zip(trail, degrees, strict=True)
+    return next(
+        (step for step, (dart, degree) in enumerate(pairs) if map_.degree_at[dart] != degree),
+        len(degrees),
+    )
+
+
+def _beside(
+    world: World, map_: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
+) -> BelievedWalk:
+    percepts = believed_percepts(world, map_, trail, transcript)
+    expected = percepts or [actions.Percept(map_.degree_at[dart]) for dart in trail]
+    fits = [*map(eq, expected, transcript.percepts)]
+    misfits = [step for step, fit in enumerate(fits) if not fit]
+    parting = find_parting(world.map, true_trail(world, transcript), map_, trail, fits)
+    return BelievedWalk(trail, percepts, expected, misfits, parting)

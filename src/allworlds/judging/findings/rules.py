@@ -1,22 +1,12 @@
 """The rules by which a run is played and judged, which ``check``, ``fuzz`` and ``run`` all take."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import KW_ONLY, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
-from allworlds.document.struct import (
-    Different,
-    Document,
-    IfAny,
-    Positive,
-    Text,
-    about,
-    with_options,
-)
+from allworlds import document as doc
 from allworlds.explorers.loading import Subject, is_library, own_bound
 from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
 from allworlds.inputs.requests import (
@@ -31,7 +21,7 @@ from allworlds.inputs.requests import (
     told_by,
     values_of,
 )
-from allworlds.judging.episode import default_step_budget
+from allworlds.judging import episode, tasks
 from allworlds.judging.laws.bounds import BOUNDS, NO_BOUND, Bound, bound_named, paper_bound
 from allworlds.judging.laws.law_table import (
     BOUNDED,
@@ -42,19 +32,9 @@ from allworlds.judging.laws.law_table import (
     TASK,
     JudgedLaw,
 )
-from allworlds.judging.tasks import MAP, TASKS, Judge, Task, task_named
-from allworlds.maps.classes import AND, Condition
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps import classes, combinatorial
 from allworlds.protocol.choices import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
-from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.kinds import (
-    GivenLighthouse,
-    LighthouseKind,
-    kind_of,
-    lighthouse_kind,
-    numbers_told,
-)
-from allworlds.world.lighthouses.marked import Directional
+from allworlds.world.lighthouses import base, kinds, marked
 from allworlds.world.world import World
 
 
@@ -108,26 +88,26 @@ class RuleOptions(Request):
     """
 
     task: Annotated[
-        Converted[str | Judge | Task, Task],
+        Converted[str | tasks.Judge | tasks.Task, tasks.Task],
         Option(
             RULES,
             "TASK",
-            f"What counts as done: {one_of(TASKS)}, or path/to/file.py:judge, a function of "
+            f"What counts as done: {one_of(tasks.TASKS)}, or path/to/file.py:judge, a function of "
             "(world, transcript, answer): it returns None if all is right, else the fault in "
             "words.",
             document_type=Annotated[
-                IfAny[Text | None],
-                about("what counted as done; where it is left out, the map"),
+                doc.IfAny[doc.Text | None],
+                doc.about("what counted as done; where it is left out, the map"),
             ],
         ),
-    ] = Converted(task_named, MAP)
+    ] = Converted(tasks.task_named, tasks.MAP)
     policy: Annotated[
         Converted[str, str],
         Option(
             RARE_RULES,
             "POLICY",
             f"How choices are made where the explorer is free: {one_of([*POLICIES, SEEDED])}.",
-            document_type=Annotated[Text, about("who answered the explorer's choices")],
+            document_type=Annotated[doc.Text, doc.about("who answered the explorer's choices")],
         ),
     ] = Converted(_policy, DEFAULT_POLICY)
     bound: Annotated[
@@ -140,8 +120,8 @@ class RuleOptions(Request):
             "vertices, m edges, d0 degree of the start, D largest degree, d diameter, g genus "
             "[default: the explorer's own, else the lighthouse's].",
             document_type=Annotated[
-                Text,
-                about("the bound on the traversals; `none` where the law was not checked"),
+                doc.Text,
+                doc.about("the bound on the traversals; `none` where the law was not checked"),
             ],
         ),
     ] = Converted(_bound, None)
@@ -153,8 +133,8 @@ class RuleOptions(Request):
             f"Check these alone, with commas: {', '.join(LAWS)} [default: all that apply].",
             parse=law_names,
             document_type=Annotated[
-                Different[JudgedLaw],
-                about("the laws that were checked; `task` where the task is none of them"),
+                doc.Different[JudgedLaw],
+                doc.about("the laws that were checked; `task` where the task is none of them"),
             ],
         ),
     ] = Converted(_laws, None)
@@ -167,8 +147,8 @@ class RuleOptions(Request):
             "times the bound 'paper', plus 100].",
             parse=integer_of,
             document_type=Annotated[
-                Positive | None,
-                about("the largest legal number of traversals; null: default"),
+                doc.Positive | None,
+                doc.about("the largest legal number of traversals; null: default"),
             ],
         ),
     ] = Converted(_step_budget, None)
@@ -176,11 +156,11 @@ class RuleOptions(Request):
     def rules_of(
         self,
         subject: Subject,
-        lighthouse: GivenLighthouse,
+        lighthouse: kinds.GivenLighthouse,
         *,
         promised: bool = False,
-        among: Among | None = None,
-    ) -> Rules:
+        among: "Among | None" = None,
+    ) -> "Rules":
         """The rules under a lighthouse, with the bound and the budget that the explorer brings.
 
         Raises:
@@ -189,8 +169,8 @@ class RuleOptions(Request):
         options = values_of(RuleOptions, self)
         if self.step_budget is None:
             options["step_budget"] = subject.step_budget
-        kind = lighthouse_kind(lighthouse)
-        told_numbers = numbers_told(kind)
+        kind = kinds.lighthouse_kind(lighthouse)
+        told_numbers = kinds.numbers_told(kind)
         if len(told_numbers) > 1 and is_library(subject.name):
             raise InputError(
                 f"explorer {show(subject.name)} is a library, which is told one number at most, "
@@ -213,12 +193,12 @@ class Among(NamedTuple):
     digest: str | None = None
 
     @classmethod
-    def of(cls, where: Condition | None) -> Among | None:
+    def of(cls, where: classes.Condition | None) -> "Among | None":
         """The condition of a request."""
         if where is None:
             return None
         digests = [code.digest for code in getattr(where, "codes", ())]
-        return cls(where.name, AND.join(digests) or None)
+        return cls(where.name, classes.AND.join(digests) or None)
 
 
 class Rules(RuleOptions, kw_only=False):
@@ -236,8 +216,8 @@ class Rules(RuleOptions, kw_only=False):
             reports.
     """
 
-    lighthouse: Converted[GivenLighthouse, LighthouseKind] = Converted(
-        lighthouse_kind, Directional.kind
+    lighthouse: Converted[kinds.GivenLighthouse, kinds.LighthouseKind] = Converted(
+        kinds.lighthouse_kind, marked.Directional.kind
     )
     _: KW_ONLY
     promised: bool = False
@@ -261,7 +241,7 @@ class Rules(RuleOptions, kw_only=False):
             vars(self)["laws"] = None if named == usual else named
 
     @property
-    def kind(self) -> type[Lighthouse]:
+    def kind(self) -> type[base.Lighthouse]:
         """The kind of lighthouse as a type."""
         return self.lighthouse.as_class
 
@@ -308,7 +288,7 @@ class Rules(RuleOptions, kw_only=False):
         """The laws that are checked, with the task where it is no law by itself."""
         return self.applying if self.task.is_map else (TASK, *self.applying)
 
-    def budget(self, map_: CombinatorialMap) -> int:
+    def budget(self, map_: combinatorial.CombinatorialMap) -> int:
         """The largest legal number of traversals in a world."""
         return self.budget_by_size(map_.vertex_count, map_.edge_count)
 
@@ -319,7 +299,7 @@ class Rules(RuleOptions, kw_only=False):
         """
         if self.step_budget is not None:
             return self.step_budget
-        usual = default_step_budget(paper_bound(vertices, edges))
+        usual = episode.default_step_budget(paper_bound(vertices, edges))
         brought = self.own_bound or NO_BOUND
         if brought.variables <= {"n", "m"}:
             return max(usual, brought.value(vertices, edges, 0, 0, 0, 0) or 0)
@@ -347,7 +327,7 @@ class Rules(RuleOptions, kw_only=False):
         return told_by(RuleOptions, self) | {key: as_json(each) for key, each in effective.items()}
 
     @cached_property
-    def recorded(self) -> RecordedRules:
+    def recorded(self) -> "RecordedRules":
         """The options as they stand in a finding."""
         options = {key: value for key, value in self.in_effect.items() if key != "lighthouse"}
         return RecordedRules(
@@ -358,22 +338,23 @@ class Rules(RuleOptions, kw_only=False):
         )
 
 
-@with_options(RuleOptions)
-class RecordedRules(Document, forbid_unknown_fields=False):
+@doc.with_options(RuleOptions)
+class RecordedRules(doc.Document, forbid_unknown_fields=False):
     """Options of a run.
 
     How it was played and judged. An option that is left out where it is read has its default.
     """
 
     task_digest: Annotated[
-        IfAny[Text | None], about("SHA-256 of the judge's file, where it is the user's")
+        doc.IfAny[doc.Text | None], doc.about("SHA-256 of the judge's file, where it is the user's")
     ] = None
     where: Annotated[
-        IfAny[Text | None], about("the condition on the maps among which it is minimal, if any")
+        doc.IfAny[doc.Text | None],
+        doc.about("the condition on the maps among which it is minimal, if any"),
     ] = None
     where_digest: Annotated[
-        IfAny[Text | None],
-        about("SHA-256 of the predicate's file, where it is the user's; of each of several"),
+        doc.IfAny[doc.Text | None],
+        doc.about("SHA-256 of the predicate's file, where it is the user's; of each of several"),
     ] = None
 
     def rules(self, world: World, own_bound: str | None = None) -> Rules:
@@ -386,8 +367,8 @@ class RecordedRules(Document, forbid_unknown_fields=False):
         """
         options = {field.name: getattr(self, field.name) for field in fields_of(RuleOptions)}
         bare = Rules(
-            kind_of(world.lighthouse),
-            task=options["task"] or MAP,
+            kinds.kind_of(world.lighthouse),
+            task=options["task"] or tasks.MAP,
             own_bound=own_bound,
             among=Among(self.where, self.where_digest) if self.where else None,
         )

@@ -4,9 +4,7 @@ The judge takes values of :mod:`allworlds.maps` and :mod:`allworlds.protocol` an
 inside of a world nor any explorer.
 
 ``law_table``
-    **the** table of the laws;
-``finished_run``
-    a finished run with the truth beside it, and each law as a function of it;
+    **the** table of the laws, and each as a function of a finished run with the truth beside it;
 ``folding``, ``bounds``
     the parts of laws: the folded log, the bounds.
 """

@@ -1,7 +1,5 @@
 """Bounds on the number of traversals: the paper's, one like it, none, or an expression."""
 
-from __future__ import annotations
-
 import ast
 import operator
 import re
@@ -63,7 +61,7 @@ class Bound:
     def __str__(self) -> str:
         return self.name
 
-    def __reduce__(self) -> tuple[Callable[[str], Bound], tuple[str]]:
+    def __reduce__(self) -> "tuple[Callable[[str], Bound], tuple[str]]":
         # Compiled expressions do not pickle; their texts do.
         return bound_named, (self.name,)
 

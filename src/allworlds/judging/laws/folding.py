@@ -6,12 +6,9 @@ on where one dart would lead to two places.  The result is part of every world t
 with the log; without an open dart the result *is* the world.
 """
 
-from __future__ import annotations
-
 from msgspec import Struct
 
-from allworlds.protocol.actions import Move, Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.actions import Move, Percept, Transcript
 
 
 class Contradiction(ValueError):

@@ -1,30 +1,333 @@
-"""The laws that a finished run is held to.
+"""**The** table of the laws that a finished run is held to, and each law as a function.
 
-A new one is a function of a :class:`~allworlds.judging.laws.finished_run.Case` and an entry of
+A new one is a function of a :class:`Case` and an entry of
 ``LAWS``; a law that ends a run before it is finished, such as ``timeout``, stands in ``ASKED``
-alone.
+alone.  A case is the run with the truth beside it.
+
+The judge embeds the published S into the true map by itself: the dart that the explorer
+calls its place goes to the robot's true dart, and everything else follows along sigma and
+the explored edges, because S is connected.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
-from typing import Annotated, TypeAlias
+from dataclasses import replace
+from functools import cached_property
+from itertools import count
+from operator import ne
+from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document.struct import one_of
-from allworlds.judging.laws.finished_run import (
-    Case,
-    Violation,
-    ambiguity_law,
-    bound_law,
-    folding_law,
-    invariant_1,
-    invariant_2,
-    map_law,
-    pose_law,
-    variant,
-)
+from allworlds.document import one_of
+from allworlds.inputs.checks import show
+from allworlds.judging.laws.folding import fold
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, carries, numbering
+from allworlds.maps.quotient import is_ambiguous, project
+from allworlds.protocol.actions import Ambiguous, Answer, Checkpoint, Estimate, Move, Transcript
+
+
+class Case(Struct, frozen=True, dict=True):
+    """A finished run with the truth beside it.
+
+    Attributes:
+        map, start: the true map and the dart that the robot faced at the start.
+        transcript: the log.
+        checkpoints: the published S and U, each with the number of steps before it.
+        estimate: the answer: its map is valid, or its permutations are, and ``here`` is one
+            of its darts; None where a task asks for something else.
+        bound: the largest legal number of traversals, or None.
+    """
+
+    map: CombinatorialMap
+    start: Dart
+    transcript: Transcript
+    checkpoints: tuple[tuple[int, Checkpoint], ...]
+    estimate: Answer | None
+    bound: int | None = None
+
+    @cached_property
+    def trail(self) -> tuple[Dart, ...]:
+        """The robot's true dart at the start and after each step, walked anew from the log."""
+        turn, alpha = self.map.turn, self.map.alpha
+        dart = self.start
+        trail = [dart]
+        for action, _ in self.transcript.steps:
+            if type(action) is Move:
+                dart = alpha[turn(dart, action.k)]
+            trail.append(dart)
+        return tuple(trail)
+
+    @cached_property
+    def walked(self) -> dict[Dart, int]:
+        """For each dart of an edge that was crossed, the number of steps before the first time."""
+        walked: dict[Dart, int] = {}
+        for step, (action, _) in enumerate(self.transcript.steps):
+            if type(action) is Move:
+                entered = self.trail[step + 1]
+                walked.setdefault(entered, step)
+                walked.setdefault(self.map.alpha[entered], step)
+        return walked
+
+    @cached_property
+    def answer(self) -> Literal["right", "pose", "map", "open"]:
+        """The value of the estimate: right, or the one of its two parts that is wrong.
+
+        ``pose``: the map is the same, but no isomorphism takes ``here`` to the robot's dart.
+        ``open``: the answer names no map.
+        """
+        if not isinstance(self.estimate, Estimate):
+            return "open"
+        estimate, truth = self.estimate.map, self.map
+        if len(estimate.sigma) != len(truth.sigma):
+            return "map"
+        order = numbering(estimate.sigma, estimate.alpha, self.estimate.here)
+
+        def fits(dart: Dart) -> bool:
+            return carries(estimate.sigma, estimate.alpha, order, truth.sigma, truth.alpha, dart)
+
+        if fits(self.trail[-1]):
+            return "right"
+        return "pose" if any(fits(dart) for dart in truth.darts) else "map"
+
+
+Value: TypeAlias = Estimate | int | str
+"""An expectation, or an observation: estimates for map and pose, integers for bound, or texts."""
+
+
+class Violation(Struct, frozen=True):
+    """A broken law.
+
+    Attributes:
+        law: its name.
+        expected, seen: estimates for map and pose, integers for bound, else a sentence.
+        step: the number of steps before the checkpoint that breaks it; None if none does.
+    """
+
+    law: str
+    expected: Value
+    seen: Value
+    step: int | None = None
+
+
+# ---------------------------------------------------------------- the answer
+
+
+def map_law(case: Case) -> Violation | None:
+    """Require that the estimate is the same map as the world (Section V: extended isomorphism)."""
+    return _wrong_answer(case, "map") if case.answer == "map" else None
+
+
+def pose_law(case: Case) -> Violation | None:
+    """Require that ``here`` stands for the robot's dart: both rooted maps are the same."""
+    return _wrong_answer(case, "pose") if case.answer == "pose" else None
+
+
+def _wrong_answer(case: Case, law: str) -> Violation:
+    assert isinstance(case.estimate, Estimate)
+    truth = Estimate(case.map, case.trail[-1])
+    return Violation(law, truth, case.estimate)
+
+
+def ambiguity_law(case: Case) -> Violation | None:
+    """Require that an answer without a map is the rooted quotient of a world that has lookalikes.
+
+    The percepts are one mark at the start's vertex, and the degree; lookalikes are counted
+    among all maps, whatever the class that is checked.
+    Cost: O(m log m).
+    """
+    answer = case.estimate
+    if not isinstance(answer, Ambiguous):
+        return None
+    map_, v0 = case.map, case.map.vertex_of[case.start]
+    marks = [int(vertex == v0) for vertex in map_.vertex_of]
+    quotient, classes = project((map_, marks, case.start))
+    # The criterion wants the root at v0; the robot may be elsewhere.
+    if not is_ambiguous(quotient):
+        return Violation(
+            "ambiguity",
+            "the map: no other world looks like this one",
+            f"Ambiguous, {_words(_canonical(answer))}",
+        )
+    rooted = quotient.rerooted(classes[case.trail[-1]])
+    labels = tuple([label for label in rooted.labels if isinstance(label, int)])
+    truth = Ambiguous(rooted.sigma, rooted.alpha, rooted.degree, labels, 0)
+    if _canonical(answer) == truth:
+        return None
+    return Violation("ambiguity", _words(truth), _words(_canonical(answer)))
+
+
+def _canonical(answer: Ambiguous) -> Ambiguous:
+    """The quotient with its darts numbered from ``here``."""
+    order = numbering(answer.sigma, answer.alpha, answer.here)
+    number = {q: i for i, q in enumerate(order)}
+    return Ambiguous(
+        tuple(number[answer.sigma[q]] for q in order),
+        tuple(number[answer.alpha[q]] for q in order),
+        tuple(answer.degree[q] for q in order),
+        tuple(answer.marks[q] for q in order),
+        0,
+    )
+
+
+def _words(answer: Ambiguous) -> str:
+    """The rooted quotient in a sentence."""
+    names = ("sigma", "alpha", "degree", "marks")
+    parts = (f"{name} {list(getattr(answer, name))}" for name in names)
+    return f"the quotient rooted at 0 with {', '.join(parts)}"
+
+
+# ---------------------------------------------------------------- the walk
+
+
+def bound_law(case: Case) -> Violation | None:
+    """Require at most ``bound`` edge traversals, retracing included (Section VI)."""
+    cost = case.transcript.cost
+    if case.bound is None or cost <= case.bound:
+        return None
+    return Violation("bound", case.bound, cost)
+
+
+def folding_law(case: Case) -> Violation | None:
+    """Require that the log alone determines the map: its folding has no open dart.
+
+    With an open dart left two different worlds agree with the log, so an explorer that is
+    right about this one has guessed.
+    """
+    folded = fold(case.transcript)
+    if not folded.open_darts:
+        return None
+    darts = "dart" if folded.open_darts == 1 else "darts"
+    return Violation(
+        "folding",
+        "a log that determines the map: no open dart when it is folded",
+        f"{folded.open_darts} open {darts} in the folded log: another world agrees with it",
+    )
+
+
+# ---------------------------------------------------------------- the checkpoints (Section V)
+
+
+def invariant_1(case: Case) -> Violation | None:
+    """I-1: S is the explored subgraph of the world, in the same cyclic orders.
+
+    That is: the embedding exists and is injective, whole vertices go to whole vertices, and
+    every edge of S has been walked.
+    """
+    for steps, checkpoint in case.checkpoints:
+        if broken := _wrong_s(case, steps, checkpoint):
+            return _violation("invariant-1", "S is the explored part of the world", steps, broken)
+    return None
+
+
+def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
+    """The reason why S is wrong; where it is right with another ``here``, that is the reason."""
+    broken = _wrong_part(case, steps, checkpoint)
+    darts = len(checkpoint.sigma)
+    if broken and darts <= len(case.map.sigma):
+        for here in range(darts):
+            if _wrong_part(case, steps, replace(checkpoint, here=here)) is None:
+                shown = show(checkpoint.here)
+                return f"S is right, but here = {shown}; the robot stands at dart {here} of S"
+    return broken
+
+
+def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
+    embedding = embed(case.map, case.trail[steps], checkpoint)
+    if isinstance(embedding, str):
+        return embedding
+    for d, e in enumerate(checkpoint.alpha):
+        if e != d and case.walked.get(embedding[d], steps) >= steps:
+            return f"S holds an edge at its dart {d} that has never been walked"
+    return None
+
+
+def invariant_2(case: Case) -> Violation | None:
+    """I-2: U is the set of unexplored darts at the explored vertices.
+
+    The darts of S's vertices are all there by I-1; what is left is that no dart in U belongs
+    to an edge of S.
+    """
+    for steps, checkpoint in case.checkpoints:
+        if broken := _half_entered(checkpoint):
+            return _violation(
+                "invariant-2",
+                "U holds the unexplored darts at explored vertices, and no others",
+                steps,
+                broken,
+            )
+    return None
+
+
+def _half_entered(checkpoint: Checkpoint) -> str | None:
+    alpha = checkpoint.alpha
+    for d, e in enumerate(alpha):
+        if e != d and 0 <= e < len(alpha) and alpha[e] == e:
+            return f"dart {e} is in U, but it is the other end of the explored dart {d}"
+    return None
+
+
+def variant(case: Case) -> Violation | None:
+    """The variant t = |E_G| - |E_S| falls at every checkpoint and has ended at 0."""
+    previous = None
+    for steps, checkpoint in case.checkpoints:
+        explored = sum(map(ne, count(), checkpoint.alpha))
+        t = case.map.edge_count - (explored + 1) // 2
+        if previous is not None and t >= previous:
+            return Violation(
+                "variant",
+                f"t = |E_G| - |E_S| below {previous} after the next pass",
+                f"t = {t} at the checkpoint after step {steps}",
+                steps,
+            )
+        previous = t
+    if previous:
+        return Violation("variant", "t = |E_G| - |E_S| = 0 at the end", f"t = {previous}")
+    return None
+
+
+def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
+    """The dart of the world for each dart of S, or the reason why there is none.
+
+    A dart in U whose partner claims it (the fault of I-2) is embedded by its partner.
+    Cost: O(|S|).
+    """
+    sigma, alpha = checkpoint.sigma, checkpoint.alpha
+    size, here = len(sigma), checkpoint.here
+    if len(alpha) != size or not 0 <= here < size:
+        return f"here = {show(here)}, with {size} darts in sigma and {len(alpha)} in alpha"
+    image, free = [-1] * size, [True] * len(map_.sigma)
+    image[here], free[dart] = dart, False
+    claims = {e: d for d, e in enumerate(alpha) if e != d and 0 <= e < size and alpha[e] == e}
+    partners = [claims.get(d, e) for d, e in enumerate(alpha)] if claims else alpha
+    ways = (("sigma", sigma, map_.sigma), ("alpha", partners, map_.alpha))
+    for x in (queue := [here]):
+        for name, way, true_way in ways:
+            y, true = way[x], true_way[image[x]]
+            if y == x and name == "alpha":
+                continue  # An open dart leads nowhere yet.
+            if not 0 <= y < size:
+                return f"{name}({x}) = {show(y)} is no dart of S"
+            if image[y] == -1 and free[true]:
+                image[y], free[true] = true, False
+                queue.append(y)
+            elif image[y] != true:
+                return f"with the robot at dart {here}, {name}({x}) = {y} is not so in the world"
+    if len(queue) < size:
+        return f"dart {image.index(-1)} of S is not connected with the robot's dart"
+    return image
+
+
+def first_wrong(case: Case) -> tuple[int, str] | None:
+    """The steps before the first checkpoint that breaks an invariant, and what is wrong with it."""
+    for steps, checkpoint in case.checkpoints:
+        if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
+            return steps, broken
+    return None
+
+
+def _violation(law: str, expected: str, steps: int, broken: str) -> Violation:
+    return Violation(law, expected, f"at the checkpoint after step {steps}: {broken}", steps)
+
 
 Check: TypeAlias = Callable[[Case], Violation | None]
 """The function of a law: the violation, or None if the law holds."""

@@ -1,43 +1,20 @@
 """Content of reports about worlds that look alike: twins, classes, censuses and searches."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from string import ascii_lowercase
 
 from msgspec import UNSET
 
-from allworlds.document.struct import replace
+from allworlds import document as doc, words
 from allworlds.judging.explanations.story import Walked
-from allworlds.judging.findings.walks import true_trail
+from allworlds.judging.findings.finding import true_trail
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.quotient import Quotient
-from allworlds.protocol.actions import Move
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol import actions
+from allworlds.reports import parts
 from allworlds.reports.content.scope import finished, gate_facts, maps_in_words, places_facts
-from allworlds.reports.drawing.scene import Scene, scene_of
-from allworlds.reports.parts import (
-    Block,
-    Cell,
-    CsvRows,
-    Elsewhere,
-    FactList,
-    Headline,
-    Paragraph,
-    ReportContent,
-    Section,
-    ShownWalk,
-    Table,
-    Value,
-    View,
-    fact,
-    so_far,
-)
-from allworlds.studies.ambiguity.marked_worlds import AmbiguityCensus, CensusCell, CensusRow
-from allworlds.studies.ambiguity.members import AmbiguityClass, projection_of
-from allworlds.studies.ambiguity.telling_apart import ComparedWorlds
-from allworlds.studies.ambiguity.twin_search import SearchResult
-from allworlds.words import number, plural
+from allworlds.studies.ambiguity import marked_worlds, twin_search
+from allworlds.studies.ambiguity.members import AmbiguityClass, ComparedWorlds, projection_of
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.world import World
 
@@ -54,99 +31,103 @@ TOURED = (
 )
 
 
-def twins_content(comparison: ComparedWorlds) -> ReportContent:
+def twins_content(comparison: ComparedWorlds) -> parts.ReportContent:
     """The walk that tells two worlds apart, or the quotient that they share."""
     worlds, classes = comparison.worlds, comparison.bisimulation
-    blocks: list[Block]
+    blocks: list[parts.Block]
     if classes is UNSET:
         title = "The shortest walk that tells them apart"
         sentence = "The last percepts of this walk differ."
         if comparison.told is not UNSET:
             sentence = "The robot knows which world it is in before it moves."
-        scenes = [scene_of(world) for world in worlds]
+        scenes = [parts.scene_of(world) for world in worlds]
         blocks = [_walk("AB", worlds, scenes, comparison.motions or (), [sentence])]
     else:
         title = "Darts of one letter look alike"
         blocks = [alike("AB", worlds, classes), *_quotient(projection_of(worlds[0]).quotient)]
-    return ReportContent(
+    return parts.ReportContent(
         "allworlds ambiguity twins",
         "A and B",
         comparison,
         _answer(comparison),
-        [Section("walk-1", title, blocks)],
+        [parts.Section("walk-1", title, blocks)],
         rows=None if classes is UNSET else lambda: _rows(worlds, classes or ()),
     )
 
 
-def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> CsvRows:
+def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> parts.CsvRows:
     """A row for each dart of each world: darts of one class are not to be told apart."""
     named = any(world.labels.vertices for world in worlds)
-    rows: list[list[Value]] = [
+    rows: list[list[parts.Value]] = [
         [number, dart, v, of_world[dart], *([world.labels.vertex(v)] if named else [])]
         for number, (world, of_world) in enumerate(zip(worlds, classes, strict=True), 1)
         for dart, v in enumerate(world.map.vertex_of)
     ]
     columns: dict[str, type] = {"world": int, "dart": int, "vertex": int, "class": int}
-    return CsvRows(columns | ({"name": str} if named else {}), rows)
+    return parts.CsvRows(columns | ({"name": str} if named else {}), rows)
 
 
-def _answer(comparison: ComparedWorlds) -> Headline:
+def _answer(comparison: ComparedWorlds) -> parts.Headline:
     if comparison.told is not UNSET:
         one, other = comparison.told
         said = f"by 0 motions: before the start {one} is told in A, and {other} in B"
-        return Headline("TOLD APART", said, "holds")
+        return parts.Headline("TOLD APART", said, "holds")
     if comparison.motions is not UNSET:
         motions = ", ".join(map(str, comparison.motions)) or "none: the first percepts differ"
-        count = plural(len(comparison.motions), "motion")
-        return Headline("TOLD APART", f"by {count}, and by no fewer: {motions}", "holds")
+        count = words.plural(len(comparison.motions), "motion")
+        return parts.Headline("TOLD APART", f"by {count}, and by no fewer: {motions}", "holds")
     word, what = {
         "same": ("SAME", "the two are one world, start included; "),
         "same-map": ("ALIKE", "one world, entered at two darts that look alike; "),
         "different": ("TWINS", "two different worlds; "),
     }[comparison.relation]
     why = _why_alike([projection_of(world).quotient for world in comparison.worlds])
-    return Headline(word, what + why, "vacuous")
+    return parts.Headline(word, what + why, "vacuous")
 
 
-def class_content(found: AmbiguityClass) -> ReportContent:
+def class_content(found: AmbiguityClass) -> parts.ReportContent:
     """The size of the class, some of its worlds, and the quotient they share."""
     worlds = found.worlds[:DRAWN]
     names = ["The given world", *(f"World {i}" for i in range(2, len(worlds) + 1))]
     classes = [projection_of(world).classes for world in found.worlds]
     quotient = _quotient(projection_of(found.world).quotient)
-    blocks: list[Block] = [alike(names, worlds, classes[:DRAWN])]
+    blocks: list[parts.Block] = [alike(names, worlds, classes[:DRAWN])]
     if len(found.worlds) > DRAWN:
-        left = number(len(found.worlds) - DRAWN)
-        blocks.append(Paragraph(f"{left} more worlds: --json lists them."))
+        left = words.number(len(found.worlds) - DRAWN)
+        blocks.append(parts.Paragraph(f"{left} more worlds: --json lists them."))
     if found.notice:
-        blocks.append(Paragraph(f"{found.notice}."))
-    poses = f"{number(found.poses)} (a world, and a dart where the robot is)"
-    return ReportContent(
+        blocks.append(parts.Paragraph(f"{found.notice}."))
+    poses = f"{words.number(found.poses)} (a world, and a dart where the robot is)"
+    return parts.ReportContent(
         "allworlds ambiguity class",
         "one world",
         found,
         _size_of(found),
-        [Section("walk-1", "Worlds that look alike", [*blocks, fact("poses", poses), *quotient])],
+        [
+            parts.Section(
+                "walk-1", "Worlds that look alike", [*blocks, parts.fact("poses", poses), *quotient]
+            )
+        ],
         rows=lambda: _rows(found.worlds, classes),
     )
 
 
-def _size_of(found: AmbiguityClass) -> Headline:
+def _size_of(found: AmbiguityClass) -> parts.Headline:
     universe = f"in the class {found.map_class}"
     if found.size == 1:
         text = f"no other world {universe} has its quotient: a robot can map it"
-        return Headline("ALONE", text, "holds")
+        return parts.Headline("ALONE", text, "holds")
     why = _why_alike([projection_of(found.world).quotient])
-    text = f"{plural(found.size, 'world')} {universe}; {why}"
-    return Headline("AMBIGUOUS", text, "vacuous")
+    text = f"{words.plural(found.size, 'world')} {universe}; {why}"
+    return parts.Headline("AMBIGUOUS", text, "vacuous")
 
 
 def alike(
     names: Sequence[str], worlds: Sequence[World], classes: Sequence[Sequence[int]]
-) -> ShownWalk:
+) -> parts.ShownWalk:
     """Worlds that no motion tells apart, with a walk along every edge of each."""
     scenes = [
-        replace(scene_of(world), labels=[letters(q) for q in of_world])
+        doc.replace(parts.scene_of(world), labels=[letters(q) for q in of_world])
         for world, of_world in zip(worlds, classes, strict=True)
     ]
     sentences = [ALIKE, TOURED] if len(worlds) > 1 else ["The walk goes along every edge."]
@@ -156,14 +137,14 @@ def alike(
 def _walk(
     names: Sequence[str],
     worlds: Sequence[World],
-    scenes: Sequence[Scene],
+    scenes: Sequence[parts.Scene],
     motions: Sequence[int],
     sentences: Sequence[str],
-) -> ShownWalk:
+) -> parts.ShownWalk:
     """One walk in each of the worlds."""
     logs = [walk_along(world, motions) for world in worlds]
     views = [
-        View(
+        parts.View(
             letters(i),
             f"World {name}" if len(name) == 1 else name,
             scene,
@@ -173,29 +154,29 @@ def _walk(
         for i, (name, world, scene, log) in enumerate(zip(names, worlds, scenes, logs, strict=True))
     ]
     apart = [log.percepts for log in logs if log.percepts != logs[0].percepts]
-    elsewhere = Elsewhere("sensed in B", apart[0]) if apart else None
+    elsewhere = parts.Elsewhere("sensed in B", apart[0]) if apart else None
     walked = Walked(worlds[0], logs[0])
-    return ShownWalk("One walk", walked, views, sentences, elsewhere, tour=not apart)
+    return parts.ShownWalk("One walk", walked, views, sentences, elsewhere, tour=not apart)
 
 
 def _why_alike(quotients: Sequence[Quotient]) -> str:
     """The reason why no motion tells worlds with these quotients, equal but for sheets, apart."""
     sheets = [quotient.sheets for quotient in quotients]
     if len({*sheets}) > 1:
-        who = f"A is a cover with {plural(sheets[0], 'sheet')}, B one with {sheets[1]},"
+        who = f"A is a cover with {words.plural(sheets[0], 'sheet')}, B one with {sheets[1]},"
     else:
         some = "all" if len(sheets) == 1 else "both"
-        who = f"{some} are covers, with {plural(sheets[0], 'sheet')},"
-    size = plural(len(quotients[0].sigma), "class", "classes")
+        who = f"{some} are covers, with {words.plural(sheets[0], 'sheet')},"
+    size = words.plural(len(quotients[0].sigma), "class", "classes")
     return (
         f"{who} of one quotient of {size} of darts, and as darts of one class sense the same and "
         "lead to darts of one class, no motion tells the worlds apart"
     )
 
 
-def _quotient(quotient: Quotient) -> tuple[Paragraph, Table]:
+def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
     """A row a vertex: its classes clockwise with where alpha leads, and what lies over it."""
-    rows: list[list[Cell]] = []
+    rows: list[list[parts.Cell]] = []
     for vertex, cone in zip(quotient.vertices, quotient.cone_indices, strict=True):
         leads = ((q, quotient.alpha[q]) for q in vertex)
         around = " ".join(
@@ -205,10 +186,10 @@ def _quotient(quotient: Quotient) -> tuple[Paragraph, Table]:
         rows.append([around, str(quotient.labels[vertex[0]]), cone])
     header = ["classes clockwise", "sensed there", "times round"]
     said = "The quotient (a→b: alpha takes class a to class b; a↺: to itself, a semi-edge)."
-    return Paragraph(said), Table(header, rows)
+    return parts.Paragraph(said), parts.Table(header, rows)
 
 
-def census_content(census: AmbiguityCensus) -> ReportContent:
+def census_content(census: marked_worlds.AmbiguityCensus) -> parts.ReportContent:
     """A row for each number of edges, and the source with which the counts were compared."""
     header = ["marked worlds", "ambiguous", "classes", "largest class"]
     rows = [[row.edges, *_counts(row)] for row in census.rows]
@@ -229,62 +210,64 @@ def census_content(census: AmbiguityCensus) -> ReportContent:
     if census.agrees:
         facts += gate_facts(census, "rooted map", rows=bool(rows))
     tables = [
-        Table(["edges", *header], rows, "Marked worlds by edges"),
-        Table(["edges", "vertices", *header], cells, "By edges and vertices", keys=2),
+        parts.Table(["edges", *header], rows, "Marked worlds by edges"),
+        parts.Table(["edges", "vertices", *header], cells, "By edges and vertices", keys=2),
     ]
-    sections = [Section("seen", "", [*tables, FactList(facts)])]
+    sections = [parts.Section("seen", "", [*tables, parts.FactList(facts)])]
     if census.pair:
         title = "The smallest worlds that no motion tells apart"
-        sections.append(Section("pair", title, [alike("AB", census.pair, census.bisimulation)]))
+        sections.append(
+            parts.Section("pair", title, [alike("AB", census.pair, census.bisimulation)])
+        )
     columns = {"edges": int, "vertices": int, "marked_worlds": int}
     columns |= {"ambiguous_worlds": int, "classes": int, "largest_class": int}
-    return ReportContent(
+    return parts.ReportContent(
         "allworlds ambiguity census",
         f"class {census.extent.map_class}",
         census,
         _counted(census),
         sections,
-        rows=lambda: CsvRows.of(census.by_vertices, **columns),
+        rows=lambda: parts.CsvRows.of(census.by_vertices, **columns),
     )
 
 
-def _counts(row: CensusRow | CensusCell) -> list[Cell]:
+def _counts(row: marked_worlds.CensusRow | marked_worlds.CensusCell) -> list[parts.Cell]:
     return [row.marked_worlds, row.ambiguous_worlds, row.classes, row.largest_class or None]
 
 
-def _counted(census: AmbiguityCensus) -> Headline | None:
+def _counted(census: marked_worlds.AmbiguityCensus) -> parts.Headline | None:
     if not census.agrees:
         wrong = [
-            f"with {plural(row.edges, 'edge')} {plural(row.rooted, 'rooted map')} "
+            f"with {words.plural(row.edges, 'edge')} {words.plural(row.rooted, 'rooted map')} "
             f"{'was' if row.rooted == 1 else 'were'} met, but {census.source} counts {row.counted}"
             for row in census.rows
             if not row.agrees(whole=census.whole)
         ]
-        return Headline("MISMATCH", "; ".join(wrong), "error")
+        return parts.Headline("MISMATCH", "; ".join(wrong), "error")
     if not census.rows:
-        return so_far(census, None)
-    worlds = plural(sum(row.marked_worlds for row in census.rows), "marked world")
+        return parts.so_far(census, None)
+    worlds = words.plural(sum(row.marked_worlds for row in census.rows), "marked world")
     scope = finished(census, census.rows[-1].edges)
     if census.places:
         scope += f" ({census.places})"
     ambiguous = sum(row.ambiguous_worlds or 0 for row in census.rows)
     if not census.whole:
-        done = Headline("SHARD", f"{worlds} {scope}, of the shard {census.portion}")
+        done = parts.Headline("SHARD", f"{worlds} {scope}, of the shard {census.portion}")
     elif census.empty:
-        done = Headline("VACUOUS", f"there is no world {scope}", "vacuous")
+        done = parts.Headline("VACUOUS", f"there is no world {scope}", "vacuous")
     elif ambiguous:
-        done = Headline("AMBIGUOUS", f"{number(ambiguous)} of {worlds} {scope}")
+        done = parts.Headline("AMBIGUOUS", f"{words.number(ambiguous)} of {worlds} {scope}")
     else:
-        done = Headline("TOLD APART", f"{worlds} {scope}: motions tell each from every other")
-    return so_far(census, done)
+        done = parts.Headline("TOLD APART", f"{worlds} {scope}: motions tell each from every other")
+    return parts.so_far(census, done)
 
 
-def search_content(result: SearchResult) -> ReportContent:
+def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
     """The answer with the twins found, the sizes that it rests on, and its certificate."""
     pair = []
     if result.pair and result.bisimulation:
         walk = alike("AB", result.pair, result.bisimulation)
-        pair.append(Section("walk-1", "Darts of one letter look alike", [walk]))
+        pair.append(parts.Section("walk-1", "Darts of one letter look alike", [walk]))
     headline, facts = _found(result)
     facts.append(("files", str(result.directory)))
     columns = {"sizes": str, "status": str, "seconds": float, "formula": str, "proof": str}
@@ -295,37 +278,37 @@ def search_content(result: SearchResult) -> ReportContent:
         ]
         for one in result.levels
     ]
-    table = Table([*columns], rows, "The sizes that were decided")
-    return ReportContent(
+    table = parts.Table([*columns], rows, "The sizes that were decided")
+    return parts.ReportContent(
         "allworlds ambiguity search",
         f"{result.lighthouse} lighthouse, class {result.map_class.value}",
         result,
         headline,
-        [*pair, Section("seen", "What was searched", [FactList(facts), table])],
-        rows=lambda: CsvRows(columns, rows),
+        [*pair, parts.Section("seen", "What was searched", [parts.FactList(facts), table])],
+        rows=lambda: parts.CsvRows(columns, rows),
     )
 
 
-def _found(result: SearchResult) -> tuple[Headline, list[tuple[str, str]]]:
+def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple[str, str]]]:
     """The answer and its basis, as named texts."""
     asked = result.question.describes
     if result.status == "unknown":
-        return Headline("UNKNOWN", f"{asked}: undecided.", "inconclusive"), []
+        return parts.Headline("UNKNOWN", f"{asked}: undecided.", "inconclusive"), []
     if result.vacuous:
-        return Headline("VACUOUS", f"{asked}: there is no world at all.", "vacuous"), []
+        return parts.Headline("VACUOUS", f"{asked}: there is no world at all.", "vacuous"), []
     if result.status == "sat":
         pair = [] if result.certificate is None else [("pair", str(result.certificate))]
-        return Headline("FOUND", f"{asked}.", "vacuous"), [("why", _why(result)), *pair]
+        return parts.Headline("FOUND", f"{asked}.", "vacuous"), [("why", _why(result)), *pair]
     proof = "no certificate for all sizes; the notices say why"
     if result.certificate is not None:
         proof = (
             f"{result.certificate}: a formula and an LRAT proof for all sizes, each proof checked "
             "by a program that is no solver"
         )
-    return Headline("NONE", f"{asked}: there are none.", "holds"), [("proof", proof)]
+    return parts.Headline("NONE", f"{asked}: there are none.", "holds"), [("proof", proof)]
 
 
-def _why(result: SearchResult) -> str:
+def _why(result: twin_search.SearchResult) -> str:
     assert result.pair is not None
     assert result.bisimulation is not None
     home = result.bisimulation[0][result.pair[0].start]
@@ -336,13 +319,13 @@ def _why(result: SearchResult) -> str:
     )
 
 
-def walk_along(world: World, motions: Sequence[int]) -> Transcript:
+def walk_along(world: World, motions: Sequence[int]) -> actions.Transcript:
     """The log of these motions from the start."""
     state, steps = world.initial, []
     for k in motions:
-        state, percept = world.step(state, Move(k))
-        steps.append((Move(k), percept))
-    return Transcript(world.first, tuple(steps))
+        state, percept = world.step(state, actions.Move(k))
+        steps.append((actions.Move(k), percept))
+    return actions.Transcript(world.first, tuple(steps))
 
 
 def tour(worlds: Sequence[World]) -> list[int]:

@@ -1,17 +1,13 @@
 """Content of a check."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from allworlds.engines.scope import Sample
-from allworlds.engines.single import SingleRun
-from allworlds.engines.swept_report import tried_places
-from allworlds.engines.tally import Row
-from allworlds.engines.units import Shard
+from allworlds.engines import single, sweep, tally, units
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Disagreed, Verdict
+from allworlds.reports import parts
+from allworlds.reports.content import single_run
 from allworlds.reports.content.scope import (
     SAID,
     each_of,
@@ -20,43 +16,24 @@ from allworlds.reports.content.scope import (
     places_facts,
     trust_facts,
 )
-from allworlds.reports.content.single_run import (
-    cost_words,
-    finding_section,
-    nothing_checked,
-    run_section,
-)
-from allworlds.reports.parts import (
-    Block,
-    Cell,
-    CsvRows,
-    FactList,
-    Headline,
-    Paragraph,
-    ReportContent,
-    RightText,
-    Section,
-    SuiteCase,
-    Table,
-    fact,
-)
-from allworlds.studies.check.exhaustive import Guess, TimeEstimate
+from allworlds.studies.check import exhaustive, tally_sweep
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
-from allworlds.studies.check.tally_sweep import CorpusReport
 from allworlds.words import about, counted, duration, listed, number, plural, size
 
 
-def check_content(report: CheckReport | TimeEstimate) -> ReportContent:
+def check_content(report: CheckReport | exhaustive.TimeEstimate) -> parts.ReportContent:
     """The verdict, the findings, the scope and the counts; or the estimated duration.
 
     On the page of a check that holds also the most expensive runs.
     """
-    if isinstance(report, TimeEstimate):
+    if isinstance(report, exhaustive.TimeEstimate):
         return _estimate(report)
-    verb = "fuzz" if isinstance(report.asked.coverage, Sample) else "check"
+    verb = "fuzz" if isinstance(report.asked.coverage, units.Sample) else "check"
     findings = _findings(report, range(len(report.findings)))
-    seen = Section("seen", "What was checked", [FactList(scope_words(report)), size_table(report)])
-    return ReportContent(
+    seen = parts.Section(
+        "seen", "What was checked", [parts.FactList(scope_words(report)), size_table(report)]
+    )
+    return parts.ReportContent(
         f"allworlds {verb}",
         report.explorer,
         report,
@@ -95,16 +72,16 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
     return words
 
 
-def _rows(report: CheckReport) -> CsvRows:
+def _rows(report: CheckReport) -> parts.CsvRows:
     """A row for each number of edges and of vertices, of a sample too."""
     played = {"worlds": int, "runs": int, "episodes": int}
     costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
     if report.asked.schedules == "all":
         costs["best_cost"] = int
-    return CsvRows.of(report.rows, edges=int, vertices=int, **played, **costs)
+    return parts.CsvRows.of(report.rows, edges=int, vertices=int, **played, **costs)
 
 
-def size_table(report: CheckReport) -> Table:
+def size_table(report: CheckReport) -> parts.Table:
     """Counts for each number of edges and vertices.
 
     Of a sample, which has a few worlds of very many sizes, for each number of edges.
@@ -113,31 +90,31 @@ def size_table(report: CheckReport) -> Table:
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
     if every:
         header[4:4], header[6:6] = ["schedules"], ["best cost"]
-    sampled = isinstance(report.asked.coverage, Sample)
-    groups: dict[tuple[int, int], tuple[list[int], Row]] = {}
+    sampled = isinstance(report.asked.coverage, units.Sample)
+    groups: dict[tuple[int, int], tuple[list[int], tally.Row]] = {}
     for (edges, vertices), row in sorted(report.tally.rows.items()):
-        met, total = groups.setdefault((edges, 0 if sampled else vertices), ([], Row()))
+        met, total = groups.setdefault((edges, 0 if sampled else vertices), ([], tally.Row()))
         met.append(vertices)
         total.add(row)
-    rows: list[list[Cell]] = []
+    rows: list[list[parts.Cell]] = []
     for (edges, _), (met, row) in groups.items():
-        between: Cell = met[0] if len(met) == 1 else RightText(f"{met[0]}-{met[-1]}")
+        between: parts.Cell = met[0] if len(met) == 1 else parts.RightText(f"{met[0]}-{met[-1]}")
         played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
         best = [row.best_cost] if every else []
         rows.append([edges, between, *played, *best, row.max_cost, row.bound])
-    return Table(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
+    return parts.Table(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
 
 
-def verdict_of(report: CheckReport) -> Headline:
+def verdict_of(report: CheckReport) -> parts.Headline:
     """The verdict and its explanation."""
     done = (
         f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
         f"{plural(report.tally.traversals, 'traversal')}"
     )
-    where = "drawn worlds" if isinstance(report.asked.coverage, Sample) else "finished levels"
+    where = "drawn worlds" if isinstance(report.asked.coverage, units.Sample) else "finished levels"
     if report.verdict in (Verdict.HOLDS, Verdict.NOT_REFUTED) and not report.runs:
         said = f"{done} fall to this shard, which is finished and has nothing to check"
-        return Headline("EMPTY", said, "vacuous")
+        return parts.Headline("EMPTY", said, "vacuous")
     match report.verdict:
         case Verdict.HOLDS | Verdict.NOT_REFUTED:
             text = f"{done}: no law is broken{_in_shard(report)}"
@@ -150,13 +127,13 @@ def verdict_of(report: CheckReport) -> Headline:
             text = _why_vacuous(report)
         case Verdict.ERROR:
             text = report.ending.reason
-    return Headline(report.verdict.value.upper(), text, report.verdict.value)
+    return parts.Headline(report.verdict.value.upper(), text, report.verdict.value)
 
 
 def _in_shard(report: CheckReport) -> str:
     """A remark that this is only a shard; empty for a whole check."""
     shard = report.asked.portion
-    if not isinstance(shard, Shard):
+    if not isinstance(shard, units.Shard):
         return ""
     return f" in shard {shard}; the verdict on the whole needs the merge of all shards"
 
@@ -164,16 +141,16 @@ def _in_shard(report: CheckReport) -> str:
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts. A text without a name continues the one before."""
     scope, rules = report.asked, report.asked.rules
-    least = scope.coverage.min_edges if isinstance(scope.coverage, Sample) else 1
-    shard = f", shard {scope.portion}" if isinstance(scope.portion, Shard) else ""
+    least = scope.coverage.min_edges if isinstance(scope.coverage, units.Sample) else 1
+    shard = f", shard {scope.portion}" if isinstance(scope.portion, units.Shard) else ""
     what = (
         f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
         f"{of_the_class(scope.extent, least)}{shard}; {_schedules(report)}"
     )
     words = [("explorer", f"{report.explorer}, {report.engine} engine"), ("scope", what)]
-    words += places_facts(tried_places(rules.lighthouse, scope.extent))
+    words += places_facts(sweep.tried_places(rules.lighthouse, scope.extent))
     words += option_facts(report, CHECK_SAID)
-    if not report.complete and not isinstance(scope.coverage, Sample):
+    if not report.complete and not isinstance(scope.coverage, units.Sample):
         finished = ", ".join(map(str, report.levels)) or "none"
         why = "" if report.ending.final else f"{report.ending.reason}; "
         words.append(("", f"NOT complete: {why}finished levels (edges): {finished}"))
@@ -203,9 +180,9 @@ CHECK_SAID = (*SAID, "task", "laws", "schedules", "min_edges", "runs", "max_find
 
 def _which(report: CheckReport) -> str:
     given = report.asked.extent.given
-    if isinstance(report.asked.coverage, Sample) or (given and given.fixed):
+    if isinstance(report.asked.coverage, units.Sample) or (given and given.fixed):
         return "one start and marker"
-    some = tried_places(report.asked.rules.lighthouse, report.extent)
+    some = sweep.tried_places(report.asked.rules.lighthouse, report.extent)
     return "every start and the places named below" if some else "every start and marker"
 
 
@@ -213,12 +190,12 @@ def _maps(report: CheckReport) -> str:
     sample, given = report.asked.coverage, report.asked.extent.given
     if given is not None:
         return each_of(given)
-    if not isinstance(sample, Sample):
+    if not isinstance(sample, units.Sample):
         return "every map"
     return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
 
 
-def _corpus(past: CorpusReport) -> str:
+def _corpus(past: tally_sweep.CorpusReport) -> str:
     found = {
         "reproduced": past.reproduced,
         "still refuted, but beyond the scope": past.beyond_scope,
@@ -242,7 +219,7 @@ def _laws(report: CheckReport) -> str:
     if not report.runs:
         return "no run was made, so no law was checked"
     if not checked:
-        return nothing_checked(rules)
+        return single_run.nothing_checked(rules)
     bound = f"bound ({rules.the_bound.name})"
     laws = ", ".join(bound if law == "bound" else law for law in checked)
     if published:
@@ -256,9 +233,9 @@ def _laws(report: CheckReport) -> str:
 def _gate(report: CheckReport) -> str:
     if (given := report.asked.extent.given) is not None:
         return given.gate
-    if isinstance(report.asked.coverage, Shard):
+    if isinstance(report.asked.coverage, units.Shard):
         return "deferred to the merge of all shards"
-    if isinstance(report.asked.coverage, Sample):
+    if isinstance(report.asked.coverage, units.Sample):
         return "absent: a sample is not to be counted"
     extent = report.asked.extent
     if extent.where is not None and source_of(extent) is None:
@@ -277,24 +254,24 @@ def _why_vacuous(report: CheckReport) -> str:
     if not report.runs:
         return "the scope holds no run"
     if not report.checked_laws:
-        return nothing_checked(report.asked.rules)
+        return single_run.nothing_checked(report.asked.rules)
     return "a witness is missing"
 
 
-def _cases(report: CheckReport) -> Iterator[SuiteCase]:
+def _cases(report: CheckReport) -> Iterator[parts.SuiteCase]:
     """A case for each number of edges, of past findings before and of witnesses after; or one.
 
     A level is passed; failed, with its findings; an error where the count gate or two engines
     disagree; skipped, with the reason, where it was not finished.  A sample is one case.
     """
-    if isinstance(report.asked.coverage, Sample):
+    if isinstance(report.asked.coverage, units.Sample):
         yield _sample(report, report.asked.coverage)
         return
     past, new = list[int](), list[int]()
     for i, finding in enumerate(report.findings):
         (past if report.past and report.past.holds(finding) else new).append(i)
     if report.past:
-        yield _failure(report, "past findings", past) if past else SuiteCase("past findings")
+        yield _failure(report, "past findings", past) if past else parts.SuiteCase("past findings")
     every = "every world" if report.asked.extent.given is None else "every given world"
     for edges in report.asked.extent.levels:
         name = f"{every} with {plural(edges, 'edge')}"
@@ -303,18 +280,21 @@ def _cases(report: CheckReport) -> Iterator[SuiteCase]:
             _mismatch(cell) for cell in report.cells if cell.edges == edges and not cell.agrees
         ]
         if wrong:
-            said = [Section("gate", "", [Paragraph("\n".join(wrong))]), *_findings(report, found)]
-            yield SuiteCase(name, "error", "count-gate", wrong[0], said)
+            said = [
+                parts.Section("gate", "", [parts.Paragraph("\n".join(wrong))]),
+                *_findings(report, found),
+            ]
+            yield parts.SuiteCase(name, "error", "count-gate", wrong[0], said)
         elif found:
             yield _failure(report, name, found)
         elif edges in report.levels:
-            yield SuiteCase(name)
+            yield parts.SuiteCase(name)
         else:
             why = report.ending.reason or "the level was not finished"
-            yield SuiteCase(name, "skipped", message=why)
+            yield parts.SuiteCase(name, "skipped", message=why)
     if isinstance(report.ending, Disagreed) and all(cell.agrees for cell in report.cells):
-        said = [Section("engines", "", [Paragraph(report.ending.reason)])]
-        yield SuiteCase("engines", "error", "engines-disagree", "two engines disagree", said)
+        said = [parts.Section("engines", "", [parts.Paragraph(report.ending.reason)])]
+        yield parts.SuiteCase("engines", "error", "engines-disagree", "two engines disagree", said)
     if report.complete and report.asked.whole:
         missing = ""
         if not report.checked_laws:
@@ -322,32 +302,32 @@ def _cases(report: CheckReport) -> Iterator[SuiteCase]:
         elif report.missing_witnesses:
             missing = f"never seen: {', '.join(report.missing_witnesses)}"
         result: Any = ("failure", "vacuous", missing) if missing else ()
-        yield SuiteCase("witnesses", *result)
+        yield parts.SuiteCase("witnesses", *result)
 
 
-def _sample(report: CheckReport, sample: Sample) -> SuiteCase:
+def _sample(report: CheckReport, sample: units.Sample) -> parts.SuiteCase:
     edges = plural(report.asked.extent.levels[-1], "edge")
     least = "up to" if sample.min_edges == 1 else f"{sample.min_edges} to"
     name = f"{plural(sample.runs, 'random world')} with {least} {edges}"
     if report.findings:
         return _failure(report, name, range(len(report.findings)))
     if report.verdict is Verdict.NOT_REFUTED:
-        return SuiteCase(name)
-    return SuiteCase(name, "skipped", message=report.ending.reason or "no world was tried")
+        return parts.SuiteCase(name)
+    return parts.SuiteCase(name, "skipped", message=report.ending.reason or "no world was tried")
 
 
-def _failure(report: CheckReport, name: str, found: Sequence[int]) -> SuiteCase:
+def _failure(report: CheckReport, name: str, found: Sequence[int]) -> parts.SuiteCase:
     law = report.findings[found[0]].law
-    return SuiteCase(name, "failure", law, f"law '{law}' is broken", _findings(report, found))
+    return parts.SuiteCase(name, "failure", law, f"law '{law}' is broken", _findings(report, found))
 
 
-def _findings(report: CheckReport, found: Iterable[int]) -> list[Section]:
+def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
     """Sections for the findings at these places, each with its origin."""
     sections = []
     for i in found:
         past = report.past and report.past.holds(report.findings[i])
         origin = "from the corpus" if past else ""
-        sections.append(finding_section(report.findings[i], i + 1, origin))
+        sections.append(single_run.finding_section(report.findings[i], i + 1, origin))
     return sections
 
 
@@ -358,43 +338,43 @@ def _mismatch(cell: GateCell) -> str:
     )
 
 
-def _estimate(guess: TimeEstimate) -> ReportContent:
+def _estimate(guess: exhaustive.TimeEstimate) -> parts.ReportContent:
     """Estimated duration of the check, and of those with more edges if it is known."""
     if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: this takes very long"
-        head = Headline("estimate", text, "inconclusive")
-        return ReportContent("allworlds check", guess.explorer, guess, head, [])
+        head = parts.Headline("estimate", text, "inconclusive")
+        return parts.ReportContent("allworlds check", guess.explorer, guess, head, [])
     most = "" if guess.counted else "at most "
     worlds = f"{most}{about(guess.worlds)} world{'' if guess.worlds == 1 else 's'}"
     text = f"{most}{duration(guess.seconds)} for {worlds}: a guess"
     of = f"{plural(guess.sampled, 'world')} of the last level, {number(round(guess.rate))} a second"
-    blocks: list[Block] = [fact("sample", of)]
+    blocks: list[parts.Block] = [parts.fact("sample", of)]
     if guess.larger:
         names = ("worlds", "takes") if guess.counted else ("worlds <=", "takes <=")
         header = ("edges", names[0], "engine", "sampled", "a second", names[1])
-        every: list[TimeEstimate | Guess] = [guess, *guess.larger]
+        every: list[exhaustive.TimeEstimate | exhaustive.Guess] = [guess, *guess.larger]
         rows = [
             (
                 one.edges,
-                RightText(about(one.worlds)),
+                parts.RightText(about(one.worlds)),
                 one.engine,
-                one.sampled or RightText("none"),
+                one.sampled or parts.RightText("none"),
                 round(one.rate),
-                RightText(duration(one.seconds)),
+                parts.RightText(duration(one.seconds)),
             )
             for one in every
             if one.rate is not None and one.seconds is not None
         ]
-        blocks.append(Table(header, rows))
-    head = Headline("estimate", text, "inconclusive")
-    seen = Section("sample", "", blocks)
-    return ReportContent("allworlds check", guess.explorer, guess, head, [seen])
+        blocks.append(parts.Table(header, rows))
+    head = parts.Headline("estimate", text, "inconclusive")
+    seen = parts.Section("sample", "", blocks)
+    return parts.ReportContent("allworlds check", guess.explorer, guess, head, [seen])
 
 
-def most_expensive(runs: Iterable[SingleRun]) -> Iterator[Section]:
+def most_expensive(runs: Iterable[single.SingleRun]) -> Iterator[parts.Section]:
     """The most expensive of some runs; no section if there is none."""
     if most := max(runs, key=lambda run: run.outcome.cost, default=None):
         map_ = most.world.map
         where = size(map_.edge_count, map_.vertex_count)
-        title = f"The most expensive run: {where}, {cost_words(most)}"
-        yield run_section(most, "most-expensive", title)
+        title = f"The most expensive run: {where}, {single_run.cost_words(most)}"
+        yield single_run.run_section(most, "most-expensive", title)

@@ -1,56 +1,41 @@
 """Content of comparisons."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 
-from allworlds.engines.swept_report import By
+from allworlds.engines.sweep import By
 from allworlds.explorers.sources import short_names
+from allworlds.reports import parts
 from allworlds.reports.content.scope import SAID, explorer_facts, maps_in_words, option_facts
 from allworlds.reports.content.single_run import finding_section, run_section
-from allworlds.reports.parts import (
-    Block,
-    Cell,
-    CsvRows,
-    FactList,
-    Headline,
-    ReportContent,
-    RightText,
-    Section,
-    Table,
-    Value,
-)
-from allworlds.studies.compare.comparison import Comparison
-from allworlds.studies.compare.entrants import InWorld
-from allworlds.studies.compare.growth import CostRatio, GrowRow, Growth
+from allworlds.studies.compare import comparison, entrants, growth
 from allworlds.studies.compare.intervals import LEVEL
 from allworlds.words import number, plural
 from allworlds.world.named import code_of
 
 
-def compare_content(report: Comparison | Growth) -> ReportContent:
+def compare_content(report: comparison.Comparison | growth.Growth) -> parts.ReportContent:
     """The verdict, the findings, the rows, and the world of the largest difference.
 
     On a page of equal sizes also a walk of each explorer in the world that differs most.
     """
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     verdict = report.verdict.value
-    blocks: list[Block]
-    if isinstance(report, Growth):
+    blocks: list[parts.Block]
+    if isinstance(report, growth.Growth):
         ratios = [_ratios(report)] if report.ratios else []
-        blocks = [_growth_table(report), *ratios, FactList(_growth_facts(report))]
+        blocks = [_growth_table(report), *ratios, parts.FactList(_growth_facts(report))]
     else:
         cells = _by_size(report, short_names(report.names))
-        table = Table([*SIZES], cells, "Compared worlds", keys=4)
-        blocks = [table, FactList(_facts(report))]
-    return ReportContent(
+        table = parts.Table([*SIZES], cells, "Compared worlds", keys=4)
+        blocks = [table, parts.FactList(_facts(report))]
+    return parts.ReportContent(
         "allworlds compare",
         ", ".join(report.names),
         report,
-        Headline(verdict.upper(), _verdict(report), verdict),
-        [*findings, Section("seen", "What was compared", blocks)],
-        more=lambda: () if isinstance(report, Growth) else _walks(report),
-        rows=lambda: _growth_rows(report) if isinstance(report, Growth) else _rows(report),
+        parts.Headline(verdict.upper(), _verdict(report), verdict),
+        [*findings, parts.Section("seen", "What was compared", blocks)],
+        more=lambda: () if isinstance(report, growth.Growth) else _walks(report),
+        rows=lambda: _growth_rows(report) if isinstance(report, growth.Growth) else _rows(report),
         apart=frozenset({"findings"}),
     )
 
@@ -63,7 +48,7 @@ COLUMNS = (
 ENDS = {"low": float, "high": float, "ratio": float, "ratio_low": float, "ratio_high": float}
 
 
-def _growth_rows(report: Growth) -> CsvRows:
+def _growth_rows(report: growth.Growth) -> parts.CsvRows:
     """A row for each family, size and explorer, for each world, or for each run."""
     if report.by != "size":
         return rows_of_worlds(report.in_worlds(), report.names[0], report.by or "run")
@@ -75,46 +60,46 @@ def _growth_rows(report: Growth) -> CsvRows:
         beside = ratio.interval or (None, None) if ratio else (None, None)
         own = [getattr(row, name) for name in COLUMNS]
         rows.append([*own, *ends, ratio.ratio if ratio else None, *beside])
-    return CsvRows(COLUMNS | ENDS, rows)
+    return parts.CsvRows(COLUMNS | ENDS, rows)
 
 
-def _growth_table(report: Growth) -> Table:
+def _growth_table(report: growth.Growth) -> parts.Table:
     header = ["family", "edges", "vertices", "explorer", "worlds", "runs", "mean", "interval"]
     rows = [
         [
             *(row.family, row.edges, row.vertices, row.explorer, row.worlds),
-            RightText(f"{number(row.runs)} of {number(row.places)}"),
-            RightText(f"{row.mean:,.1f}"),
+            parts.RightText(f"{number(row.runs)} of {number(row.places)}"),
+            parts.RightText(f"{row.mean:,.1f}"),
             *(_interval(row, ",.1f"), row.worst, row.bound),
         ]
         for row in report.rows
     ]
-    return Table([*header, "worst", "bound"], rows, "Costs, in traversals", keys=4)
+    return parts.Table([*header, "worst", "bound"], rows, "Costs, in traversals", keys=4)
 
 
-def _ratios(report: Growth) -> Table:
+def _ratios(report: growth.Growth) -> parts.Table:
     (first, *_) = short_names(report.names)
-    rows: list[list[Cell]] = [
+    rows: list[list[parts.Cell]] = [
         [
             *(one.family, one.edges, one.explorer, one.worlds),
-            *(RightText(f"{one.ratio:.3f}"), _interval(one, ".3f")),
+            *(parts.RightText(f"{one.ratio:.3f}"), _interval(one, ".3f")),
         ]
         for one in report.ratios
     ]
     header = ["family", "edges", "explorer", "worlds", f"cost / {first}", "interval"]
-    return Table(header, rows, "Ratios in the same worlds", keys=3)
+    return parts.Table(header, rows, "Ratios in the same worlds", keys=3)
 
 
-def _interval(found: GrowRow | CostRatio, form: str) -> Cell:
+def _interval(found: growth.GrowRow | growth.CostRatio, form: str) -> parts.Cell:
     if found.exact:
         return "exact"
     if found.interval is None:
         return None
     low, high = (format(end, form) for end in found.interval)
-    return RightText(f"{low}..{high}")
+    return parts.RightText(f"{low}..{high}")
 
 
-def _growth_facts(report: Growth) -> list[tuple[str, str]]:
+def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
     shard = "" if report.whole else f", shard {report.portion}"
     asked = report.request
     scope = (
@@ -145,7 +130,7 @@ GROWTH_SAID = (*SAID, "to", "draws", "places")
 """The fields of the request of which the facts tell."""
 
 
-def _walks(report: Comparison) -> Iterator[Section]:
+def _walks(report: comparison.Comparison) -> Iterator[parts.Section]:
     """A walk of each explorer in the world that differs most."""
     for i, run in enumerate(report.walks(), 1):
         cost = plural(run.outcome.cost, "traversal")
@@ -160,14 +145,14 @@ SIZES = (
 )
 
 
-def _rows(report: Comparison) -> CsvRows:
+def _rows(report: comparison.Comparison) -> parts.CsvRows:
     """A row for each size and explorer, or as is asked for."""
     if report.by in ("world", "run"):
         return rows_of_worlds(report.in_worlds, report.names[0], report.by)
-    return CsvRows(SIZES, _by_size(report, report.names))
+    return parts.CsvRows(SIZES, _by_size(report, report.names))
 
 
-def _by_size(report: Comparison, names: Sequence[str]) -> list[list[Value]]:
+def _by_size(report: comparison.Comparison, names: Sequence[str]) -> list[list[parts.Value]]:
     """A row for each size and explorer under these names, the first compared with the others."""
     return [
         [
@@ -180,7 +165,7 @@ def _by_size(report: Comparison, names: Sequence[str]) -> list[list[Value]]:
     ]
 
 
-def _facts(report: Comparison) -> list[tuple[str, str]]:
+def _facts(report: comparison.Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
     scope = f"one world: {report.member.name}" if report.member else maps_in_words(report)
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
@@ -200,21 +185,21 @@ def _facts(report: Comparison) -> list[tuple[str, str]]:
     return words
 
 
-def _verdict(report: Comparison | Growth) -> str:
+def _verdict(report: comparison.Comparison | growth.Growth) -> str:
     said = f"no law is broken in {plural(sum(row.runs for row in report.rows), 'run')}"
     if report.findings:
         return "a run has broken a law"
-    if isinstance(report, Comparison) and not report.all_counted:
+    if isinstance(report, comparison.Comparison) and not report.all_counted:
         return "the enumeration and its count disagree"
     if not report.complete:
-        part = "sizes" if isinstance(report, Growth) else "levels"
+        part = "sizes" if isinstance(report, growth.Growth) else "levels"
         return f"{report.stopped or 'interrupted'}; {said} of finished {part}"
     if not report.rows:
         return "there is no world in which every explorer has a place"
     return said
 
 
-def _in_all(report: Comparison, name: str) -> str:
+def _in_all(report: comparison.Comparison, name: str) -> str:
     first = report.names[0]
     less, equal, more = (
         sum(getattr(row, which)[name] for row in report.rows) for which in ("less", "equal", "more")
@@ -231,7 +216,7 @@ WORLD = {**NAMES, "drawn_from": int, "explorer": str, "runs": int, "places": int
 WORLD |= {"mean": float, "worst": int, "bound": int, "ratio": float}
 
 
-def _names(one: InWorld) -> list[Value]:
+def _names(one: entrants.InWorld) -> list[parts.Value]:
     """The words by which ``run`` finds the world, and its size."""
     family, _, seed = one.member.partition(" --seed ")
     family, _, holes = family.partition(" --holes ")
@@ -239,7 +224,7 @@ def _names(one: InWorld) -> list[Value]:
     return [code_of(one.map), *words, one.map.edge_count, one.map.vertex_count]
 
 
-def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
+def rows_of_worlds(worlds: Iterable[entrants.InWorld], first: str, by: By) -> parts.CsvRows:
     """A row for each world and explorer, or for each run.
 
     Args:
@@ -253,7 +238,7 @@ def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
             for one in worlds
             for place, cost in one.costs.items()
         ]
-        return CsvRows(RUN, runs)
+        return parts.CsvRows(RUN, runs)
     every, rows = [*worlds], []
     beside = {(one.map, one.member): one.mean for one in every if one.explorer == first}
     for one in every:
@@ -262,4 +247,4 @@ def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
         played = [one.drawn_from, one.explorer, len(one.costs), one.places]
         costs = [round(one.mean, 6), max(one.costs.values()), one.bound]
         rows.append([*_names(one), *played, *costs, ratio])
-    return CsvRows(WORLD, rows)
+    return parts.CsvRows(WORLD, rows)

@@ -1,28 +1,12 @@
 """Content of ``ledger``: each claim, expected beside found."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Mapping
 
-from allworlds.outcome import Exit
-from allworlds.reports.drawing.scene import scene_of
-from allworlds.reports.parts import (
-    Block,
-    CsvRows,
-    FactList,
-    Headline,
-    MapPictures,
-    Paragraph,
-    ReportContent,
-    Section,
-    SuiteCase,
-    Table,
-    so_far,
-)
+from allworlds import outcome, words
+from allworlds.reports import parts
 from allworlds.studies.ledger import CheckedClaim, LedgerReport
-from allworlds.words import number, plural
 
 LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"
 
@@ -30,15 +14,15 @@ SIGNS = {"as-expected": "=", "unexpected": "≠", "vacuous": "?", "not-checked":
 """Before each claim: whether it is what is expected."""
 
 VERDICTS = {
-    Exit.HOLDS: "holds",
-    Exit.REFUTED: "refuted",
-    Exit.VACUOUS: "vacuous",
-    Exit.INTERNAL: "error",
+    outcome.Exit.HOLDS: "holds",
+    outcome.Exit.REFUTED: "refuted",
+    outcome.Exit.VACUOUS: "vacuous",
+    outcome.Exit.INTERNAL: "error",
 }
 """The verdict by the exit code; inconclusive by any other."""
 
 
-def ledger_content(report: LedgerReport) -> ReportContent:
+def ledger_content(report: LedgerReport) -> parts.ReportContent:
     """A row for each claim; for a single claim, and on a page for each, also the details."""
     facts = [
         ("DIFFERS", f"{one.id}: {'; '.join(one.differences)}")
@@ -46,31 +30,31 @@ def ledger_content(report: LedgerReport) -> ReportContent:
         if one.standing in ("unexpected", "vacuous")
     ]
     facts += [("REQUIRED", f"{name} was not checked") for name in report.missed]
-    ledger: list[Block] = [FactList(facts)] if facts else []
+    ledger: list[parts.Block] = [parts.FactList(facts)] if facts else []
     header = ["", "claim", "found", "sentence"]
     rows = [[SIGNS[one.standing], one.id, one.verdict, one.statement] for one in report.claims]
-    ledger += [Table(header, rows, "Every claim", keys=2), Paragraph(LEGEND)]
+    ledger += [parts.Table(header, rows, "Every claim", keys=2), parts.Paragraph(LEGEND)]
     sections = [_section(one) for one in report.claims]
     alone = sections if len(sections) == 1 else []
-    return ReportContent(
+    return parts.ReportContent(
         "allworlds ledger",
         f"budget {report.budget}",
         report,
         _headline(report),
-        [Section("ledger", "The ledger", ledger), *alone],
+        [parts.Section("ledger", "The ledger", ledger), *alone],
         more=lambda: [] if alone else sections,
         rows=lambda: _rows(report),
         cases=lambda: [_case(one, required=one.id in report.missed) for one in report.claims],
     )
 
 
-def _rows(report: LedgerReport) -> CsvRows:
+def _rows(report: LedgerReport) -> parts.CsvRows:
     names = ("section", "claim", "sentence", "method", "expected", "found", "standing")
     rows = [
         [one.section, one.id, one.statement, one.method, one.expected, one.verdict, one.standing]
         for one in report.claims
     ]
-    return CsvRows(dict.fromkeys(names, str), rows)
+    return parts.CsvRows(dict.fromkeys(names, str), rows)
 
 
 def _heading(section: str) -> str:
@@ -78,17 +62,17 @@ def _heading(section: str) -> str:
     return f"Section {section}" if re.fullmatch(r"[IVXLC]+|[0-9.]+|[A-Z]", section) else section
 
 
-def _headline(report: LedgerReport) -> Headline | None:
+def _headline(report: LedgerReport) -> parts.Headline | None:
     """The verdict, and the number of claims with each outcome."""
     if not report.claims:
-        return so_far(report, None)
+        return parts.so_far(report, None)
     standings = Counter(one.standing for one in report.claims)
     held = sum((one.standing, one.verdict) == ("as-expected", "holds") for one in report.claims)
     refuted = standings["as-expected"] - held
     errors = sum(one.verdict == "error" for one in report.claims)
     # The reasons why claims were not checked, each with the number of its claims.
     reasons = Counter(one.told for one in report.claims if one.standing == "not-checked")
-    needed = "; ".join(f"{number(count)}: {reason}" for reason, count in reasons.items())
+    needed = "; ".join(f"{words.number(count)}: {reason}" for reason, count in reasons.items())
     if len(reasons) == 1:
         (needed,) = reasons
     outcomes = (
@@ -99,35 +83,35 @@ def _headline(report: LedgerReport) -> Headline | None:
         (standings["vacuous"], "vacuous"),
         (standings["not-checked"], f"not checked ({needed})"),
     )
-    counts = ", ".join(f"{number(count)} {outcome}" for count, outcome in outcomes if count)
+    counts = ", ".join(f"{words.number(count)} {outcome}" for count, outcome in outcomes if count)
     verdict = VERDICTS.get(report.exit_code, "inconclusive")
-    said = f"{plural(len(report.claims), 'claim')}: {counts}"
-    return so_far(report, Headline(verdict.upper(), said, verdict))
+    said = f"{words.plural(len(report.claims), 'claim')}: {counts}"
+    return parts.so_far(report, parts.Headline(verdict.upper(), said, verdict))
 
 
-def _section(one: CheckedClaim) -> Section:
+def _section(one: CheckedClaim) -> parts.Section:
     """One claim, with the worlds that show it."""
     facts = [("verdict", f"{one.verdict}, {one.standing.replace('-', ' ')}"), *_details(one)]
     if one.differences:
         facts.append(("differs", "; ".join(one.differences)))
     captioned = zip(one.captions, one.worlds, strict=True)
-    pictures = [(caption.capitalize(), scene_of(world)) for caption, world in captioned]
-    drawn = [MapPictures(pictures)] if pictures else []
-    blocks: list[Block] = [Paragraph(one.statement), *drawn, FactList(facts)]
-    return Section(one.id, f"{_heading(one.section)}: {one.id}", blocks)
+    pictures = [(caption.capitalize(), parts.scene_of(world)) for caption, world in captioned]
+    drawn = [parts.MapPictures(pictures)] if pictures else []
+    blocks: list[parts.Block] = [parts.Paragraph(one.statement), *drawn, parts.FactList(facts)]
+    return parts.Section(one.id, f"{_heading(one.section)}: {one.id}", blocks)
 
 
-def _case(one: CheckedClaim, *, required: bool) -> SuiteCase:
+def _case(one: CheckedClaim, *, required: bool) -> parts.SuiteCase:
     """A case for a claim: passed as expected, failed otherwise, skipped if not checked."""
     name = f"{_heading(one.section)}: {one.id}: {one.statement}"
-    details = [Section(one.id, "", [FactList(_details(one))])]
+    details = [parts.Section(one.id, "", [parts.FactList(_details(one))])]
     if one.standing == "as-expected":
-        return SuiteCase(name)
+        return parts.SuiteCase(name)
     if one.standing != "not-checked":
-        return SuiteCase(name, "failure", one.standing, "; ".join(one.differences), details)
+        return parts.SuiteCase(name, "failure", one.standing, "; ".join(one.differences), details)
     if required:
-        return SuiteCase(name, "failure", "required", one.told, details)
-    return SuiteCase(name, "skipped", message=one.told)
+        return parts.SuiteCase(name, "failure", "required", one.told, details)
+    return parts.SuiteCase(name, "skipped", message=one.told)
 
 
 def _details(one: CheckedClaim) -> list[tuple[str, str]]:
@@ -143,6 +127,6 @@ def _listed(values: Mapping[str, object]) -> str:
     def text(value: object) -> str:
         if isinstance(value, list):
             return "[" + ", ".join(map(str, value)) + "]"
-        return number(value) if isinstance(value, int) else str(value)
+        return words.number(value) if isinstance(value, int) else str(value)
 
     return ", ".join(f"{name} {text(value)}" for name, value in values.items())

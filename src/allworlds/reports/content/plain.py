@@ -1,11 +1,9 @@
 """Content that is named facts alone: of jobs, of new projects, and of any other result."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 
-from allworlds.document.report import Report
+from allworlds import document as doc, words
 from allworlds.engines.units import WHOLE
 from allworlds.inputs.checks import show
 from allworlds.judging.tasks import MAP
@@ -21,15 +19,13 @@ from allworlds.reports.parts import (
     Section,
     Table,
 )
-from allworlds.studies.init import Header, LedgerSkeleton, Skeleton
-from allworlds.studies.status import Standing
-from allworlds.words import duration, number, plural, size
+from allworlds.studies import init, merge
 
 NOT_IN_DOCUMENT = ("schema", "made_by", "verdict", "exit_code")
 """Keys that stand in the headline, or are of no use to people."""
 
 
-def plain_content(report: Report) -> ReportContent:
+def plain_content(report: doc.Report) -> ReportContent:
     """A fact for each key of the document, and a table for each list of objects."""
     facts: list[tuple[str, str]] = []
     tables: list[Block] = []
@@ -71,7 +67,7 @@ def _cell(value: Any) -> Cell:
     return value if value is None or type(value) in (int, str) else show(value)
 
 
-def status_content(standing: Standing) -> ReportContent:
+def status_content(standing: merge.Standing) -> ReportContent:
     """Progress, rate, and results so far."""
     units, worlds, worst = standing.units, standing.worlds, standing.worst
     so_far = "" if standing.state == "finished" else " so far"
@@ -81,23 +77,23 @@ def status_content(standing: Standing) -> ReportContent:
         ("state", standing.state),
         ("job", _job(standing)),
         ("options", " ".join(standing.options or ())),
-        ("units", f"{number(units.done)} of {number(units.all)}"),
-        ("worlds", f"{number(worlds.done)} of {some}{number(worlds.all)}"),
+        ("units", f"{words.number(units.done)} of {words.number(units.all)}"),
+        ("worlds", f"{words.number(worlds.done)} of {some}{words.number(worlds.all)}"),
     ]
     if standing.rate is not None:
-        facts.append(("rate", f"{plural(round(standing.rate), 'world')} a second"))
+        facts.append(("rate", f"{words.plural(round(standing.rate), 'world')} a second"))
     if standing.left_s:
-        facts.append(("left", f"{most}{duration(standing.left_s)}, at this rate: a guess"))
+        facts.append(("left", f"{most}{words.duration(standing.left_s)}, at this rate: a guess"))
     if worst:
-        where = size(worst.edges, worst.vertices)
-        facts.append(("worst", f"{plural(worst.cost, 'traversal')}{so_far}, with {where}"))
+        where = words.size(worst.edges, worst.vertices)
+        facts.append(("worst", f"{words.plural(worst.cost, 'traversal')}{so_far}, with {where}"))
     if standing.findings:
-        facts.append(("findings", f"{number(standing.findings)}{so_far}"))
+        facts.append(("findings", f"{words.number(standing.findings)}{so_far}"))
     seen = Section("seen", "", [FactList([(name, said) for name, said in facts if said])])
     return ReportContent("allworlds status", standing.verb, standing, None, [seen])
 
 
-def _job(standing: Standing) -> str:
+def _job(standing: merge.Standing) -> str:
     """The verb, the explorer and the worlds."""
     asked = standing.parameters
     names = ("class", "where", "edges", "vertices", "family", "to", "lighthouse", "task")
@@ -112,15 +108,15 @@ def _job(standing: Standing) -> str:
     return f"{f'{standing.verb} {standing.explorer}'.strip()}: {', '.join(scope)}{shard}"
 
 
-def init_content(begun: Skeleton | LedgerSkeleton | Header) -> ReportContent:
+def init_content(begun: init.Skeleton | init.LedgerSkeleton | init.Header) -> ReportContent:
     """The header line by line; or the written files, and the next commands."""
-    if isinstance(begun, Header):
+    if isinstance(begun, init.Header):
         subject, name = "header", "header"
         blocks: list[Block] = [Quote("header", "", begun.header.rstrip("\n"))]
     else:
         facts = [("written", ", ".join(begun.files))]
         subject, name, last = "ledger", "next", list[Block]()
-        if isinstance(begun, Skeleton):
+        if isinstance(begun, init.Skeleton):
             subject = begun.explorer
             facts += [("needs", ", ".join(begun.language.needs))] if begun.language.needs else []
             wrong = "is wrong so far: the check draws the smallest world that refutes it."

@@ -5,18 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from allworlds.document.struct import replace
-from allworlds.engines.swept_report import SweptReport, tried_places
-from allworlds.engines.units import Shard
+from allworlds import document as doc, words
+from allworlds.engines import sweep, units
 from allworlds.inputs.requests import given_again
 from allworlds.maps.classes import Extent, MapSource
 from allworlds.studies.check.report import CheckReport
-from allworlds.words import counted, plural
 
 if TYPE_CHECKING:
     from allworlds.studies.compare.entrants import ContestReport
 
-OfWorlds: TypeAlias = SweptReport | CheckReport
+OfWorlds: TypeAlias = sweep.SweptReport | CheckReport
 """A report about the worlds of an extent."""
 
 SAID = (
@@ -32,11 +30,11 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
     most = extent.edges
     if extent.given is not None and most == max(extent.given.starts):
         most = None
-    limits = [f"at most {plural(most, 'edge')}"] if most else []
+    limits = [f"at most {words.plural(most, 'edge')}"] if most else []
     if most and least > 1:
-        limits = [f"{least} to {plural(most, 'edge')}"]
+        limits = [f"{least} to {words.plural(most, 'edge')}"]
     if extent.vertices:
-        limits.append(f"at most {plural(extent.vertices, 'vertex', 'vertices')}")
+        limits.append(f"at most {words.plural(extent.vertices, 'vertex', 'vertices')}")
     bounds = f" with {' and '.join(limits)}" if limits else ""
     return f"of the class {extent.map_class}{where}{bounds}"
 
@@ -48,16 +46,16 @@ def each_of(given: MapSource) -> str:
 
 def maps_in_words(report: OfWorlds) -> str:
     """The maps that a report is about, or the shard of them."""
-    shard = f", shard {report.portion}" if isinstance(report.portion, Shard) else ""
+    shard = f", shard {report.portion}" if isinstance(report.portion, units.Shard) else ""
     given = report.extent.given
     maps = "every rooted map" if given is None else f"every start in {each_of(given)}"
     return f"{maps} {of_the_class(report.extent)}{shard}"
 
 
-def finished(report: SweptReport, last: int) -> str:
+def finished(report: sweep.SweptReport, last: int) -> str:
     """The maps of the finished levels, if ``last`` is the number of edges of the last one."""
     extent = report.extent
-    return of_the_class(extent if report.complete else replace(extent, edges=last))
+    return of_the_class(extent if report.complete else doc.replace(extent, edges=last))
 
 
 def places_facts(places: str) -> list[tuple[str, str]]:
@@ -72,7 +70,7 @@ def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
         rules = one.rules
         how = f"lighthouse {rules.lighthouse}, policy {rules.policy}, bound {rules.the_bound}"
         words.append(("explorer", f"{one.name}: {how}"))
-        words += places_facts(tried_places(rules.lighthouse, report.extent))
+        words += places_facts(sweep.tried_places(rules.lighthouse, report.extent))
         words += trust_facts(rules.shared_file)
     return words
 
@@ -104,7 +102,7 @@ def gate_facts(report: Any, what: str, *, rows: bool) -> list[tuple[str, str]]:
     elif not report.whole:
         said = f"of the shard {report.portion} alone; the merge of all shards compares"
     elif rows:
-        said = f"no {what} was forgotten: {counted(report.source)}"
+        said = f"no {what} was forgotten: {words.counted(report.source)}"
     else:
         said = "no level was finished, so nothing was compared"
     return [("gate", said)]

@@ -6,19 +6,17 @@ import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from allworlds.document.struct import replace
+from allworlds import document as doc, words
 from allworlds.engines.single import SingleRun
 from allworlds.explorers.loading import is_program
 from allworlds.judging.episode import Answered, Over
 from allworlds.judging.explanations.story import Belief, Story, Walked
-from allworlds.judging.findings.finding import Finding
+from allworlds.judging.findings.finding import Finding, believed_walk, find_parting, true_trail
 from allworlds.judging.findings.rules import Rules
-from allworlds.judging.findings.walks import believed_walk, find_parting, true_trail
-from allworlds.judging.laws.finished_run import embed
-from allworlds.protocol.answers import Ambiguous, Estimate
+from allworlds.judging.laws.law_table import embed
+from allworlds.protocol.actions import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
-from allworlds.reports.drawing.aligned_maps import named_like
-from allworlds.reports.drawing.scene import walk_in_answer, walk_in_world
+from allworlds.reports.drawing.layout import named_like
 from allworlds.reports.parts import (
     Block,
     CsvRows,
@@ -36,10 +34,10 @@ from allworlds.reports.parts import (
     View,
     fact,
     rows_of_walk,
+    walk_in_answer,
+    walk_in_world,
 )
-from allworlds.studies.replay import Replay
-from allworlds.studies.run import WorldNames
-from allworlds.words import listed, number, plural
+from allworlds.studies.run import Replay, WorldNames
 from allworlds.world.world import World
 
 if TYPE_CHECKING:
@@ -74,7 +72,7 @@ def run_content(run: SingleRun | WorldNames) -> ReportContent:
         return ReportContent("allworlds run", "names", run, None, [section], rows=lambda: made)
     headline = Headline(run.verdict.value.upper(), _said(run), run.verdict.value)
     whole = _section(run)
-    shown = whole if run.shows_walk or run.finding else replace(whole, blocks=whole.blocks[1:])
+    shown = whole if run.shows_walk or run.finding else doc.replace(whole, blocks=whole.blocks[1:])
     return ReportContent(
         "allworlds run",
         run.explorer,
@@ -132,8 +130,8 @@ def replay_content(replay: Replay) -> ReportContent:
 
 def cost_words(run: SingleRun) -> str:
     """The cost of the run, and the bound on it."""
-    bound = "" if run.outcome.bound is None else f" of at most {number(run.outcome.bound)}"
-    return f"{plural(run.outcome.cost, 'traversal')}{bound}"
+    bound = "" if run.outcome.bound is None else f" of at most {words.number(run.outcome.bound)}"
+    return f"{words.plural(run.outcome.cost, 'traversal')}{bound}"
 
 
 def _section(run: SingleRun) -> Section:
@@ -142,7 +140,7 @@ def _section(run: SingleRun) -> Section:
         return finding_section(run.finding, checked=False)
     section = run_section(run, "walk-1")
     laws = fact("laws", ", ".join(run.checked_laws) or nothing_checked(run.rules))
-    return replace(section, blocks=[*section.blocks, *printed(run.outcome.output), laws])
+    return doc.replace(section, blocks=[*section.blocks, *printed(run.outcome.output), laws])
 
 
 def run_section(run: SingleRun, name: str, title: str = "") -> Section:
@@ -155,13 +153,13 @@ def run_section(run: SingleRun, name: str, title: str = "") -> Section:
     seen = known(run)
     if seen is not None:
         title_of_s = "What the explorer knows (S)"
-        views.append(replace(views[0], name="known", title=title_of_s, known=seen))
+        views.append(doc.replace(views[0], name="known", title=title_of_s, known=seen))
     match ending:
         case Answered(Estimate() as estimate):
             belief = believed_walk(world, estimate, transcript)
             answer = answer_view(world, estimate, transcript, belief.trail)
             answer = named_like(views[0], answer, belief.agreement)
-            views.append(replace(answer, still=seen is not None))
+            views.append(doc.replace(answer, still=seen is not None))
             agreement = belief.agreement
         case Answered(Ambiguous() as quotient):
             blocks += _quotient(quotient)
@@ -250,7 +248,7 @@ def printed(output: str, shown: str = "") -> list[Block]:
 
 def nothing_checked(rules: Rules) -> str:
     """The reason why runs have checked nothing: their laws are about checkpoints alone."""
-    laws = listed(rules.judged)
+    laws = words.listed(rules.judged)
     return f"nothing was checked: the explorer shows no checkpoint, as needed for {laws}"
 
 
@@ -265,7 +263,7 @@ def _law(finding: Finding) -> FactList:
     if str(finding.seen).startswith(NO_MAP):
         return fact("law", f"{finding.law}: the explorer's sigma and alpha are no map")
     expected, seen = (
-        plural(value, "traversal") if isinstance(value, int) else str(value)
+        words.plural(value, "traversal") if isinstance(value, int) else str(value)
         for value in (finding.expected, finding.seen)
     )
     if isinstance(finding.expected, int):
@@ -306,7 +304,7 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
         taken = [*map(str, finding.choices)]
         if len(taken) > LONGEST_LIST:
             half = LONGEST_LIST // 2
-            between = f"... ({number(len(taken) - 2 * half)} more) ..."
+            between = f"... ({words.number(len(taken) - 2 * half)} more) ..."
             taken = [*taken[:half], between, *taken[-half:]]
         yield "choices", ", ".join(taken)
     if checked:

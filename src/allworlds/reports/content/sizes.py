@@ -1,28 +1,15 @@
 """Content of ``count`` and ``worst``: numbers by size, beside their source."""
 
-from __future__ import annotations
-
+from allworlds.reports import parts
 from allworlds.reports.content.check import most_expensive
 from allworlds.reports.content.scope import finished, gate_facts, maps_in_words
-from allworlds.reports.parts import (
-    Cell,
-    CsvRows,
-    FactList,
-    Headline,
-    ReportContent,
-    RightText,
-    Section,
-    Table,
-    Value,
-    so_far,
-)
 from allworlds.studies.count import Census
 from allworlds.studies.worst.all_worlds import WorstReport
 from allworlds.words import number, plural, size
 from allworlds.world.named import code_of
 
 
-def count_content(census: Census) -> ReportContent:
+def count_content(census: Census) -> parts.ReportContent:
     """A row for each number of edges, and the source with which the counts were compared."""
     rows = [
         [
@@ -33,24 +20,24 @@ def count_content(census: Census) -> ReportContent:
         ]
         for row in census.rows
     ]
-    table = Table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "Maps by size")
+    table = parts.Table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "Maps by size")
     facts = [("scope", maps_in_words(census))]
     if census.agrees:
         facts += gate_facts(census, "map", rows=bool(rows))
     columns = {"edges": int, "vertices": int, "genus": int, "rooted": int, "unrooted": int}
-    return ReportContent(
+    return parts.ReportContent(
         "allworlds count",
         f"class {census.extent.map_class}",
         census,
         _counted(census),
-        [Section("seen", "", [table, FactList(facts)])],
-        rows=lambda: CsvRows(
+        [parts.Section("seen", "", [table, parts.FactList(facts)])],
+        rows=lambda: parts.CsvRows(
             columns, [[row.edges, *cell] for row in census.rows for cell in row.cells]
         ),
     )
 
 
-def _counted(census: Census) -> Headline | None:
+def _counted(census: Census) -> parts.Headline | None:
     if not census.agrees:
         wrong = [
             f"with {plural(row.edges, 'edge')} {row.by_vertices} were enumerated, but "
@@ -58,54 +45,54 @@ def _counted(census: Census) -> Headline | None:
             for row in census.rows
             if not row.agrees
         ]
-        return Headline("MISMATCH", "; ".join(wrong), "error")
+        return parts.Headline("MISMATCH", "; ".join(wrong), "error")
     if census.complete and census.whole and census.empty:
-        return Headline("VACUOUS", "there is no such map", "vacuous")
+        return parts.Headline("VACUOUS", "there is no such map", "vacuous")
     done = None
     if census.rows:
         total = plural(sum(row.rooted for row in census.rows), "rooted map")
-        done = Headline("COUNTED", f"{total} {finished(census, census.rows[-1].edges)}")
-    return so_far(census, done)
+        done = parts.Headline("COUNTED", f"{total} {finished(census, census.rows[-1].edges)}")
+    return parts.so_far(census, done)
 
 
-def worst_content(report: WorstReport) -> ReportContent:
+def worst_content(report: WorstReport) -> parts.ReportContent:
     """The worst and the best cost of each size.
 
     On a page also the most expensive of the walks that attain them.
     """
     header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
-    table: list[list[Cell]] = []
-    rows: list[list[Value]] = []
+    table: list[list[parts.Cell]] = []
+    rows: list[list[parts.Value]] = []
     for row in report.rows:
         numbers = [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound]
-        table.append([*numbers, RightText(f"{row.worst / (row.bound or 1):.3f}")])
+        table.append([*numbers, parts.RightText(f"{row.worst / (row.bound or 1):.3f}")])
         map_, start = row.world.map, row.world.start
         place = row.world.lighthouse.number(map_, start)
         rows.append([*numbers, code_of(map_, start), place, ",".join(map(str, row.choices))])
     kinds = dict.fromkeys(header[:-1], int) | {"code": str, "place": int, "choices": str}
-    shown = Table(header, table, "Worst and best cost of each size", keys=2)
-    return ReportContent(
+    shown = parts.Table(header, table, "Worst and best cost of each size", keys=2)
+    return parts.ReportContent(
         "allworlds worst",
         report.explorer,
         report,
         _worst(report),
-        [Section("seen", "What was searched", [shown, FactList(_facts(report))])],
+        [parts.Section("seen", "What was searched", [shown, parts.FactList(_facts(report))])],
         more=lambda: most_expensive(report.walks()),
-        rows=lambda: CsvRows(kinds, rows),
+        rows=lambda: parts.CsvRows(kinds, rows),
     )
 
 
-def _worst(report: WorstReport) -> Headline | None:
+def _worst(report: WorstReport) -> parts.Headline | None:
     if not report.agrees:
-        return Headline("MISMATCH", _mismatch(report), "error")
+        return parts.Headline("MISMATCH", _mismatch(report), "error")
     if report.complete and not report.rows:
-        return Headline("VACUOUS", "there is no run", "vacuous")
+        return parts.Headline("VACUOUS", "there is no run", "vacuous")
     done = None
     if report.rows:
         most = max(report.rows, key=lambda row: row.worst)
         said = f"{plural(most.worst, 'traversal')}, with {size(most.edges, most.vertices)}"
-        done = Headline("WORST", said)
-    return so_far(report, done)
+        done = parts.Headline("WORST", said)
+    return parts.so_far(report, done)
 
 
 def _facts(report: WorstReport) -> list[tuple[str, str]]:

@@ -1,7 +1,5 @@
 """Planar drawings: on a mesh, and by Tutte."""
 
-from __future__ import annotations
-
 from cmath import exp
 from collections.abc import Sequence
 from itertools import pairwise

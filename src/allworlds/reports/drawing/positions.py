@@ -1,7 +1,5 @@
 """Layouts at given positions: straight edges, where the map has its darts in their order."""
 
-from __future__ import annotations
-
 from cmath import phase, rect
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
@@ -10,7 +8,7 @@ from math import isclose, tau
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.drawing.layout import DISC, STUB, WIDEST, Layout, layout
-from allworlds.reports.drawing.scene import Scene
+from allworlds.reports.parts import Scene
 from allworlds.world.labels import Position
 
 SHORTEST = 3 * STUB

@@ -1,7 +1,5 @@
 """Maps that are drawn as what they are: lattices, in the plane and on a torus, wheels and rings."""
 
-from __future__ import annotations
-
 from cmath import rect
 from heapq import heappop, heappush
 from math import cos, pi, sin, tau

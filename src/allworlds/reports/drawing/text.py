@@ -10,14 +10,12 @@ first, each from the dart by which it is found.  Renaming the darts changes noth
 printed numbers.
 """
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.reports.drawing.scene import Scene
+from allworlds.reports.parts import Scene
 
 T = TypeVar("T")
 

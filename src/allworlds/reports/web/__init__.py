@@ -1,9 +1,8 @@
 """Web pages, each complete in itself: no network, no other file.
 
-``sections``
-    each part of a report's content as elements, and the list of the steps of a walk;
-``frame``, ``controls.html``
-    what every page has round it, and pictures to step through;
+``sections``, ``controls.html``
+    each part of a report's content as elements, and the list of the steps of a walk; what every
+    page has round it, and pictures to step through;
 ``style.css``, ``script.js``, ``fit.js``
     what a page looks like, the keys that step along a walk, and room for pictures;
 ``play``, ``play.html``, ``play.css``

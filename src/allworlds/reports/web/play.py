@@ -1,7 +1,5 @@
 """The page of ``play``, in which the reader is the robot, and the content of its report."""
 
-from __future__ import annotations
-
 from typing import Any
 from xml.etree import ElementTree as ET
 
@@ -9,8 +7,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.explanations.story import Walked
 from allworlds.judging.laws.bounds import bound_named
 from allworlds.protocol.actions import Pick
-from allworlds.reports.drawing.scene import scene_of, walk_in_world
-from allworlds.reports.markup import record, tag
+from allworlds.reports.drawing.svg import record, tag
 from allworlds.reports.parts import (
     Block,
     Cell,
@@ -21,12 +18,13 @@ from allworlds.reports.parts import (
     ShownWalk,
     Table,
     View,
+    scene_of,
+    walk_in_world,
 )
-from allworlds.reports.web.frame import figure, framed, read
-from allworlds.studies.play import Play, Walker
+from allworlds.reports.web.sections import figure, framed, read
+from allworlds.studies.run import Play, Walker
 from allworlds.words import plural
-from allworlds.world.lighthouses.kinds import parts_of
-from allworlds.world.lighthouses.placeless import Movable, Whiteboard
+from allworlds.world.lighthouses import composed, kinds
 from allworlds.world.world import World
 
 NAMES = {
@@ -86,17 +84,17 @@ def world_data(world: World) -> dict[str, Any]:
         InputError: for a lighthouse of the user's under which the robot leaves marks.
     """
     map_ = world.map
-    marking = next((part for part in parts_of(world.lighthouse) if part.leaves_marks), None)
+    marking = next((part for part in kinds.parts_of(world.lighthouse) if part.leaves_marks), None)
     if marking is not None and marking.code is not None:
         raise InputError(
             f"under the lighthouse {world.lighthouse.written} the robot leaves marks in a way of "
             "your own, which a page cannot do; leave -o out to play in the terminal"
         )
-    written = marking if isinstance(marking, Whiteboard) else None
+    written = marking if isinstance(marking, composed.Whiteboard) else None
     spots = None
     if written:
         spots = [written.place_of_number(map_, dart) for dart in map_.darts]
-    elif isinstance(marking, Movable) and marking.distinct:
+    elif isinstance(marking, composed.Movable) and marking.distinct:
         spots = list(map_.vertex_of)
     return {
         "sigma": list(map_.sigma),

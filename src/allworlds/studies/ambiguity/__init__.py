@@ -18,10 +18,9 @@ separation
 
 Modules
 -------
-``telling_apart``
-    two worlds: a bisimulation or a separation;
 ``members``
-    the class of a world: its members, and how they are made from the quotient;
+    two worlds: a bisimulation or a separation; the class of a world: its members, and how they are
+    made from the quotient;
 ``marked_worlds``
     the census of a lighthouse, and its parts: worlds by what can be sensed in them;
 ``question``, ``twin_search``
@@ -44,17 +43,15 @@ if TYPE_CHECKING:
     )
     from allworlds.studies.ambiguity.members import (
         AmbiguityClass as AmbiguityClass,
+        ComparedWorlds as ComparedWorlds,
         class_of as class_of,
         projection_of as projection_of,
+        twins as twins,
     )
     from allworlds.studies.ambiguity.question import SearchRequest as SearchRequest
     from allworlds.studies.ambiguity.solvers import (
         REQUIREMENTS as REQUIREMENTS,
         has_model_without as has_model_without,
-    )
-    from allworlds.studies.ambiguity.telling_apart import (
-        ComparedWorlds as ComparedWorlds,
-        twins as twins,
     )
     from allworlds.studies.ambiguity.twin_search import (
         SearchResult as SearchResult,

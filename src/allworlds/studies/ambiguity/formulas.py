@@ -1,10 +1,10 @@
 """The formula of a search: two different worlds, and a bisimulation between their darts.
 
 *One world*: the models are exactly the rooted maps of a class, each once.  The darts carry their
-canonical numbers (see :mod:`allworlds.maps.canonical`): in the order of steps ``t = 0, 1, 2, ...``
-the map is asked for ``sigma(0), alpha(0), sigma(1), ...``, and an answer is either a number that
-has been given already or the next free one.  So a model is a canonical code, and the number of
-models is the number of rooted maps.
+canonical numbers (see :mod:`allworlds.maps.combinatorial`): in the order of steps
+``t = 0, 1, 2, ...`` the map is asked for ``sigma(0), alpha(0), sigma(1), ...``, and an answer is
+either a number that has been given already or the next free one.  So a model is a canonical code,
+and the number of models is the number of rooted maps.
 
 *Bisimulation*: a relation of darts that holds between the two starts, that sigma and alpha keep,
 and whose darts sense the same.  It exists exactly if no motion tells the two worlds apart: every
@@ -14,8 +14,6 @@ motion is a product of sigmas and one alpha.
 that is entered at two darts which look alike; :func:`forbid_other_start` excludes, dart by
 dart, that the second world is the first one started elsewhere.
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations, product

@@ -1,7 +1,5 @@
 """Every marked world of a class, and which of them look alike."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -11,52 +9,23 @@ from msgspec import Struct, field
 from msgspec.structs import asdict
 from typing_extensions import override
 
-from allworlds.document.struct import (
-    Document,
-    Edges,
-    IfAny,
-    Natural,
-    NotInDocument,
-    Text,
-    Vertices,
-    WhichShard,
-    about,
-    computed,
-    with_options,
-)
-from allworlds.engines.engine_table import ReadyEngine
-from allworlds.engines.here import local_or_dask
-from allworlds.engines.limits import (
-    ClusterOptions,
-    ListenerOptions,
-    RunDirectoryOptions,
-    TimeLimitOptions,
-)
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import (
-    FileDigests,
-    GivenCount,
-    SweptReport,
-    ToldGate,
-    TriedPlaces,
-    told_scope,
-    tried_places,
-)
-from allworlds.engines.units import WHOLE, GivenUnit, LevelUnit, ShardOptions, SweptLevel
-from allworlds.inputs.checks import InputError, one_of
-from allworlds.inputs.requests import SCOPE, Converted, Option, answers
-from allworlds.maps.canonical import numbering, rooted_code
-from allworlds.maps.classes import Extent, ExtentOptions, MapClass
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds import document as doc, outcome
+from allworlds.engines import limits, sweep, units
+from allworlds.engines.engine_table import ReadyEngine, local_or_dask
+from allworlds.inputs import checks, requests
+from allworlds.maps import classes, combinatorial
 from allworlds.maps.quotient import Quotient, class_size, is_ambiguous
 from allworlds.notations.given import GivenOptions
-from allworlds.outcome import Disagreement, Ending
-from allworlds.studies.ambiguity.members import is_least_rooting, projection_of
-from allworlds.studies.ambiguity.telling_apart import ComparedWorlds, standing, twins
-from allworlds.world.lighthouses.kinds import LIGHTHOUSES, OWN, GivenLighthouse, LighthouseKind
+from allworlds.studies.ambiguity.members import (
+    ComparedWorlds,
+    is_least_rooting,
+    projection_of,
+    standing,
+    twins,
+)
+from allworlds.world.lighthouses import kinds, options
+from allworlds.world.lighthouses.composed import Nothing
 from allworlds.world.lighthouses.marked import Position
-from allworlds.world.lighthouses.options import InvalidWorld
-from allworlds.world.lighthouses.placeless import Nothing
 from allworlds.world.selection import WhereOptions, tried_kind
 from allworlds.world.world import World
 
@@ -65,26 +34,26 @@ BATCH = 200
 
 
 class CensusRequest(
-    ListenerOptions,
-    ClusterOptions,
-    RunDirectoryOptions,
-    TimeLimitOptions,
-    ShardOptions,
+    limits.ListenerOptions,
+    limits.ClusterOptions,
+    limits.RunDirectoryOptions,
+    limits.TimeLimitOptions,
+    units.ShardOptions,
     WhereOptions,
     GivenOptions,
-    ExtentOptions,
+    classes.ExtentOptions,
 ):
     """Request of ``ambiguity census``: a class, its bounds and the effort."""
 
     lighthouse: Annotated[
-        Converted[GivenLighthouse, LighthouseKind],
-        Option(
-            SCOPE,
+        requests.Converted[kinds.GivenLighthouse, kinds.LighthouseKind],
+        requests.Option(
+            requests.SCOPE,
             "KIND",
-            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}.",
-            document_type=Annotated[Text, about("`KIND[:key=value,...]`")],
+            f"KIND[:key=value,...]: {checks.one_of(kinds.LIGHTHOUSES)}, or {kinds.OWN}.",
+            document_type=Annotated[doc.Text, doc.about("`KIND[:key=value,...]`")],
         ),
-    ] = Converted(tried_kind, Position.kind)
+    ] = requests.Converted(tried_kind, Position.kind)
 
 
 Size: TypeAlias = tuple[int, int]
@@ -127,11 +96,11 @@ class SensedParts(Struct):
             document of a world of each, up to isomorphism.
     """
 
-    worlds: Natural = 0
+    worlds: doc.Natural = 0
     alone: Counter[tuple[int, int]] = field(default_factory=Counter)
     parts: dict[str, dict[str, dict[str, Any]]] = field(default_factory=dict)
 
-    def add(self, other: SensedParts) -> None:
+    def add(self, other: "SensedParts") -> None:
         """Add the counts of another part."""
         self.worlds += other.worlds
         self.alone.update(other.alone)
@@ -145,7 +114,7 @@ class SensedParts(Struct):
         key = _code(world, projection_of(world).quotient)
         self.parts.setdefault(key, {}).setdefault(_code(world, world.map), world.to_json())
 
-    def meet_marked(self, map_: CombinatorialMap) -> None:
+    def meet_marked(self, map_: combinatorial.CombinatorialMap) -> None:
         """Take in a map with its root's vertex marked; of all roots there one is taken in.
 
         Of such worlds the quotient alone tells whether there is a twin.
@@ -191,7 +160,7 @@ class SensedParts(Struct):
             world = World.from_json(next(iter(worlds.values())))
             quotient = projection_of(world).quotient
             if len(worlds) != class_size(quotient):
-                raise Disagreement(
+                raise outcome.Disagreement(
                     f"{len(worlds)} worlds were met of a class of {class_size(quotient)}, "
                     f"with the quotient {quotient}"
                 )
@@ -200,10 +169,10 @@ class SensedParts(Struct):
 class PartBySensing(Struct, frozen=True):
     """The engine of the census."""
 
-    extent: Extent
-    kind: LighthouseKind
+    extent: classes.Extent
+    kind: kinds.LighthouseKind
 
-    def parts(self, unit: LevelUnit | GivenUnit) -> Iterator[SensedParts]:
+    def parts(self, unit: units.LevelUnit | units.GivenUnit) -> Iterator[SensedParts]:
         """The maps of the unit, some at a time."""
         met, marked = SensedParts(), self.kind.name == Position.kind and self.extent.given is None
         for map_, places in unit.placed(self.extent, Nothing if marked else self.kind.as_class):
@@ -221,11 +190,11 @@ class PartBySensing(Struct, frozen=True):
 
 def _size(world: Mapping[str, Any]) -> Size:
     """The size of a world, by its document."""
-    map_ = CombinatorialMap.trusted(tuple(world["sigma"]), tuple(world["alpha"]))
+    map_ = combinatorial.CombinatorialMap.trusted(tuple(world["sigma"]), tuple(world["alpha"]))
     return map_.edge_count, map_.vertex_count
 
 
-def _code(world: World, of: CombinatorialMap | Quotient) -> str:
+def _code(world: World, of: combinatorial.CombinatorialMap | Quotient) -> str:
     """The map or the quotient of a world, what is sensed and told, whatever the start: a text."""
     labels: Sequence[Any] = of.labels if isinstance(of, Quotient) else world.percepts
     sensed = [[p.marks, -1 if p.bearing is None else p.bearing] for p in labels]
@@ -235,8 +204,8 @@ def _code(world: World, of: CombinatorialMap | Quotient) -> str:
     told = sorted(world.told.items()) if isinstance(world.told, Mapping) else world.told
     codes = (
         [
-            rooted_code(of.sigma, of.alpha, dart),
-            [sensed[d] for d in numbering(of.sigma, of.alpha, dart)],
+            combinatorial.rooted_code(of.sigma, of.alpha, dart),
+            [sensed[d] for d in combinatorial.numbering(of.sigma, of.alpha, dart)],
             told,
         ]
         for dart in range(len(of.sigma))
@@ -255,7 +224,7 @@ def _apart(one: World, other: World) -> ComparedWorlds:
         for place in (other.lighthouse, *kind.places(other.map, start)):
             try:
                 world = World(other.map, place, start)
-            except InvalidWorld:  # the lighthouse cannot stand there when one starts here
+            except options.InvalidWorld:  # the lighthouse cannot stand there when one starts here
                 continue
             if _code(world, world.map) == code and (found := twins(one, world)).bisimulation:
                 return found
@@ -263,94 +232,97 @@ def _apart(one: World, other: World) -> ComparedWorlds:
 
 
 MarkedWorlds: TypeAlias = Annotated[
-    Natural, about("maps with a lighthouse in them, as one marked vertex, up to isomorphism")
+    doc.Natural,
+    doc.about("maps with a lighthouse in them, as one marked vertex, up to isomorphism"),
 ]
 AmbiguousWorlds: TypeAlias = Annotated[
-    Natural | None, about("those with a twin in the class of maps; null: of a shard")
+    doc.Natural | None, doc.about("those with a twin in the class of maps; null: of a shard")
 ]
 Classes: TypeAlias = Annotated[
-    Natural | None,
-    about("ambiguity classes of two or more worlds in the class of maps; null: of a shard"),
+    doc.Natural | None,
+    doc.about("ambiguity classes of two or more worlds in the class of maps; null: of a shard"),
 ]
 LargestClass: TypeAlias = Annotated[
-    Natural | None,
-    about("the size of the largest of these classes; 0: there is none, null: of a shard"),
+    doc.Natural | None,
+    doc.about("the size of the largest of these classes; 0: there is none, null: of a shard"),
 ]
 
 
-class CensusRow(Document, kw_only=True):
+class CensusRow(doc.Document, kw_only=True):
     """The marked maps with one number of edges.
 
     ``rooted`` is the number of rooted maps found, ``counted`` the number according to the
     independent source. A shard may hold some members of a class and not others.
     """
 
-    edges: Edges
+    edges: doc.Edges
     marked_worlds: MarkedWorlds
     ambiguous_worlds: AmbiguousWorlds = None
     classes: Classes = None
     largest_class: LargestClass = None
-    rooted: NotInDocument[int]
-    counted: NotInDocument[int]
+    rooted: doc.NotInDocument[int]
+    counted: doc.NotInDocument[int]
 
     def agrees(self, *, whole: bool) -> bool:
         """Whether as many rooted maps were met as the source counts; of a shard at most so many."""
         return self.rooted == self.counted if whole else self.rooted <= self.counted
 
 
-class CensusCell(Document):
+class CensusCell(doc.Document):
     """The marked maps of one size."""
 
-    edges: Edges
-    vertices: Vertices
+    edges: doc.Edges
+    vertices: doc.Vertices
     marked_worlds: MarkedWorlds
     ambiguous_worlds: AmbiguousWorlds = None
     classes: Classes = None
     largest_class: LargestClass = None
 
 
-@with_options(CensusRequest)
-class CensusScope(Document):
+@doc.with_options(CensusRequest)
+class CensusScope(doc.Document):
     """The scope of a census."""
 
-    places: TriedPlaces
-    given: GivenCount
-    sha256: FileDigests
-    shard: WhichShard
+    places: sweep.TriedPlaces
+    given: sweep.GivenCount
+    sha256: sweep.FileDigests
+    shard: doc.WhichShard
 
 
-class AmbiguityCensus(SweptReport):
+class AmbiguityCensus(sweep.SweptReport):
     """Report of 'ambiguity census'.
 
     Every level of a class of maps; twins are looked for inside the class only.
     """
 
-    rows: Annotated[tuple[CensusRow, ...], about("one a number of edges, ascending")]
+    rows: Annotated[tuple[CensusRow, ...], doc.about("one a number of edges, ascending")]
     by_vertices: Annotated[
-        tuple[CensusCell, ...], about("one for each (edges, vertices) with a world, ascending")
+        tuple[CensusCell, ...], doc.about("one for each (edges, vertices) with a world, ascending")
     ]
     pair: Annotated[
-        IfAny[tuple[World, ...]], about("the smallest worlds that are not told apart")
+        doc.IfAny[tuple[World, ...]], doc.about("the smallest worlds that are not told apart")
     ] = ()
     bisimulation: Annotated[
-        IfAny[tuple[tuple[Natural, ...], ...]],
-        about("of that pair: for each world the class of each dart"),
+        doc.IfAny[tuple[tuple[doc.Natural, ...], ...]],
+        doc.about("of that pair: for each world the class of each dart"),
     ] = ()
 
-    @computed
+    @doc.computed
     def scope(self) -> CensusScope:
         """All that was classified."""
-        return told_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
+        return sweep.told_scope(
+            CensusScope, self.request, places=self.places, shard=str(self.portion)
+        )
 
-    @computed
-    def gate(self) -> ToldGate:
+    @doc.computed
+    def gate(self) -> sweep.ToldGate:
         """Count gate, if there is anything to compare."""
         return self.compared
 
     @property
     def places(self) -> str:
         """The places of the lighthouse that were tried, in words."""
-        return tried_places(self.request.lighthouse, self.extent)
+        return sweep.tried_places(self.request.lighthouse, self.extent)
 
     @property
     @override
@@ -363,7 +335,7 @@ class AmbiguityCensus(SweptReport):
         return not any(row.marked_worlds for row in self.rows)
 
 
-@answers(CensusRequest)
+@requests.answers(CensusRequest)
 def census(request: CensusRequest) -> AmbiguityCensus:
     """Classify every map of a class with every choice of a marked vertex, up to isomorphism.
 
@@ -375,21 +347,21 @@ def census(request: CensusRequest) -> AmbiguityCensus:
     return CensusSweep(request).answer(request.run)
 
 
-class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
+class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
     """A census on its way."""
 
     verb, asked, result = "ambiguity census", CensusRequest, SensedParts
-    extent: Extent
+    extent: classes.Extent
 
     def __init__(self, request: CensusRequest) -> None:
         super().__init__(request, request.extent)
-        self._levels: list[tuple[SweptLevel, int]] = []
+        self._levels: list[tuple[units.SweptLevel, int]] = []
         self._met = SensedParts()
-        self.kind: LighthouseKind = (
+        self.kind: kinds.LighthouseKind = (
             request.lighthouse_of_given(request.lighthouse) or request.lighthouse
         )
         if self.kind.as_class.leaves_marks:
-            raise InputError(
+            raise checks.InputError(
                 f"under the lighthouse {self.kind} the robot leaves marks itself, and a census is "
                 f"of what motions alone can tell apart; legal are {standing()}"
             )
@@ -400,18 +372,18 @@ class CensusSweep(Sweep[SensedParts, AmbiguityCensus]):
         return ReadyEngine(local_or_dask(self.request.cluster, self.deadline), engine)
 
     @override
-    def finish(self, level: SweptLevel, total: SensedParts) -> None:
+    def finish(self, level: units.SweptLevel, total: SensedParts) -> None:
         extent = self.extent
-        all_maps = extent.map_class is MapClass.MAPS and not (extent.where or extent.given)
-        if self.portion == WHOLE and all_maps and self.kind.name == Position.kind:
+        all_maps = extent.map_class is classes.MapClass.MAPS and not (extent.where or extent.given)
+        if self.portion == units.WHOLE and all_maps and self.kind.name == Position.kind:
             total.ensure_counted()
         self._levels.append((level, total.worlds))
         # Worlds of different sizes may look alike.
         self._met.add(total)
 
     @override
-    def report(self, ending: Ending) -> AmbiguityCensus:
-        whole = self.portion == WHOLE
+    def report(self, ending: outcome.Ending) -> AmbiguityCensus:
+        whole = self.portion == units.WHOLE
         by_edges = self._met.counts(lambda size: size[0])
         by_size = self._met.counts(lambda size: size)
         pair = self._met.smallest_pair() if whole else None

@@ -8,8 +8,6 @@ hints of an LRAT line, so that the result can be checked again without any searc
 that need RAT are refused; the solver that is used here writes none.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TypeAlias

@@ -1,7 +1,5 @@
 """The question of a search, checked once: lighthouse, class, bounds and the walk."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -20,13 +18,9 @@ from allworlds.inputs.checks import (
     show,
 )
 from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Option
-from allworlds.maps.classes import ClassOptions, MapClass
-from allworlds.maps.combinatorial import Dart
+from allworlds.maps import classes, combinatorial
 from allworlds.words import plural
-from allworlds.world.lighthouses.base import Lighthouse, ReferenceLighthouse, Sensing
-from allworlds.world.lighthouses.kinds import LIGHTHOUSES
-from allworlds.world.lighthouses.marked import Compass, Directional, Position
-from allworlds.world.lighthouses.placeless import Nothing
+from allworlds.world.lighthouses import base, composed, kinds, marked
 
 
 def motion_list(text: str) -> tuple[int, ...]:
@@ -36,7 +30,7 @@ def motion_list(text: str) -> tuple[int, ...]:
     return tuple(int(part) for part in text.split(","))
 
 
-class SearchRequest(ListenerOptions, TimeLimitOptions, ClassOptions):
+class SearchRequest(ListenerOptions, TimeLimitOptions, classes.ClassOptions):
     """Request of ``ambiguity search``: the properties of the twins, and the solver."""
 
     lighthouse: Annotated[
@@ -87,11 +81,11 @@ class SearchRequest(ListenerOptions, TimeLimitOptions, ClassOptions):
     ] = None
 
 
-SEARCHED: Mapping[str, Callable[[Sequence[Dart]], Lighthouse]] = {
-    Nothing.kind: lambda _: Nothing(),
-    Position.kind: lambda _: Position(0),
-    Directional.kind: lambda darts: Directional(darts[0]),
-    Compass.kind: lambda darts: Compass(tuple(darts)),
+SEARCHED: Mapping[str, Callable[[Sequence[combinatorial.Dart]], base.Lighthouse]] = {
+    composed.Nothing.kind: lambda _: composed.Nothing(),
+    marked.Position.kind: lambda _: marked.Position(0),
+    marked.Directional.kind: lambda darts: marked.Directional(darts[0]),
+    marked.Compass.kind: lambda darts: marked.Compass(tuple(darts)),
 }
 """The lighthouses of which there are formulas, with start 0 and the darts that they point to."""
 
@@ -149,7 +143,7 @@ class Question(Struct, frozen=True):
     """
 
     lighthouse: str
-    map_class: MapClass
+    map_class: classes.MapClass
     vertices: int
     edges: int
     degree_marked: int | None = None
@@ -157,10 +151,10 @@ class Question(Struct, frozen=True):
     walk: tuple[Step, ...] = ()
 
     @property
-    def sensing(self) -> Sensing:
+    def sensing(self) -> base.Sensing:
         """The kind of marker that is sensed besides the degree."""
-        kind = LIGHTHOUSES[self.lighthouse]
-        assert issubclass(kind, ReferenceLighthouse)
+        kind = kinds.LIGHTHOUSES[self.lighthouse]
+        assert issubclass(kind, base.ReferenceLighthouse)
         return kind.sensing
 
     def sizes(self) -> Iterator[Sizes]:
@@ -185,7 +179,7 @@ class Question(Struct, frozen=True):
             return False
         if self.map_class.simple and (n < 2 or m > n * (n - 1) // 2):
             return False
-        if self.map_class is MapClass.PLANAR_SIMPLE and n >= 3 and m > 3 * n - 6:
+        if self.map_class is classes.MapClass.PLANAR_SIMPLE and n >= 3 and m > 3 * n - 6:
             return False
         if root is not None and root > 2 * m - (n - 1):
             return False

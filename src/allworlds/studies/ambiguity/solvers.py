@@ -4,8 +4,6 @@
 python-sat's CaDiCaL, which cannot be interrupted.
 """
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """The search for twins by growing sizes, so that the first pair found is a smallest one."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import tempfile
@@ -12,37 +10,14 @@ from typing import Annotated, Any, TypeAlias
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.document.struct import (
-    Document,
-    Natural,
-    NotInDocument,
-    Pair as Two,
-    Positive,
-    Text,
-    about,
-    computed,
-    narrowed,
-    one_of,
-    replace,
-)
-from allworlds.engines.limits import deadline_after
-from allworlds.engines.progress import Listener
-from allworlds.engines.swept_report import EndedReport
+from allworlds import document as doc
+from allworlds.engines.limits import EndedReport, Listener, deadline_after
 from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
 from allworlds.inputs.requests import answers
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.outcome import COMPLETED, Disagreement, Ending, ended
-from allworlds.studies.ambiguity.formulas import (
-    Block,
-    Formula,
-    OneWorld,
-    Pair,
-    forbid_other_start,
-    pair_formula,
-    read_dimacs,
-    world_formula,
-)
+from allworlds.studies.ambiguity import formulas
 from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat, write_lrat
 from allworlds.studies.ambiguity.question import (
     SEARCHED,
@@ -67,38 +42,38 @@ from allworlds.world.world import World
 PROOF_LIMIT = 10_000_000
 """Bytes of DRAT that the checker of this package accepts: a minute or two."""
 
-Classes: TypeAlias = Two[Annotated[tuple[Natural, ...], narrowed(minItems=2)]]
+Classes: TypeAlias = doc.Pair[Annotated[tuple[doc.Natural, ...], doc.narrowed(minItems=2)]]
 
 
-class Twins(Document):
+class Twins(doc.Document):
     """Two worlds that no motion tells apart, and the bisimulation that proves it."""
 
-    pair: Two[World]
+    pair: doc.Pair[World]
     bisimulation: Classes
 
 
-class Searched(Document):
+class Searched(doc.Document):
     """One level of a search.
 
     Writing and solving took ``seconds``. ``same_map`` holds twins that turned out to be one world
     with two starts; ``twins`` holds the decoded worlds, if the formula has a model.
     """
 
-    status: Annotated[Status, about("the solver's answer to this formula")]
-    formula: Annotated[Path, about("the path of the DIMACS file")]
-    proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")]
-    sizes: NotInDocument[Sizes]
-    seconds: NotInDocument[float]
-    same_map: NotInDocument[tuple[Twins, ...]] = ()
-    twins: NotInDocument[Twins | None] = None
+    status: Annotated[Status, doc.about("the solver's answer to this formula")]
+    formula: Annotated[Path, doc.about("the path of the DIMACS file")]
+    proof: Annotated[Path | None, doc.about("the path of the LRAT proof; null: there is none")]
+    sizes: doc.NotInDocument[Sizes]
+    seconds: doc.NotInDocument[float]
+    same_map: doc.NotInDocument[tuple[Twins, ...]] = ()
+    twins: doc.NotInDocument[Twins | None] = None
 
-    @computed
-    def edges(self) -> Two[Positive]:
+    @doc.computed
+    def edges(self) -> doc.Pair[doc.Positive]:
         """Of each world."""
         return tuple(size.edges for size in self.sizes)
 
-    @computed
-    def vertices(self) -> Two[Two[Positive]]:
+    @doc.computed
+    def vertices(self) -> doc.Pair[doc.Pair[doc.Positive]]:
         """For each world the fewest and the most."""
         return tuple((size.fewest, size.most) for size in self.sizes)
 
@@ -109,44 +84,45 @@ class SearchResult(EndedReport, kw_only=True):
     If it was interrupted by the user, the status is `unknown`, or twins had been found before.
     """
 
-    status: Annotated[Status, about("`sat`: a pair; `unsat`: there is none in the bounds")]
-    pair: Annotated[Two[World] | None, about("two worlds that look alike; null unless `sat`")] = (
-        None
-    )
+    status: Annotated[Status, doc.about("`sat`: a pair; `unsat`: there is none in the bounds")]
+    pair: Annotated[
+        doc.Pair[World] | None, doc.about("two worlds that look alike; null unless `sat`")
+    ] = None
     bisimulation: Annotated[
-        Classes | None, about("for each of them the class of each dart; null unless `sat`")
+        Classes | None, doc.about("for each of them the class of each dart; null unless `sat`")
     ] = None
     certificate: Annotated[
-        Path | None, about("the path of the certificate; null: see [answers](ambiguity.md#answers)")
+        Path | None,
+        doc.about("the path of the certificate; null: see [answers](ambiguity.md#answers)"),
     ] = None
-    vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
-    directory: Annotated[Path, about("the directory of the formulas")]
-    levels: Annotated[tuple[Searched, ...], about("in the order of the search")]
-    notices: Annotated[tuple[Text, ...], about("sentences for the reader")]
-    question: NotInDocument[Question]
+    vacuous: Annotated[bool, doc.about("not even one world exists within the bounds")] = False
+    directory: Annotated[Path, doc.about("the directory of the formulas")]
+    levels: Annotated[tuple[Searched, ...], doc.about("in the order of the search")]
+    notices: Annotated[tuple[doc.Text, ...], doc.about("sentences for the reader")]
+    question: doc.NotInDocument[Question]
 
-    @computed
-    def lighthouse(self) -> Annotated[str, one_of(*SEARCHED)]:
+    @doc.computed
+    def lighthouse(self) -> Annotated[str, doc.one_of(*SEARCHED)]:
         """Its kind."""
         return self.question.lighthouse
 
-    @computed
+    @doc.computed
     def map_class(self) -> MapClass:
         """The class of maps."""
         return self.question.map_class
 
-    @computed
-    def vertices(self) -> Positive:
+    @doc.computed
+    def vertices(self) -> doc.Positive:
         """At most so many."""
         return self.question.vertices
 
-    @computed
-    def edges(self) -> Positive:
+    @doc.computed
+    def edges(self) -> doc.Positive:
         """At most so many."""
         return self.question.edges
 
-    @computed
-    def same_map(self) -> tuple[Two[World], ...]:
+    @doc.computed
+    def same_map(self) -> tuple[doc.Pair[World], ...]:
         """Pairs that look alike but are one map with two starts."""
         return tuple(same.pair for level in self.levels for same in level.same_map)
 
@@ -189,7 +165,7 @@ def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]]:
     return tuple(names[x] for x in ones), tuple(names[y] for y in twos)
 
 
-def decoded(pair: Pair, model: frozenset[int]) -> Twins:
+def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
     """The two worlds of a model, the set of its true variables.
 
     Raises:
@@ -211,7 +187,9 @@ def decoded(pair: Pair, model: frozenset[int]) -> Twins:
     return Twins(pair=(one, two), bisimulation=classes)
 
 
-def _world(asked: Question, world: OneWorld, pointed: Block | None, model: frozenset[int]) -> World:
+def _world(
+    asked: Question, world: formulas.OneWorld, pointed: formulas.Block | None, model: frozenset[int]
+) -> World:
     sigma, alpha = (
         [_only([y for y, variable in enumerate(row) if variable in model]) for row in block.rows()]
         for block in (world.sigma, world.alpha)
@@ -342,7 +320,7 @@ class _TwinsSearch(Struct):
     def _decide(self, sizes: Sizes) -> Searched:
         """Solve for two sizes. Pairs that are one world started twice are excluded one by one."""
         began = monotonic()
-        formula, pair = pair_formula(self.question, sizes)
+        formula, pair = formulas.pair_formula(self.question, sizes)
         path = self.directory / f"{sizes.name}.cnf"
         same: list[Twins] = []
         while True:
@@ -353,7 +331,7 @@ class _TwinsSearch(Struct):
             if twins is None or start is None:
                 break
             same.append(twins)
-            forbid_other_start(formula, pair, start)
+            formulas.forbid_other_start(formula, pair, start)
         status = solved.status
         proof = path.with_suffix(".lrat") if self.external and status == "unsat" else None
         if proof and not self._accepts(formula, proof):
@@ -376,7 +354,7 @@ class _TwinsSearch(Struct):
             return self.external.solve(path, path.with_suffix(".lrat"), self.deadline)
         return solve_with_z3(path, self.deadline)
 
-    def _accepts(self, formula: Formula, proof: Path) -> bool:
+    def _accepts(self, formula: formulas.Formula, proof: Path) -> bool:
         try:
             with proof.open(encoding="ascii", errors="replace") as lines:
                 check_lrat(formula.clauses, lines)
@@ -388,8 +366,8 @@ class _TwinsSearch(Struct):
     def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
         """Among the pairs with these numbers of edges one with the fewest vertices."""
         counts = [world.map.vertex_count for world in twins.pair]
-        one, two = (replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
-        less, less_too = (replace(size, most=size.most - 1) for size in (one, two))
+        one, two = (doc.replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
+        less, less_too = (doc.replace(size, most=size.most - 1) for size in (one, two))
         marked = self.question.sensing.marks_v0
         for smaller in (
             [Sizes(less, less_too)] if marked else [Sizes(one, less_too), Sizes(less, two)]
@@ -426,7 +404,7 @@ class _TwinsSearch(Struct):
         path = self.directory / "one-world.cnf"
         for sizes in self.question.sizes():
             if sizes.one == sizes.two:
-                world_formula(self.question, sizes).write(path)
+                formulas.world_formula(self.question, sizes).write(path)
                 if solve_with_z3(path, self.deadline).status != "unsat":
                     return True
         path.unlink(missing_ok=True)
@@ -443,7 +421,7 @@ class _TwinsSearch(Struct):
             if searched.proof is None and (reason := self._write_proof(formula)):
                 missing.setdefault(reason, []).append(formula.name)
             else:
-                self.done[number] = replace(searched, proof=formula.with_suffix(".lrat"))
+                self.done[number] = doc.replace(searched, proof=formula.with_suffix(".lrat"))
         for reason, names in missing.items():
             more = f" and {len(names) - 1} more" if len(names) > 1 else ""
             self.notices.append(f"no certificate for {names[0]}{more}: {reason}")
@@ -465,7 +443,7 @@ class _TwinsSearch(Struct):
                 f"its DRAT proof ({drat}) has {size:,} bytes, and the checker of "
                 f"this package accepts {PROOF_LIMIT:,}; a CaDiCaL 2 named with --solver writes LRAT"
             )
-        variables, clauses = read_dimacs(formula)
+        variables, clauses = formulas.read_dimacs(formula)
         with drat.open(encoding="ascii") as lines:
             write_lrat(lrat_of_drat(variables, clauses, lines), formula.with_suffix(".lrat"))
         drat.unlink()

@@ -1,12 +1,11 @@
 """The check: every world of a class, one explorer, a verdict with its scope.
 
-``requests``
-    what ``check`` and its like are asked for, as values;
 ``exhaustive``
     level by level to a report, and how long it will take;
 ``tally_sweep``
     what it shares with other studies of one explorer in many worlds: run directories, findings
     that are confirmed, and those of earlier checks, which are tried first;
 ``report``
-    the verdict with its scope, and what a complete check must have met.
+    what ``check`` and its like are asked for, as values; the verdict with its scope, and
+    what a complete check must have met.
 """

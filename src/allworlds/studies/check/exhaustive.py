@@ -1,7 +1,5 @@
 """A check, level by level to a report, in worlds of the user's own, too; and how long it takes."""
 
-from __future__ import annotations
-
 import time
 from contextlib import suppress
 from itertools import islice
@@ -10,19 +8,8 @@ from typing import Annotated, Any, TypeAlias
 
 from typing_extensions import override
 
-from allworlds.document.report import Report
-from allworlds.document.struct import (
-    Document,
-    Figure,
-    Natural,
-    NotInDocument,
-    Positive,
-    Seconds,
-    Text,
-    about,
-    computed,
-    replace,
-)
+from allworlds import document as doc, outcome, words
+from allworlds.engines import limits, players, single, tally, units
 from allworlds.engines.engine_table import (
     ENGINES,
     EngineKind,
@@ -33,36 +20,18 @@ from allworlds.engines.engine_table import (
     why_not_compiled,
 )
 from allworlds.engines.job_records import Identity
-from allworlds.engines.limits import ClusterLost, TimeIsUp
-from allworlds.engines.players import Unsettled
-from allworlds.engines.progress import Listener, NoticeOnce, Silent
-from allworlds.engines.scope import Scope
-from allworlds.engines.single import subject_of
-from allworlds.engines.tally import EnginesDisagree, Tally
-from allworlds.engines.units import (
-    Portion,
-    SweptLevel,
-    drawn_units,
-    is_counted,
-    level_size,
-    shards_of,
-)
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import answers
 from allworlds.judging.findings.finding import labelled
-from allworlds.maps.classes import Extent
-from allworlds.maps.count_source import source_of
-from allworlds.outcome import Completed, Disagreed, Ending, Stopped, Verdict
-from allworlds.studies.check.report import CheckReport, GateCell, count_gate, missing_witnesses
-from allworlds.studies.check.requests import CheckRequest
-from allworlds.studies.check.tally_sweep import (
-    UNREPEATED,
-    TallySweep,
-    UserCorpus,
-    rules_known,
-    subject_of_record,
+from allworlds.maps import classes, count_source
+from allworlds.studies.check import tally_sweep
+from allworlds.studies.check.report import (
+    CheckReport,
+    CheckRequest,
+    GateCell,
+    count_gate,
+    missing_witnesses,
 )
-from allworlds.words import duration
 
 
 @answers(CheckRequest)
@@ -88,7 +57,7 @@ def check(request: CheckRequest) -> CheckReport:
 
 
 @answers(CheckRequest)
-def estimate(request: CheckRequest) -> TimeEstimate:
+def estimate(request: CheckRequest) -> "TimeEstimate":
     """Estimate the duration of :func:`check` with these options, from a sample of some seconds.
 
     And with one edge more, by the engine that would do it.
@@ -98,14 +67,14 @@ def estimate(request: CheckRequest) -> TimeEstimate:
     """
     if request.given is not None:
         raise InputError(f"estimate is of a class, and not of {request.given.words}")
-    heard = replace(request, listener=NoticeOnce(request.listener))
+    heard = doc.replace(request, listener=limits.NoticeOnce(request.listener))
     job, chosen = _job(heard)
     guess, larger = estimated(job, chosen), tuple[Guess, ...]()
     if guess.rate and (extent := one_larger(job)):
         # What an engine cannot do ends the table.
         with suppress(InputError):
-            larger = (estimated(*_job(replace(heard, edges=extent.edges))),)
-    counted = is_counted(job.scope.extent)
+            larger = (estimated(*_job(doc.replace(heard, edges=extent.edges))),)
+    counted = units.is_counted(job.scope.extent)
     first = {name: getattr(guess, name) for name in guess.__struct_fields__}
     return TimeEstimate(explorer=job.subject.name, larger=larger, counted=counted, **first)
 
@@ -113,8 +82,8 @@ def estimate(request: CheckRequest) -> TimeEstimate:
 def _job(request: CheckRequest, keep: int = 1) -> tuple[Job, EngineKind]:
     """The job of a request, and the engine for it."""
     limits, notice = request.limits, request.listener.notice
-    subject = subject_of(request.explore, limits)
-    scope = Scope(request.extent, request.rules(subject), request.schedules, request.shard)
+    subject = single.subject_of(request.explore, limits)
+    scope = units.Scope(request.extent, request.rules(subject), request.schedules, request.shard)
     if scope.schedules == "all" and not subject.takes_choices:
         raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
     if request.engine == "auto" and (why := why_not_compiled(scope, subject, limits.memory)):
@@ -123,7 +92,7 @@ def _job(request: CheckRequest, keep: int = 1) -> tuple[Job, EngineKind]:
     return job, engine_for(request.engine, scope, subject, limits.memory)
 
 
-class CheckSweep(TallySweep[CheckReport]):
+class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     """The sweep of a check.
 
     Args:
@@ -138,18 +107,20 @@ class CheckSweep(TallySweep[CheckReport]):
         super().__init__(request, job.scope, job.subject, job.keep, job.scope.extent)
         self._engine = engine
         named = request.corpus
-        self._corpus = None if named is None else UserCorpus(a_path("corpus", named))
+        self._corpus = None if named is None else tally_sweep.UserCorpus(a_path("corpus", named))
         self._tally = self.empty()
         self._levels: list[int] = []
         self._gate: list[GateCell] = []
 
     @override
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> CheckSweep:
+    def known(
+        cls, identity: Identity, portion: units.Portion, listener: limits.Listener
+    ) -> "CheckSweep":
         request = cls.asked_then(identity, portion, listener)
-        rules = rules_known(request, identity.parameters)
-        scope = Scope(request.extent, rules, request.schedules, portion)
-        subject = subject_of_record(identity.explorer)
+        rules = tally_sweep.rules_known(request, identity.parameters)
+        scope = units.Scope(request.extent, rules, request.schedules, portion)
+        subject = tally_sweep.subject_of_record(identity.explorer)
         job = Job(scope, subject, request.limits, request.max_findings, None, listener.notice)
         return cls(request, job, ENGINES[request.engine])
 
@@ -163,51 +134,51 @@ class CheckSweep(TallySweep[CheckReport]):
         return self._engine.ready(self.job)
 
     @override
-    def begin(self) -> Ending | None:
+    def begin(self) -> outcome.Ending | None:
         """Try past findings, and announce the estimated time of a long check to a listener."""
         job, corpus = self.job, self._corpus
-        if not isinstance(self.listener, Silent) and is_worth_a_guess(job, self._engine):
+        if not isinstance(self.listener, limits.Silent) and is_worth_a_guess(job, self._engine):
             seconds = estimated(job, self._engine).seconds
             if seconds is not None and seconds > LONG:
-                said = f"this will take about {duration(seconds)}: a guess from a sample"
+                said = f"this will take about {words.duration(seconds)}: a guess from a sample"
                 self.listener.notice(said)
         if corpus is not None:
             past = corpus.retry(job.subject, job.limits, self.scope)
             self._tally.findings = past[: job.keep]
             if len(self._tally.findings) >= job.keep:
-                return Stopped("past findings stand")
+                return outcome.Stopped("past findings stand")
         return None
 
     @override
-    def finish(self, level: SweptLevel, total: Tally) -> Ending | None:
+    def finish(self, level: units.SweptLevel, total: tally.Tally) -> outcome.Ending | None:
         scope, extent = self.scope, self.scope.extent
-        total.findings = [replace(found, minimal=scope.whole) for found in total.findings]
+        total.findings = [doc.replace(found, minimal=scope.whole) for found in total.findings]
         self._tally.add(total)
         self._levels.append(level.edges)
         if scope.whole:
             self._gate += count_gate(extent, level.edges, total)
         if not all(cell.agrees for cell in self._gate):
-            return Disagreed("the count gate: the enumeration and its source disagree")
+            return outcome.Disagreed("the count gate: the enumeration and its source disagree")
         if level.edges == extent.levels[-1]:
             seen, task = self._tally.witnesses, scope.rules.task
             missing = missing_witnesses(extent, self.job.subject, task, seen)
-            return Completed(missing if scope.whole else ())
+            return outcome.Completed(missing if scope.whole else ())
         if (found := len(self._tally.findings)) >= self.job.keep:
-            return Stopped(f"{found} findings in finished levels", final=True)
+            return outcome.Stopped(f"{found} findings in finished levels", final=True)
         return None
 
     @override
-    def leave(self, level: SweptLevel, total: Tally) -> None:
+    def leave(self, level: units.SweptLevel, total: tally.Tally) -> None:
         """Store the findings. Counts enter the report only if their level is finished."""
         for found in total.findings:
-            self._tally.find(replace(found, minimal=False))
+            self._tally.find(doc.replace(found, minimal=False))
 
     @override
-    def conclude(self, ending: Ending) -> Ending:
+    def conclude(self, ending: outcome.Ending) -> outcome.Ending:
         """Confirm the findings, and store them."""
         corpus, like = self._corpus, self.scope.like
         self._tally.findings = [
-            replace(found, world=labelled(found.world, like(found.world)))
+            doc.replace(found, world=labelled(found.world, like(found.world)))
             for found in self._tally.findings
         ]
         known = corpus.holds if corpus is not None else None
@@ -216,12 +187,12 @@ class CheckSweep(TallySweep[CheckReport]):
             for lost in corpus.write(self._tally.findings):
                 self._tally.remark(lost)
                 self.listener.notice(lost)
-        if unrepeated and not self._tally.findings and isinstance(ending, Completed):
-            return Stopped(UNREPEATED)
+        if unrepeated and not self._tally.findings and isinstance(ending, outcome.Completed):
+            return outcome.Stopped(tally_sweep.UNREPEATED)
         return ending
 
     @override
-    def report(self, ending: Ending) -> CheckReport:
+    def report(self, ending: outcome.Ending) -> CheckReport:
         report = CheckReport(
             **self.ended(ending, self.scope.extent),
             explorer=self.job.subject.name,
@@ -233,7 +204,7 @@ class CheckSweep(TallySweep[CheckReport]):
             past=self._corpus,
             symmetry=self._engine.symmetry(self.scope, self.job.subject),
         )
-        if report.runs and not self._tally.traversals and report.verdict is Verdict.HOLDS:
+        if report.runs and not self._tally.traversals and report.verdict is outcome.Verdict.HOLDS:
             self.listener.notice("every run holds, and none of them has walked an edge")
         return report
 
@@ -265,18 +236,20 @@ COUNTABLE = 16
 """Levels of more edges are not counted for this; that they are many is said without it."""
 
 
-Largest: TypeAlias = Annotated[Positive, about("of the largest worlds")]
-Doer: TypeAlias = Annotated[EngineName, about("the engine that would run it")]
+Largest: TypeAlias = Annotated[doc.Positive, doc.about("of the largest worlds")]
+Doer: TypeAlias = Annotated[EngineName, doc.about("the engine that would run it")]
 ToBeTried: TypeAlias = Annotated[
-    Natural,
-    about("rooted maps that are to be tried; under a condition without a source at most so many"),
+    doc.Natural,
+    doc.about(
+        "rooted maps that are to be tried; under a condition without a source at most so many"
+    ),
 ]
 Sampled: TypeAlias = Annotated[
-    Natural,
-    about("rooted maps of the last level that were tried for this; 0: the rate is a guess"),
+    doc.Natural,
+    doc.about("rooted maps of the last level that were tried for this; 0: the rate is a guess"),
 ]
 Rate: TypeAlias = Annotated[
-    Figure | None, about("of these a second; null: none was finished in time")
+    doc.Figure | None, doc.about("of these a second; null: none was finished in time")
 ]
 
 
@@ -286,8 +259,8 @@ class _Lasting:
     worlds: int
     rate: float | None
 
-    @computed
-    def seconds(self) -> Seconds | None:
+    @doc.computed
+    def seconds(self) -> doc.Seconds | None:
         """For all: a guess, since smaller worlds take less; null where there is no rate."""
         if not self.rate:
             return None
@@ -296,7 +269,7 @@ class _Lasting:
         return round(self.worlds / self.rate, 1)
 
 
-class Guess(Document, _Lasting):
+class Guess(doc.Document, _Lasting):
     """Estimated duration of a check with this number of edges."""
 
     edges: Largest
@@ -306,7 +279,7 @@ class Guess(Document, _Lasting):
     rate: Rate
 
 
-class TimeEstimate(Report, _Lasting):
+class TimeEstimate(doc.Report, _Lasting):
     """Estimate.
 
     How long a check will take: what `check --estimate` writes.
@@ -314,14 +287,14 @@ class TimeEstimate(Report, _Lasting):
     ``counted`` tells that the worlds were counted, and are not at most so many.
     """
 
-    explorer: Annotated[Text, about("its name")]
+    explorer: Annotated[doc.Text, doc.about("its name")]
     edges: Largest
     engine: Doer
     worlds: ToBeTried
     sampled: Sampled
     rate: Rate
-    larger: Annotated[tuple[Guess, ...], about("the same check with more edges")]
-    counted: NotInDocument[bool] = True
+    larger: Annotated[tuple[Guess, ...], doc.about("the same check with more edges")]
+    counted: doc.NotInDocument[bool] = True
 
 
 def _plays(job: Job, engine: EngineKind) -> str:
@@ -333,14 +306,14 @@ def _plays(job: Job, engine: EngineKind) -> str:
 def worlds_of(job: Job) -> int:
     """The number of worlds to be tried; for a shard an estimate."""
     extent = job.scope.extent
-    worlds = sum(level_size(extent, edges) for edges in extent.levels)
-    return worlds // shards_of(job.scope.coverage)
+    worlds = sum(units.level_size(extent, edges) for edges in extent.levels)
+    return worlds // units.shards_of(job.scope.coverage)
 
 
 def is_worth_a_guess(job: Job, engine: EngineKind) -> bool:
     """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
     extent = job.scope.extent
-    if source_of(extent) is None:
+    if count_source.source_of(extent) is None:
         return False  # how many worlds there are is not known
     soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
     return soon and worlds_of(job) > MANY[_plays(job, engine)]
@@ -352,13 +325,13 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
     What starts workers and compiles is not counted; the sample takes some seconds.
     """
     engine.ready(job)  # compiles, where that is still to be done
-    ready = engine.ready(replace(job, deadline=time.monotonic() + MOST_SECONDS))
+    ready = engine.ready(doc.replace(job, deadline=time.monotonic() + MOST_SECONDS))
     extent, draw = job.scope.extent, Random(0)  # noqa: S311  # the same pieces each time
     sampled, began, ended = 0, 0.0, 0.0
     try:
-        units = drawn_units(extent, extent.levels[-1], PIECE[_plays(job, engine)], draw)
+        drawn = units.drawn_units(extent, extent.levels[-1], PIECE[_plays(job, engine)], draw)
         with ready.transport as transport:
-            for part in transport.map(ready.engine, islice(units, PIECES)):
+            for part in transport.map(ready.engine, islice(drawn, PIECES)):
                 now = time.monotonic()
                 if not began:
                     began = now
@@ -366,7 +339,7 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
                 sampled, ended = sampled + part.result.worlds, now
                 if sampled and now > began + SECONDS:
                     break
-    except (TimeIsUp, EnginesDisagree, ClusterLost, Unsettled):
+    except (limits.TimeIsUp, tally.EnginesDisagree, limits.ClusterLost, players.Unsettled):
         pass  # the check itself will say so
     rate = sampled / (ended - began) if ended > began and sampled else None
     return Guess(
@@ -378,11 +351,11 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
     )
 
 
-def one_larger(job: Job) -> Extent | None:
+def one_larger(job: Job) -> classes.Extent | None:
     """The extent with one edge more; None where that holds no more worlds, or too many to count."""
     extent = job.scope.extent
     if extent.edges is None or extent.edges >= COUNTABLE:
         return None
     edges = extent.edges + 1
-    larger = replace(extent, edges=edges)
-    return larger if level_size(larger, edges) else None
+    larger = doc.replace(extent, edges=edges)
+    return larger if units.level_size(larger, edges) else None

@@ -1,13 +1,17 @@
-"""The verdict of a check with its scope: gate, witnesses, most expensive runs."""
+"""The request of a check, and its verdict with its scope.
 
-from __future__ import annotations
+A request names files that hold an explorer, and code that judges it.  The verdict has a gate,
+witnesses, and the most expensive runs.
+"""
 
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
 from typing_extensions import override
 
-from allworlds.document.struct import (
+from allworlds.document import (
+    Bounded,
     Different,
     Document,
     Edges,
@@ -20,15 +24,18 @@ from allworlds.document.struct import (
     WhichShard,
     about,
     computed,
+    replace,
     with_options,
 )
-from allworlds.engines.engine_table import EngineName
-from allworlds.engines.lane import GOES_BY_HASHES
-from allworlds.engines.limits import Limits
-from allworlds.engines.scope import Sample, Scope
-from allworlds.engines.single import SingleRun, single_run, subject_of
-from allworlds.engines.swept_report import (
+from allworlds.engines import engine_table, lane, single
+from allworlds.engines.limits import (
+    ClusterOptions,
     EndedReport,
+    Limits,
+    ListenerOptions,
+    RunDirectoryOptions,
+)
+from allworlds.engines.sweep import (
     FileDigests,
     GivenCount,
     TriedPlaces,
@@ -36,20 +43,135 @@ from allworlds.engines.swept_report import (
     tried_places,
 )
 from allworlds.engines.tally import Tally
-from allworlds.engines.units import Portion, Shard
-from allworlds.explorers.loading import Subject
-from allworlds.inputs.checks import InputError
+from allworlds.engines.units import WHOLE, Portion, Sample, Scope, Shard, ShardOptions
+from allworlds.explorers import loading, sources
+from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import Finding, labelled
+from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.judging.laws.law_table import checked_laws
 from allworlds.judging.tasks import Task
+from allworlds.maps import classes, combinatorial, count_source
 from allworlds.maps.build import named_map
-from allworlds.maps.classes import Extent
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.count_source import source_of
+from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
+from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Completed, Verdict
-from allworlds.studies.check.requests import CheckRequest, SharedFile
-from allworlds.studies.check.tally_sweep import CorpusReport, UserCorpus
+from allworlds.protocol.choices import Schedule, a_schedule
+from allworlds.studies.check import tally_sweep
+from allworlds.world import selection
 from allworlds.world.world import World
+
+SharedFile: TypeAlias = Annotated[
+    IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")
+]
+"""A key of the scope of every verb that judges runs."""
+
+
+def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
+    """The name of the explorer's file where code that judges it is loaded from it; else empty.
+
+    Such code runs where verdicts are made, and could make one.
+    """
+    files = (*rules.files, *selection.files_of_condition(where))
+    if not files:
+        return ""
+    theirs = {file.resolve() for file in sources.files_of_explorer(explorer)}
+    return next((file.name for file in files if file in theirs), "")
+
+
+class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptions, ClassOptions):
+    """Many worlds of a class, under rules, with an effort."""
+
+    def rules(self, subject: loading.Subject) -> Rules:
+        """The rules under which the explorer is run; its own lighthouse, if none is named.
+
+        Raises:
+            InputError: naming the offending option and what would be legal.
+        """
+        fixed = isinstance(self, GivenOptions) and self.lighthouse_of_given(self.lighthouse)
+        lighthouse = fixed or self.lighthouse or subject.lighthouse
+        where = getattr(self, "where", None)
+        rules = self.rules_of(
+            subject, lighthouse, promised=self.map_class.planar, among=Among.of(where)
+        )
+        return replace(rules, shared_file=shared_file(subject.name, rules, where))
+
+
+def _max_findings(given: object) -> int:
+    number = checks.an_integer("max-findings", given)
+    if number < 1:
+        raise checks.InputError(f"max-findings {checks.show(number)} is not positive and finite")
+    return number
+
+
+class CheckRequest(
+    RunDirectoryOptions,
+    ClusterOptions,
+    ManyWorlds,
+    sources.ExplorerOptions,
+    ShardOptions,
+    selection.WhereOptions,
+    GivenOptions,
+    ExtentOptions,
+):
+    """Request of ``check``: an explorer, worlds, rules and limits."""
+
+    edges: Annotated[
+        int | None,
+        requests.Option(
+            requests.SCOPE,
+            "M",
+            f"At most M edges (default, unless --vertices is given: {DEFAULT_EDGES}).",
+            parse=checks.integer_of,
+            document_type=Bounded,
+        ),
+    ] = None
+    schedules: Annotated[
+        requests.Converted[str, Schedule],
+        requests.Option(
+            requests.RARE_RULES,
+            "one|all",
+            "all: every sequence of choices, for an explorer that takes choices.",
+            document_type=Annotated[Schedule, about("the policy's, or every sequence of choices")],
+        ),
+    ] = requests.Converted(a_schedule, "one")
+    engine: Annotated[
+        str,
+        requests.Option(
+            requests.RARE_EFFORT,
+            "auto|python|kernel",
+            "python judges in Python, kernel in compiled code; auto takes the faster one that can.",
+        ),
+    ] = "auto"
+
+    max_findings: Annotated[
+        requests.Converted[int, int],
+        requests.Option(
+            requests.RARE_EFFORT,
+            "K",
+            "Stop after the level with the K-th finding (the smallest of each law and map counts).",
+            parse=checks.integer_of,
+        ),
+    ] = requests.Converted(_max_findings, 1)
+    corpus: Annotated[
+        str | Path | None,
+        requests.Option(
+            requests.RARE_EFFORT,
+            "DIR",
+            "A directory of findings, which are tried first; new ones are added to it.",
+            apart=True,
+        ),
+    ] = None
+
+    @property
+    def extent(self) -> Extent:
+        """Class and bounds; without a bound a check takes seconds.
+
+        Raises:
+            InputError: naming the offending bound and what would be legal.
+        """
+        unbounded = self.edges is None and self.vertices is None and self.given is None
+        edges = DEFAULT_EDGES if unbounded else self.edges
+        return Extent(self.map_class, edges, self.vertices, self.where, self.given)
 
 
 class GateCell(Document):
@@ -67,12 +189,12 @@ class GateCell(Document):
         return self.counted == self.enumerated
 
 
-def count_gate(extent: Extent, edges: int, tally: Tally) -> list[GateCell]:
+def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCell]:
     """Counts of the enumerated maps of a level, beside those of an independent source.
 
     There are none under a condition that has no source.
     """
-    source = source_of(extent)
+    source = count_source.source_of(extent)
     if source is None:
         return []
     counted = source.cells(edges)
@@ -94,7 +216,7 @@ SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
 
 
 def missing_witnesses(
-    extent: Extent, subject: Subject, task: Task, seen: Mapping[str, int]
+    extent: classes.Extent, subject: loading.Subject, task: Task, seen: Mapping[str, int]
 ) -> tuple[str, ...]:
     """The events that a check of the whole extent must have seen and has not.
 
@@ -176,14 +298,14 @@ class CheckReport(EndedReport):
     """
 
     explorer: Annotated[Text, about("its name")]
-    engine: Annotated[EngineName, about("the engine that ran")]
+    engine: Annotated[engine_table.EngineName, about("the engine that ran")]
     asked: NotInDocument[Scope]
     request: NotInDocument[Any]
-    extent: NotInDocument[Extent]
+    extent: NotInDocument[classes.Extent]
     tally: NotInDocument[Tally]
     levels: NotInDocument[tuple[int, ...]]
     cells: NotInDocument[tuple[GateCell, ...]] = ()
-    past: NotInDocument[UserCorpus | None] = None
+    past: NotInDocument[tally_sweep.UserCorpus | None] = None
     symmetry: NotInDocument[str] = ""
 
     @computed
@@ -196,7 +318,7 @@ class CheckReport(EndedReport):
         """All that was checked."""
         extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
         gate: Gated = self.cells
-        if source_of(extent) is None or isinstance(coverage, Sample):
+        if count_source.source_of(extent) is None or isinstance(coverage, Sample):
             gate = "absent"
         elif isinstance(coverage, Shard):
             gate = "deferred to the merge of all shards"
@@ -267,7 +389,7 @@ class CheckReport(EndedReport):
         return tuple(_remarks(self.tally))
 
     @computed
-    def corpus(self) -> CorpusReport | None:
+    def corpus(self) -> tally_sweep.CorpusReport | None:
         """Null without ``--corpus``."""
         return self.past.report if self.past else None
 
@@ -277,9 +399,14 @@ class CheckReport(EndedReport):
         return tuple(self.tally.findings)
 
     @property
-    @override
     def portion(self) -> Portion:
+        """The part of the job that was to be done."""
         return self.asked.portion
+
+    @property
+    @override
+    def whole(self) -> bool:
+        return self.portion == WHOLE
 
     @property
     def complete(self) -> bool:
@@ -324,13 +451,13 @@ def _rows(tally: Tally) -> Iterator[CheckRow]:
 def _remarks(tally: Tally) -> Iterator[str]:
     more_than_hashes = any(found.law == "nondeterministic" for found in tally.findings)
     for text, times in sorted(tally.remarks.items()):
-        if text != GOES_BY_HASHES:
+        if text != lane.GOES_BY_HASHES:
             yield text if times == 1 else f"{text} ({times} times)"
         elif not more_than_hashes:
             yield text
 
 
-def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
+def most_expensive_runs(report: CheckReport) -> Iterator[single.SingleRun]:
     """The most expensive run of each size, ascending; empty if the explorer has no name.
 
     Of several it is the least.
@@ -339,12 +466,12 @@ def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
     """
     limits, rules = Limits(), report.asked.rules
     try:
-        subject = subject_of(report.explorer, limits)
-    except InputError:  # it was handed over as a function that no name leads to
+        subject = single.subject_of(report.explorer, limits)
+    except checks.InputError:  # it was handed over as a function that no name leads to
         return
     for _, row in sorted(report.tally.rows.items()):
         if (run := row.most_expensive) is not None:
-            map_ = CombinatorialMap(run.sigma, run.alpha)
+            map_ = combinatorial.CombinatorialMap(run.sigma, run.alpha)
             world = World(map_, [*rules.kind.places(map_, 0)][run.place], 0)
             world = labelled(world, report.asked.like(world))
-            yield single_run(subject, world, rules, run.choices, limits)
+            yield single.single_run(subject, world, rules, run.choices, limits)

@@ -3,8 +3,6 @@
 How run directories know it, its findings confirmed, and findings of earlier checks.
 """
 
-from __future__ import annotations
-
 import hashlib
 import re
 import time
@@ -17,27 +15,14 @@ from typing import Annotated, Any, TypeVar
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.document.struct import Document, IfAny, Text, about, replace
-from allworlds.engines.comparison import nondeterministic
+from allworlds.document import Document, IfAny, Text, about, replace
+from allworlds.engines import lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
-from allworlds.engines.examiner import LOST
 from allworlds.engines.job_records import Records, canonical, from_kept
-from allworlds.engines.lanes import workers_for
+from allworlds.engines.judge import nondeterministic
 from allworlds.engines.limits import Limits
-from allworlds.engines.scope import GivenWorlds, Scope
-from allworlds.engines.single import played_again
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.tally import (
-    RunCounter,
-    Tally,
-    finding_from_record,
-    finding_to_record,
-)
-from allworlds.engines.units import SweptLevel
-from allworlds.explorers.loading import Subject
-from allworlds.explorers.sources import content_digest
-from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import as_json, meant
+from allworlds.explorers import loading, sources
+from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import DIGITS, Finding, digest_of, labelled
 from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.judging.laws.law_table import LAWS
@@ -58,9 +43,9 @@ class Confirmation(Struct, frozen=True):
         records: what is on record is believed, so that a finding is the same whoever reports it.
     """
 
-    subject: Subject
+    subject: loading.Subject
     limits: Limits
-    scope: Scope
+    scope: units.Scope
     deadline: float | None
     records: Records
 
@@ -68,7 +53,7 @@ class Confirmation(Struct, frozen=True):
         """The findings, each played again in a fresh process."""
         return [self.replaced("confirmed", found, self._again) for found in findings]
 
-    def settle(self, tally: Tally, known: Callable[[Finding], bool] | None = None) -> bool:
+    def settle(self, tally: tally.Tally, known: Callable[[Finding], bool] | None = None) -> bool:
         """Confirm the findings of a tally. Return whether there is more to report than they say.
 
         A crash or a time-out that a fresh process does not repeat refutes nothing: it becomes a
@@ -99,12 +84,12 @@ class Confirmation(Struct, frozen=True):
         return self.deadline is not None and time.monotonic() > self.deadline
 
     def _again(self, found: Finding) -> Finding:
-        return played_again(found, self.subject, self.limits)
+        return single.played_again(found, self.subject, self.limits)
 
     def _settled(self, found: Finding) -> Finding | str:
         """Confirm in a fresh process. A crash that is not repeated becomes a remark."""
         again = self._again(found)
-        if again.law not in LOST or not self.subject.importable or again.confirmed:
+        if again.law not in tally.LOST or not self.subject.importable or again.confirmed:
             return again
         if not again.machine:
             broken = nondeterministic(f"{again.law}, and not in a fresh process: {again.seen}")
@@ -125,7 +110,7 @@ class Confirmation(Struct, frozen=True):
         After the deadline nothing new is made.
         """
         plain = replace(found, minimal=False)
-        digest = hashlib.sha256(canonical(finding_to_record(plain)).encode()).hexdigest()
+        digest = hashlib.sha256(canonical(tally.finding_to_record(plain)).encode()).hexdigest()
         record: Any = self.records.recall(f"{name} {digest}")
         if record is None:
             if self.is_late:
@@ -134,12 +119,12 @@ class Confirmation(Struct, frozen=True):
             if isinstance(settled, str):
                 record = {"remark": settled}
             else:
-                record = {"finding": finding_to_record(settled)}
+                record = {"finding": tally.finding_to_record(settled)}
             if not self.is_late:  # else it may have been given up
                 self.records.note(f"{name} {digest}", record)
         if "remark" in record:
             return str(record["remark"])
-        again = finding_from_record(record["finding"])
+        again = tally.finding_from_record(record["finding"])
         return replace(again, under=self.scope.rules, minimal=found.minimal)
 
 
@@ -158,7 +143,7 @@ class UserCorpus(Struct):
     files: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
     _standing: list[Finding] = field(default_factory=list)
 
-    def retry(self, subject: Subject, limits: Limits, scope: Scope) -> list[Finding]:
+    def retry(self, subject: loading.Subject, limits: Limits, scope: units.Scope) -> list[Finding]:
         """Run the explorer in every recorded world. Return the findings within the scope.
 
         Each finding is tried by itself, so that one that is lost does no harm to others.
@@ -183,25 +168,25 @@ class UserCorpus(Struct):
         """
         past = list[tuple[str, Finding]]()
         for file in sorted(self.directory.glob("*.json")):
-            said = f"corpus file {show(file.name)}"
+            said = f"corpus file {checks.show(file.name)}"
             try:
                 text = file.read_text(encoding="utf-8")
             except (OSError, UnicodeDecodeError) as error:
                 reason = error.strerror if isinstance(error, OSError) else "it is no text"
-                raise InputError(f"{said} cannot be read: {reason}") from None
+                raise checks.InputError(f"{said} cannot be read: {reason}") from None
             written = re.search(rf"-([0-9a-f]{{{DIGITS}}})\.json$", file.name)
             if written and written[1] != digest_of(text):
-                raise InputError(f"{said} has been changed since it was written")
+                raise checks.InputError(f"{said} has been changed since it was written")
             try:
                 past.append((file.name, Finding.from_json(text)))
             except OtherText:
                 self.files["stale"].append(file.name)
             except ValueError as error:
-                raise InputError(f"{said}: {error}") from None
+                raise checks.InputError(f"{said}: {error}") from None
         return sorted(past, key=lambda each: (each[1].key, each[0]))
 
     @property
-    def report(self) -> CorpusReport:
+    def report(self) -> "CorpusReport":
         """The part of the check's report about past findings."""
         keys = ("reproduced", "beyond_scope", "fixed", "stale", "written")
         files = {key: tuple(self.files[key]) for key in keys}
@@ -256,7 +241,7 @@ class CorpusReport(Document):
     written: Annotated[tuple[Text, ...], about("the files that this check has added")]
 
 
-def is_inside(finding: Finding, scope: Scope) -> bool:
+def is_inside(finding: Finding, scope: units.Scope) -> bool:
     """Whether a check of that scope could have found this itself."""
     rules, own, world = scope.rules, finding.rules, finding.world
     return (
@@ -271,18 +256,18 @@ def is_inside(finding: Finding, scope: Scope) -> bool:
     )
 
 
-def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None:
+def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Finding | None:
     # A recorded schedule other than the policy's own is met when all are tried.
     every = subject.takes_choices and finding.rules.policy == "fifo" and any(finding.choices)
     extent = Extent(MapClass.MAPS, finding.world.map.edge_count)
-    scope = Scope(extent, finding.rules, "all" if every else "one")
+    scope = units.Scope(extent, finding.rules, "all" if every else "one")
 
-    with workers_for(subject, limits, limits.deadline()) as workers:
-        world = GivenWorlds(((finding.world, finding.place),))
-        for part in workers.map(RunCounter(scope, keep=1), [world]):
+    with lanes.workers_for(subject, limits, limits.deadline()) as workers:
+        world = units.GivenWorlds(((finding.world, finding.place),))
+        for part in workers.map(tally.RunCounter(scope, keep=1), [world]):
             for found in part.result.findings:
                 again = replace(found, world=labelled(found.world, [finding.world]))
-                return played_again(again, subject, limits)
+                return single.played_again(again, subject, limits)
     return None
 
 
@@ -292,7 +277,7 @@ def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None
 def rules_record(rules: Rules) -> dict[str, Any]:
     """Record of those rules that may come from the explorer."""
     names = ("lighthouse", "step_budget", "promised", "own_bound", "shared_file")
-    return {name: as_json(getattr(rules, name)) for name in names}
+    return {name: requests.as_json(getattr(rules, name)) for name in names}
 
 
 def rules_known(request: object, record: Mapping[str, Any]) -> Rules:
@@ -305,7 +290,7 @@ def rules_known(request: object, record: Mapping[str, Any]) -> Rules:
     return Rules(record["lighthouse"], among=among, **kept, **asked)
 
 
-def record_of(subject: Subject) -> dict[str, Any]:
+def record_of(subject: loading.Subject) -> dict[str, Any]:
     """Record of an explorer, identified by its content.
 
     Raises:
@@ -314,19 +299,19 @@ def record_of(subject: Subject) -> dict[str, Any]:
     return {
         "name": subject.name,
         "keywords": sorted(subject.keywords),
-        "digest": content_digest(subject),
+        "digest": sources.content_digest(subject),
     }
 
 
-def subject_of_record(record: Mapping[str, Any]) -> Subject:
+def subject_of_record(record: Mapping[str, Any]) -> loading.Subject:
     """The explorer of such a record. Its code is not loaded, because its results are known."""
-    return Subject(record["name"], frozenset(record["keywords"]))
+    return loading.Subject(record["name"], frozenset(record["keywords"]))
 
 
 Answer = TypeVar("Answer")
 
 
-class TallySweep(Sweep[Tally, Answer]):
+class TallySweep(sweep.Sweep[tally.Tally, Answer]):
     """The sweep of one explorer through many worlds.
 
     Args:
@@ -343,8 +328,8 @@ class TallySweep(Sweep[Tally, Answer]):
     def __init__(
         self,
         request: Any,
-        scope: Scope,
-        subject: Subject,
+        scope: units.Scope,
+        subject: loading.Subject,
         keep: int = 1,
         extent: Extent | None = None,
     ) -> None:
@@ -355,26 +340,26 @@ class TallySweep(Sweep[Tally, Answer]):
 
     @override
     def parameters(self) -> dict[str, Any]:
-        return {**meant(self.request), **rules_record(self.scope.rules)}
+        return {**requests.meant(self.request), **rules_record(self.scope.rules)}
 
     @override
     def explorer(self) -> dict[str, Any]:
         return record_of(self.job.subject)
 
     @override
-    def levels(self) -> Iterable[SweptLevel]:
+    def levels(self) -> Iterable[units.SweptLevel]:
         return self.scope.levels
 
     @override
-    def empty(self) -> Tally:
-        return Tally(self.job.keep)
+    def empty(self) -> tally.Tally:
+        return tally.Tally(self.job.keep)
 
     @override
-    def read(self, kept: Any) -> Tally:
-        return from_kept(kept, Tally).under(self.scope.rules)
+    def read(self, kept: Any) -> tally.Tally:
+        return from_kept(kept, tally.Tally).under(self.scope.rules)
 
     @override
-    def costs(self, total: Tally) -> Iterable[tuple[int, int, int]]:
+    def costs(self, total: tally.Tally) -> Iterable[tuple[int, int, int]]:
         return total.costs_by_size
 
     @property

@@ -1,7 +1,5 @@
 """Explorers side by side in the same worlds: all of a class, or one of a family."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby
@@ -11,30 +9,14 @@ from typing import Annotated, Any
 
 from typing_extensions import override
 
-from allworlds.document.struct import (
-    Document,
-    Edges,
-    Figure,
-    Natural,
-    NotInDocument,
-    Positive,
-    Vertices,
-    about,
-    replace,
-)
-from allworlds.engines.job_records import Identity
-from allworlds.engines.progress import Listener
-from allworlds.engines.scope import GivenWorlds, UnitOfRuns
-from allworlds.engines.single import SingleRun, single_run
-from allworlds.engines.units import WHOLE, Portion, Shard, SweptLevel, level_size
+from allworlds import document as doc, outcome
+from allworlds.engines import job_records, limits, single, units
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import takes_fields
 from allworlds.judging.findings.finding import labelled
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.outcome import Ending, Stopped
-from allworlds.studies.check.report import GateCell, count_gate
-from allworlds.studies.check.tally_sweep import rules_known, subject_of_record
+from allworlds.studies.check import report, tally_sweep
 from allworlds.studies.compare.entrants import (
     CompareRequest,
     Contest,
@@ -49,39 +31,42 @@ from allworlds.studies.compare.growth import GrowingWorlds, Growth, Member, form
 from allworlds.world.world import World
 
 
-class ComparedRow(Document):
+class ComparedRow(doc.Document):
     """Costs in the worlds of one size. The first explorer is compared with each other one."""
 
-    edges: Edges
-    vertices: Vertices
+    edges: doc.Edges
+    vertices: doc.Vertices
     worlds: Annotated[
-        Positive, about("rooted maps in which every explorer's lighthouse has a place")
+        doc.Positive, doc.about("rooted maps in which every explorer's lighthouse has a place")
     ]
-    runs: Annotated[Positive, about("judged in them, of all explorers together")]
+    runs: Annotated[doc.Positive, doc.about("judged in them, of all explorers together")]
     mean: Annotated[
-        dict[str, Figure],
-        about("for each explorer the mean over these maps of its mean over the places"),
+        dict[str, doc.Figure],
+        doc.about("for each explorer the mean over these maps of its mean over the places"),
     ]
-    worst: Annotated[dict[str, Natural], about("for each explorer the largest cost of a run")]
+    worst: Annotated[
+        dict[str, doc.Natural], doc.about("for each explorer the largest cost of a run")
+    ]
     ratio: Annotated[
-        dict[str, Figure | None],
-        about(
+        dict[str, doc.Figure | None],
+        doc.about(
             "for each explorer its mean in a map divided by that of the first there: the geometric "
             "mean over these maps; null where one is 0"
         ),
     ]
     less: Annotated[
-        dict[str, Natural], about("in how many maps the first one's mean is less than this one's")
+        dict[str, doc.Natural],
+        doc.about("in how many maps the first one's mean is less than this one's"),
     ]
-    equal: Annotated[dict[str, Natural], about("in how many it is equal")]
-    more: Annotated[dict[str, Natural], about("in how many it is more")]
+    equal: Annotated[dict[str, doc.Natural], doc.about("in how many it is equal")]
+    more: Annotated[dict[str, doc.Natural], doc.about("in how many it is more")]
 
 
-class DifferMost(Document):
+class DifferMost(doc.Document):
     """The smallest of the worlds in which the first explorer differs most from another."""
 
-    world: Annotated[World, about("the rooted map, with the first one's lighthouse")]
-    costs: Annotated[dict[str, Figure], about("for each explorer its mean over the places")]
+    world: Annotated[World, doc.about("the rooted map, with the first one's lighthouse")]
+    costs: Annotated[dict[str, doc.Figure], doc.about("for each explorer its mean over the places")]
 
 
 class Comparison(ContestReport):
@@ -95,27 +80,27 @@ class Comparison(ContestReport):
     """
 
     rows: Annotated[
-        tuple[ComparedRow, ...], about("one for each (edges, vertices) of the finished levels")
+        tuple[ComparedRow, ...], doc.about("one for each (edges, vertices) of the finished levels")
     ]
     differ_most: Annotated[
-        DifferMost | None, about("null: nothing was compared, or nothing differs")
+        DifferMost | None, doc.about("null: nothing was compared, or nothing differs")
     ]
-    member: NotInDocument[Member | None]
-    all_counted: NotInDocument[bool]
-    in_worlds: NotInDocument[tuple[InWorld, ...]] = ()
+    member: doc.NotInDocument[Member | None]
+    all_counted: doc.NotInDocument[bool]
+    in_worlds: doc.NotInDocument[tuple[InWorld, ...]] = ()
 
     @property
     @override
     def agrees(self) -> bool:
         return self.all_counted
 
-    def walks(self) -> Iterator[SingleRun]:
+    def walks(self) -> Iterator[single.SingleRun]:
         """A run of each explorer in the world that differs most, at the first place."""
         if self.differ_most is None:
             return
         for entrant in self.entrants:
             world = entrant.first_world(self.differ_most.world.map)
-            yield single_run(entrant.subject, world, entrant.rules, (), self.request.limits)
+            yield single.single_run(entrant.subject, world, entrant.rules, (), self.request.limits)
 
 
 def compared(request: CompareRequest) -> Comparison | Growth:
@@ -136,7 +121,9 @@ def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison 
     return compared(CompareRequest(explorers=explorers, **options))
 
 
-def _contest(entrants: tuple[Entrant, ...], request: CompareRequest) -> SameWorlds | GrowingWorlds:
+def _contest(
+    entrants: tuple[Entrant, ...], request: CompareRequest
+) -> "SameWorlds | GrowingWorlds":
     """The sweep for a request."""
     if request.to is not None:
         return GrowingWorlds(entrants, request, request.to)
@@ -165,7 +152,7 @@ def _contest(entrants: tuple[Entrant, ...], request: CompareRequest) -> SameWorl
         if request.where is not None:
             raise InputError(f"family {show(family)} is one world; where has no effect on it")
         seed = request.seed or 0
-        return SameWorlds(entrants, replace(request, seed=seed), Member(family, holes, seed))
+        return SameWorlds(entrants, doc.replace(request, seed=seed), Member(family, holes, seed))
     if holes is not None:
         raise InputError(f"holes {holes} has no effect without a family")
     if edges is None and vertices is None and request.given is None:
@@ -190,7 +177,7 @@ class SameWorlds(Contest[Comparison]):
         super().__init__(entrants, request, extent, every=member is None)
         self._member = member
         self._rows: list[ComparedRow] = []
-        self._gate: list[GateCell] = []
+        self._gate: list[report.GateCell] = []
         self._difference = Fraction(0)
         self._differ_most: DifferMost | None = None
         self._in_worlds: list[InWorld] = []
@@ -198,33 +185,33 @@ class SameWorlds(Contest[Comparison]):
     @override
     @classmethod
     def known(
-        cls, identity: Identity, portion: Portion, listener: Listener
-    ) -> SameWorlds | GrowingWorlds:
+        cls, identity: job_records.Identity, portion: units.Portion, listener: limits.Listener
+    ) -> "SameWorlds | GrowingWorlds":
         request = cls.asked_then(identity, portion, listener)
         entrants = tuple(
-            Entrant(subject_of_record(one), rules_known(request, one))
+            Entrant(tally_sweep.subject_of_record(one), tally_sweep.rules_known(request, one))
             for one in identity.explorer["explorers"]
         )
         return _contest(entrants, request)
 
     @override
-    def levels(self) -> Iterator[SweptLevel]:
+    def levels(self) -> Iterator[units.SweptLevel]:
         for edges in self.bounds.levels[-1 if self._map else 0 :]:
             if self._map:
                 size = sum(len(self._placed(one, self._map)) for one in self.entrants)
             else:
-                size = level_size(self.bounds, edges) * len(self.entrants)
-            yield SweptLevel(edges, size, self._units(edges))
+                size = units.level_size(self.bounds, edges) * len(self.entrants)
+            yield units.SweptLevel(edges, size, self._units(edges))
 
     def _units(self, edges: int) -> Iterator[UnitOfOne]:
         for number, one in enumerate(self.entrants):
-            units: Iterable[UnitOfRuns] = ()
+            mine: Iterable[units.UnitOfRuns] = ()
             if self._map is None:
-                units = one.scope(self.bounds, self.portion).units(edges)
-            elif not isinstance(self.portion, Shard) or self.portion.index == 0:
+                mine = one.scope(self.bounds, self.portion).units(edges)
+            elif not isinstance(self.portion, units.Shard) or self.portion.index == 0:
                 given = self._placed(one, self._map)
-                units = [GivenWorlds(given)] if given else ()
-            for unit in units:
+                mine = [units.GivenWorlds(given)] if given else ()
+            for unit in mine:
                 yield UnitOfOne(number, unit)
 
     def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
@@ -233,9 +220,9 @@ class SameWorlds(Contest[Comparison]):
         return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 
     @override
-    def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:
-        if self._map is None and self.portion == WHOLE:
-            self._gate += count_gate(self.bounds, level.edges, total.one(0))
+    def finish(self, level: units.SweptLevel, total: CostsOfAll) -> outcome.Ending | None:
+        if self._map is None and self.portion == units.WHOLE:
+            self._gate += report.count_gate(self.bounds, level.edges, total.one(0))
         tallies = [total.one(number) for number in range(len(self.entrants))]
         first, *others = [tally.costs for tally in tallies]
         shared = sorted(set(first).intersection(*others))
@@ -246,7 +233,7 @@ class SameWorlds(Contest[Comparison]):
             self._compare(CombinatorialMap(key[2], key[3]), [tally.costs[key] for tally in tallies])
         self.leave(level, total)
         broken = any(tally.findings for tally in tallies)
-        return Stopped("a law is broken", final=True) if broken else None
+        return outcome.Stopped("a law is broken", final=True) if broken else None
 
     def _compare(self, map_: CombinatorialMap, found: Sequence[Mapping[int, int]]) -> None:
         """Take in the costs of each explorer in one rooted map."""
@@ -268,7 +255,7 @@ class SameWorlds(Contest[Comparison]):
                 self._in_worlds.append(InWorld(map_, member, one.name, places, len(places), bound))
 
     @override
-    def report(self, ending: Ending) -> Comparison:
+    def report(self, ending: outcome.Ending) -> Comparison:
         return Comparison(
             **self.contest(ending),
             rows=tuple(self._rows),

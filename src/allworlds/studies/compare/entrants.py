@@ -3,8 +3,6 @@
 Explorers that are run in the same worlds, their shares of a job, their costs, and the report.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field as entry
@@ -14,61 +12,42 @@ from typing import Annotated, Any, NamedTuple, Self, TypeAlias, TypeVar
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds.document.struct import (
-    Document,
-    Natural,
-    NotInDocument,
-    Positive,
-    Some,
-    Text,
-    WhichShard,
-    about,
-    computed,
-    replace,
-    with_options,
-)
+from allworlds import document as doc, outcome
+from allworlds.engines import job_records, single
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
-from allworlds.engines.examiner import Outcome
-from allworlds.engines.job_records import from_kept
 from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions
-from allworlds.engines.scope import Scope, UnitOfRuns
-from allworlds.engines.single import subject_of
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import (
+from allworlds.engines.sweep import (
     By,
     FileDigests,
     GivenCount,
     RowOptions,
+    Sweep,
     SweptReport,
     TriedPlaces,
     told_scope,
     tried_places,
 )
-from allworlds.engines.tally import RunCounter, Tally
+from allworlds.engines.tally import Outcome, RunCounter, Tally
 from allworlds.engines.units import (
     WHOLE,
     PartialResult,
     Portion,
+    Scope,
     ShardOptions,
     SweptLevel,
     Transport,
+    UnitOfRuns,
 )
-from allworlds.explorers.asked import ExplorersWords
-from allworlds.explorers.loading import Subject
+from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
-from allworlds.maps.classes import Extent, ExtentOptions
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.families import FORMS
+from allworlds.maps import classes, combinatorial, families
 from allworlds.notations.given import GivenOptions
-from allworlds.outcome import Completed, Ending, Verdict
-from allworlds.studies.check.requests import ManyWorlds, SharedFile
+from allworlds.studies.check.report import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
-from allworlds.world.named import HOLES
-from allworlds.world.selection import LighthouseOptions, WhereOptions
-from allworlds.world.world import World
+from allworlds.world import named, selection, world
 
 
 def _families(given: object) -> tuple[str, ...] | None:
@@ -81,7 +60,7 @@ def _families(given: object) -> tuple[str, ...] | None:
     return tuple(dict.fromkeys(a_text("family", name) for name in names))
 
 
-class ContestWorldsOptions(WhereOptions, GivenOptions, ExtentOptions):
+class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentOptions):
     """The worlds in which explorers are compared.
 
     Without ``to`` these are all worlds of a class, or given ones, or one of a family.
@@ -92,17 +71,17 @@ class ContestWorldsOptions(WhereOptions, GivenOptions, ExtentOptions):
         Option(
             SCOPE,
             "F[,F...]",
-            f"One world of a family: {FORMS}; with --to one or more families that grow: "
+            f"One world of a family: {families.FORMS}; with --to one or more families that grow: "
             "lattice, torus, strip, dense (without 10% of its edges), cubic, regular:D, random "
             "(twice as many edges as vertices), bouquet, lollipop:D, prism, thick:D, cover, "
             "corridor.",
             document_type=Annotated[
-                Some[Text] | None,
-                about("the families; with `to` null one, of which one world; null: a class"),
+                doc.Some[doc.Text] | None,
+                doc.about("the families; with `to` null one, of which one world; null: a class"),
             ],
         ),
     ] = Converted(_families, None)
-    holes: Annotated[str | None, HOLES] = None
+    holes: Annotated[str | None, named.HOLES] = None
     seed: Annotated[
         int | None,
         Option(
@@ -112,8 +91,8 @@ class ContestWorldsOptions(WhereOptions, GivenOptions, ExtentOptions):
             "others have the next ones [default: 0; with --to 1].",
             parse=integer_of,
             document_type=Annotated[
-                Natural | None,
-                about("of the world of a family, or of the first of each size; null: a class"),
+                doc.Natural | None,
+                doc.about("of the world of a family, or of the first of each size; null: a class"),
             ],
         ),
     ] = None
@@ -125,7 +104,8 @@ class ContestWorldsOptions(WhereOptions, GivenOptions, ExtentOptions):
             "Worlds of the families up to M edges.",
             parse=integer_of,
             document_type=Annotated[
-                Positive | None, about("the most edges of worlds that grow; null: they do not")
+                doc.Positive | None,
+                doc.about("the most edges of worlds that grow; null: they do not"),
             ],
         ),
     ] = None
@@ -137,7 +117,7 @@ class ContestWorldsOptions(WhereOptions, GivenOptions, ExtentOptions):
             "With --to: seeds of each size; isomorphic worlds count once [default: 10].",
             parse=integer_of,
             document_type=Annotated[
-                Positive | None, about("seeds of each size; null: worlds that do not grow")
+                doc.Positive | None, doc.about("seeds of each size; null: worlds that do not grow")
             ],
         ),
     ] = None
@@ -150,8 +130,8 @@ class ContestWorldsOptions(WhereOptions, GivenOptions, ExtentOptions):
             "of a marker, P are drawn by the seed [default: 8].",
             parse=integer_of,
             document_type=Annotated[
-                Positive | None,
-                about("at most so many places in a world; null: worlds that do not grow"),
+                doc.Positive | None,
+                doc.about("at most so many places in a world; null: worlds that do not grow"),
             ],
         ),
     ] = None
@@ -165,7 +145,7 @@ class CompareRequest(
     explorers: Annotated[
         Sequence[str | Callable[..., Any]],
         OptionGroup(
-            ExplorersWords,
+            sources.ExplorersWords,
             "names, as on the command line, or generator functions; two or more, with ``to`` one "
             "or more.",
         ),
@@ -202,14 +182,14 @@ class CostEngine(RunCounter, frozen=True):
         """An empty tally."""
         return CostTally(self.keep)
 
-    def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
+    def count_outcome(self, world: world.World, place: int, outcome: Outcome, tally: Tally) -> None:
         """Add a run, which has one episode, to the tally, and its cost."""
         super().count_outcome(world, place, outcome, tally)
         assert isinstance(tally, CostTally)
         tally.costs.setdefault(key_of(world.map), {})[place] = outcome.cost
 
 
-def key_of(map_: CombinatorialMap) -> MapKey:
+def key_of(map_: combinatorial.CombinatorialMap) -> MapKey:
     """The key of a map that is rooted at its dart 0."""
     return map_.edge_count, map_.vertex_count, tuple(map_.sigma), tuple(map_.alpha)
 
@@ -227,7 +207,7 @@ class InWorld(NamedTuple):
         drawn_from: the number of different worlds of this size that seeds draw, where it is known.
     """
 
-    map: CombinatorialMap
+    map: combinatorial.CombinatorialMap
     member: str
     explorer: str
     costs: Mapping[int, int]
@@ -267,7 +247,7 @@ class CostsOfAll(Struct):
         """The costs of a single entrant."""
         return self.of.setdefault(number, CostTally(keep=1))
 
-    def add(self, other: CostsOfAll) -> None:
+    def add(self, other: "CostsOfAll") -> None:
         """Add the costs of another part."""
         for number, tally in other.of.items():
             self.one(number).add(tally)
@@ -291,10 +271,10 @@ class SideBySide:
         self._stack.__exit__(*raised)
 
     def map(
-        self, engine: Sequence[CostEngine], units: Iterable[UnitOfOne]
+        self, engine: Sequence[CostEngine], given: Iterable[UnitOfOne]
     ) -> Iterator[PartialResult[UnitOfOne, CostsOfAll]]:
         """Yield the parts of all units as they come. The units of an entrant stand together."""
-        for number, own in groupby(units, key=lambda unit: unit.number):
+        for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
             for part in transport.map(engine[number], (each.unit for each in own)):
                 result = CostsOfAll({number: part.result})
@@ -307,7 +287,7 @@ Answer = TypeVar("Answer")
 class Entrant(Struct, frozen=True):
     """An explorer with the rules by which its runs are played and judged."""
 
-    subject: Subject
+    subject: loading.Subject
     rules: Rules
 
     @property
@@ -315,13 +295,13 @@ class Entrant(Struct, frozen=True):
         """The explorer's name."""
         return self.subject.name
 
-    def scope(self, extent: Extent, portion: Portion = WHOLE) -> Scope:
+    def scope(self, extent: classes.Extent, portion: Portion = WHOLE) -> Scope:
         """The scope of its runs in the worlds of an extent, or in a shard of them."""
         return Scope(extent, self.rules, coverage=portion)
 
-    def first_world(self, map_: CombinatorialMap) -> World:
+    def first_world(self, map_: combinatorial.CombinatorialMap) -> world.World:
         """A rooted map with its lighthouse at the first place."""
-        return World(map_, next(iter(self.rules.kind.places(map_, 0))), 0)
+        return world.World(map_, next(iter(self.rules.kind.places(map_, 0))), 0)
 
 
 def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
@@ -332,20 +312,20 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
     """
     entrants: list[Entrant] = []
     for explore in request.explorers:
-        subject = subject_of(explore, request.limits)
+        subject = single.subject_of(explore, request.limits)
         if any(subject.name == other.name for other in entrants):
             raise InputError(f"explorer {show(subject.name)} is named twice")
         entrants.append(Entrant(subject, request.rules(subject)))
     return tuple(entrants)
 
 
-class ComparedName(Document):
+class ComparedName(doc.Document):
     """An explorer by its name."""
 
-    name: Annotated[Text, about("the explorer's")]
+    name: Annotated[doc.Text, doc.about("the explorer's")]
 
 
-@with_options(LighthouseOptions, RuleOptions)
+@doc.with_options(selection.LighthouseOptions, RuleOptions)
 class Compared(ComparedName):
     """An explorer of a comparison, with the rules of its runs."""
 
@@ -353,13 +333,13 @@ class Compared(ComparedName):
     shared_file: SharedFile
 
 
-@with_options(ContestWorldsOptions)
-class ContestScope(Document):
+@doc.with_options(ContestWorldsOptions)
+class ContestScope(doc.Document):
     """The worlds of a comparison."""
 
     given: GivenCount
     sha256: FileDigests
-    shard: WhichShard
+    shard: doc.WhichShard
 
 
 class ContestReport(SweptReport, kw_only=True):
@@ -369,18 +349,18 @@ class ContestReport(SweptReport, kw_only=True):
     """
 
     findings: Annotated[
-        tuple[Finding, ...], about("the smallest of each explorer that broke a law")
+        tuple[Finding, ...], doc.about("the smallest of each explorer that broke a law")
     ] = ()
-    entrants: NotInDocument[tuple[Entrant, ...]]
-    by: NotInDocument[By | None] = None
+    entrants: doc.NotInDocument[tuple[Entrant, ...]]
+    by: doc.NotInDocument[By | None] = None
 
-    @computed
-    def verdict(self) -> Verdict:
+    @doc.computed
+    def verdict(self) -> outcome.Verdict:
         """Whether a run of any explorer broke a law."""
         return self.facts.verdict if self.request.to is None else self.facts.sample_verdict
 
-    @computed
-    def explorers(self) -> Some[Compared]:
+    @doc.computed
+    def explorers(self) -> doc.Some[Compared]:
         """In the order in which they were named."""
         return tuple(
             Compared(
@@ -392,7 +372,7 @@ class ContestReport(SweptReport, kw_only=True):
             for one in self.entrants
         )
 
-    @computed
+    @doc.computed
     def scope(self) -> ContestScope:
         """The worlds in which they were run."""
         return told_scope(ContestScope, self.request, shard=str(self.portion))
@@ -424,7 +404,7 @@ class Contest(Sweep[CostsOfAll, Answer]):
         self,
         entrants: Sequence[Entrant],
         request: CompareRequest,
-        extent: Extent,
+        extent: classes.Extent,
         *,
         every: bool = False,
     ) -> None:
@@ -451,7 +431,7 @@ class Contest(Sweep[CostsOfAll, Answer]):
 
     @override
     def read(self, kept: Any) -> CostsOfAll:
-        total = from_kept(kept, CostsOfAll)
+        total = job_records.from_kept(kept, CostsOfAll)
         for number, tally in total.of.items():
             tally.under(self.entrants[number].rules)
         return total
@@ -471,9 +451,9 @@ class Contest(Sweep[CostsOfAll, Answer]):
 
     @override
     def list_by(self, by: By) -> None:
-        self.request = replace(self.request, by=by)
+        self.request = doc.replace(self.request, by=by)
 
-    def contest(self, ending: Ending) -> dict[str, Any]:
+    def contest(self, ending: outcome.Ending) -> dict[str, Any]:
         """Return the keywords of the report of any contest."""
         return {
             **self.ended(ending, self.bounds),
@@ -483,10 +463,10 @@ class Contest(Sweep[CostsOfAll, Answer]):
         }
 
     @override
-    def conclude(self, ending: Ending) -> Ending:
+    def conclude(self, ending: outcome.Ending) -> outcome.Ending:
         """Confirm the findings of all entrants."""
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits
             job = one.subject, limits, one.scope(self.bounds), self.deadline, self.records
             self.findings += Confirmation(*job).confirmed(tally.findings)
-        return Completed() if ending.final and self.findings else ending
+        return outcome.Completed() if ending.final and self.findings else ending

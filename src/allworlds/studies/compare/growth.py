@@ -1,7 +1,5 @@
 """Explorers in larger and larger worlds: families that grow, the runs in them, and cost by size."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
@@ -12,44 +10,12 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.document.struct import (
-    Document,
-    Figure,
-    Natural,
-    NotInDocument,
-    Pair,
-    Positive,
-    Some,
-    Text,
-    about,
-    computed,
-    replace,
-)
-from allworlds.engines.scope import GivenWorlds
-from allworlds.engines.units import Shard, SweptLevel, dealt
+from allworlds import document as doc, outcome
+from allworlds.engines.units import GivenWorlds, Shard, SweptLevel, dealt
 from allworlds.inputs.checks import InputError, an_integer, show
-from allworlds.maps.canonical import Code, rooted_code
-from allworlds.maps.classes import Extent, MapClass
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.families import edges_of, rootings
-from allworlds.outcome import Ending
-from allworlds.studies.compare.entrants import (
-    CompareRequest,
-    Contest,
-    ContestReport,
-    CostsOfAll,
-    Entrant,
-    InWorld,
-    UnitOfOne,
-    key_of,
-)
-from allworlds.studies.compare.intervals import (
-    LEAST_WORLDS,
-    LEVEL,
-    Interval,
-    geometric_mean,
-    mean_interval,
-)
+from allworlds.maps import classes, families
+from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
+from allworlds.studies.compare import entrants, intervals
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.named import map_of_family
 from allworlds.world.world import World
@@ -172,31 +138,31 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 def _largest(growing: Growing, degree: int, edges: int) -> str:
     """The largest member with at most ``edges`` edges before holes are made; empty if too small."""
     number = 1
-    while edges_of(growing.member(number + 1, degree)) <= edges:
+    while families.edges_of(growing.member(number + 1, degree)) <= edges:
         number += 1
     text = growing.member(number, degree)
-    return text if LEAST <= edges_of(text) <= edges else ""
+    return text if LEAST <= families.edges_of(text) <= edges else ""
 
 
 Range: TypeAlias = Annotated[
-    Pair[Figure] | None,
-    about(
-        f"by a bootstrap over the worlds, at {LEVEL:.0%}; null: exact, or fewer than "
-        f"{LEAST_WORLDS} worlds"
+    doc.Pair[doc.Figure] | None,
+    doc.about(
+        f"by a bootstrap over the worlds, at {intervals.LEVEL:.0%}; null: exact, or fewer than "
+        f"{intervals.LEAST_WORLDS} worlds"
     ),
 ]
 """An interval of a row."""
 
 
-class GrownWorld(Document):
+class GrownWorld(doc.Document):
     """One world of a family, and an explorer's runs in it."""
 
-    name: Annotated[Text, about("as `run --family` takes it")]
-    edges: Annotated[Positive, about("of the map")]
-    places: Annotated[Positive, about("places that the lighthouse has in this world")]
-    ran: Annotated[Some[Natural], about("the numbers of those in which it was run")]
-    costs: Annotated[Some[Natural], about("of these runs, in traversals")]
-    bound: Annotated[int | None, about("the largest of these runs; null without a bound")]
+    name: Annotated[doc.Text, doc.about("as `run --family` takes it")]
+    edges: Annotated[doc.Positive, doc.about("of the map")]
+    places: Annotated[doc.Positive, doc.about("places that the lighthouse has in this world")]
+    ran: Annotated[doc.Some[doc.Natural], doc.about("the numbers of those in which it was run")]
+    costs: Annotated[doc.Some[doc.Natural], doc.about("of these runs, in traversals")]
+    bound: Annotated[int | None, doc.about("the largest of these runs; null without a bound")]
 
     @property
     def mean(self) -> float:
@@ -208,57 +174,57 @@ class GrownWorld(Document):
         return member_named(self.name).map()
 
 
-class GrowRow(Document):
+class GrowRow(doc.Document):
     """Costs of an explorer in the members of a family of one size."""
 
-    family: Annotated[Text, about("as it was asked for")]
-    edges: Annotated[Positive, about("of the first member")]
-    vertices: Annotated[Positive, about("of the first member")]
-    explorer: Annotated[Text, about("its name")]
-    seeds: Annotated[Positive, about("members that were drawn; isomorphic ones count once")]
+    family: Annotated[doc.Text, doc.about("as it was asked for")]
+    edges: Annotated[doc.Positive, doc.about("of the first member")]
+    vertices: Annotated[doc.Positive, doc.about("of the first member")]
+    explorer: Annotated[doc.Text, doc.about("its name")]
+    seeds: Annotated[doc.Positive, doc.about("members that were drawn; isomorphic ones count once")]
     drawn_from: Annotated[
-        Positive | None,
-        about("different rooted maps that seeds draw; null: they draw more than the start"),
+        doc.Positive | None,
+        doc.about("different rooted maps that seeds draw; null: they draw more than the start"),
     ]
-    exact: Annotated[bool, about("every world that seeds draw was run, in every place")]
-    members: Annotated[Some[GrownWorld], about("the worlds, by seed")]
+    exact: Annotated[bool, doc.about("every world that seeds draw was run, in every place")]
+    members: Annotated[doc.Some[GrownWorld], doc.about("the worlds, by seed")]
 
-    @computed
-    def worlds(self) -> Positive:
+    @doc.computed
+    def worlds(self) -> doc.Positive:
         """Different rooted maps among them."""
         return len(self.members)
 
-    @computed
-    def places(self) -> Positive:
+    @doc.computed
+    def places(self) -> doc.Positive:
         """Places of the lighthouse in these worlds."""
         return sum(one.places for one in self.members)
 
-    @computed
-    def runs(self) -> Positive:
+    @doc.computed
+    def runs(self) -> doc.Positive:
         """Places in which it was run."""
         return sum(len(one.costs) for one in self.members)
 
-    @computed
-    def mean(self) -> Figure:
+    @doc.computed
+    def mean(self) -> doc.Figure:
         """Traversals: over the worlds, in each over the places of its runs."""
         return round(fsum(self.means) / len(self.members), 6)
 
-    @computed
+    @doc.computed
     def interval(self) -> Range:
         """Of the mean."""
-        return None if self.exact else _rounded(mean_interval(self.means))
+        return None if self.exact else _rounded(intervals.mean_interval(self.means))
 
-    @computed
-    def least(self) -> Natural:
+    @doc.computed
+    def least(self) -> doc.Natural:
         """Traversals of a run."""
         return min(min(one.costs) for one in self.members)
 
-    @computed
-    def worst(self) -> Natural:
+    @doc.computed
+    def worst(self) -> doc.Natural:
         """The most traversals of a run; of all, if ``runs`` = ``places``."""
         return max(max(one.costs) for one in self.members)
 
-    @computed
+    @doc.computed
     def bound(self) -> int | None:
         """The largest of a run; null without a bound."""
         return max((m.bound for m in self.members if m.bound is not None), default=None)
@@ -269,34 +235,34 @@ class GrowRow(Document):
         return [one.mean for one in self.members]
 
 
-class CostRatio(Document):
+class CostRatio(doc.Document):
     """Costs of an explorer divided by those of the first one, in the same worlds."""
 
-    family: Annotated[Text, about("as it was asked for")]
-    edges: Annotated[Positive, about("of the first member")]
-    explorer: Annotated[Text, about("its name")]
-    worlds: Annotated[Positive, about("in which both were run")]
-    ratio: Annotated[Figure, about("the geometric mean of the ratios in these worlds")]
-    exact: Annotated[bool, about("in every world that seeds draw, in every place")]
-    interval: Annotated[Range, about("of the ratio")]
+    family: Annotated[doc.Text, doc.about("as it was asked for")]
+    edges: Annotated[doc.Positive, doc.about("of the first member")]
+    explorer: Annotated[doc.Text, doc.about("its name")]
+    worlds: Annotated[doc.Positive, doc.about("in which both were run")]
+    ratio: Annotated[doc.Figure, doc.about("the geometric mean of the ratios in these worlds")]
+    exact: Annotated[bool, doc.about("in every world that seeds draw, in every place")]
+    interval: Annotated[Range, doc.about("of the ratio")]
 
 
-class Growth(ContestReport, kw_only=True):
+class Growth(entrants.ContestReport, kw_only=True):
     """Report of 'compare --to'.
 
     Explorers in worlds that grow.
     """
 
-    rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
-    left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
-    families: NotInDocument[tuple[str, ...]]
+    rows: Annotated[tuple[GrowRow, ...], doc.about("one for each family, size and explorer")]
+    left_out: Annotated[doc.Natural, doc.about("members in which a lighthouse had no place")] = 0
+    families: doc.NotInDocument[tuple[str, ...]]
 
-    @computed
+    @doc.computed
     def ratios(self) -> tuple[CostRatio, ...]:
         """One for each family, size and explorer but the first."""
         return tuple(_ratios(self))
 
-    def in_worlds(self) -> Iterator[InWorld]:
+    def in_worlds(self) -> Iterator[entrants.InWorld]:
         """The runs in each world, row by row.
 
         Cost: each world is built once again.
@@ -304,7 +270,7 @@ class Growth(ContestReport, kw_only=True):
         built = cache(lambda name: member_named(name).map())
         for row in self.rows:
             for one in row.members:
-                yield InWorld(
+                yield entrants.InWorld(
                     built(one.name),
                     one.name,
                     row.explorer,
@@ -323,7 +289,7 @@ def _ratios(report: Growth) -> Iterator[CostRatio]:
             continue
         costs = {one.name: one.mean for one in beside.members}
         ratios = [one.mean / costs[one.name] for one in row.members if costs.get(one.name)]
-        if ratios and (mean := geometric_mean(ratios)) is not None:
+        if ratios and (mean := intervals.geometric_mean(ratios)) is not None:
             exact = row.exact and beside.exact and len(ratios) == len(row.members) == len(costs)
             yield CostRatio(
                 family=row.family,
@@ -336,7 +302,7 @@ def _ratios(report: Growth) -> Iterator[CostRatio]:
             )
 
 
-def _rounded(interval: Interval | None) -> Interval | None:
+def _rounded(interval: intervals.Interval | None) -> intervals.Interval | None:
     return interval and (round(interval[0], 6), round(interval[1], 6))
 
 
@@ -359,7 +325,7 @@ class _Size(Struct, frozen=True):
     drawn_from: int | None
 
 
-class GrowingWorlds(Contest[Growth]):
+class GrowingWorlds(entrants.Contest[Growth]):
     """The sweep of explorers through growing worlds, from the smallest size of any family on.
 
     So what is finished when the time is up is a part of each family.
@@ -375,7 +341,9 @@ class GrowingWorlds(Contest[Growth]):
     Cost: that of the walks, which grow with the square of the edges and more.
     """
 
-    def __init__(self, entrants: Sequence[Entrant], request: CompareRequest, to: int) -> None:
+    def __init__(
+        self, entrants: Sequence[entrants.Entrant], request: entrants.CompareRequest, to: int
+    ) -> None:
         _ensure_grows(entrants, request)
         defaults = {"draws": WORLDS, "places": PLACES, "seed": SEED}
         numbers = {"to": to}
@@ -392,9 +360,9 @@ class GrowingWorlds(Contest[Growth]):
             for members in members_of(family, to, numbers["draws"], numbers["seed"])
         ]
         self._sizes = sorted(sizes, key=lambda size: size.edges)
-        edges = [edges_of(member.text) for size in self._sizes for member in size.maps]
-        extent = Extent(MapClass.MAPS, max(edges))
-        super().__init__(entrants, replace(request, **numbers), extent)
+        edges = [families.edges_of(member.text) for size in self._sizes for member in size.maps]
+        extent = classes.Extent(classes.MapClass.MAPS, max(edges))
+        super().__init__(entrants, doc.replace(request, **numbers), extent)
         self._mine = set(range(len(edges)))
         if isinstance(self.portion, Shard):
             self._mine = set(dealt([m * m for m in edges], self.portion))
@@ -406,14 +374,14 @@ class GrowingWorlds(Contest[Growth]):
         number = 0
         for size in self._sizes:
             numbered = enumerate(size.maps.items(), number)
-            mine = replace(size, maps=dict(one for n, one in numbered if n in self._mine))
+            mine = doc.replace(size, maps=dict(one for n, one in numbered if n in self._mine))
             number += len(size.maps)
             edges = max((m.edge_count for m in mine.maps.values()), default=1)
             chosen = (self._chosen(one, *m) for one in self.entrants for m in size.maps.items())
             runs = sum(len(ran) for _, ran in chosen)
             yield SweptLevel(edges, runs, self._units(mine), mine)
 
-    def _units(self, size: _Size) -> Iterator[UnitOfOne]:
+    def _units(self, size: _Size) -> Iterator[entrants.UnitOfOne]:
         """A unit for each entrant and world, with the places of the lighthouse that are run."""
         for number, one in enumerate(self.entrants):
             for member, map_ in size.maps.items():
@@ -421,10 +389,10 @@ class GrowingWorlds(Contest[Growth]):
                 if ran:
                     given = tuple((World(map_, lighthouse, 0), i) for i, lighthouse in ran.items())
                     unit = GivenWorlds(given, f"{size.family}/{member.name}")
-                    yield UnitOfOne(number, unit)
+                    yield entrants.UnitOfOne(number, unit)
 
     def _chosen(
-        self, one: Entrant, member: Member, map_: CombinatorialMap
+        self, one: entrants.Entrant, member: Member, map_: CombinatorialMap
     ) -> tuple[int, dict[int, Lighthouse]]:
         """The number of places of a lighthouse in a world, and those that are run, by number.
 
@@ -438,7 +406,7 @@ class GrowingWorlds(Contest[Growth]):
         return len(places), {i: places[i] for i in drawn}
 
     @override
-    def finish(self, level: SweptLevel, total: CostsOfAll) -> None:
+    def finish(self, level: SweptLevel, total: entrants.CostsOfAll) -> None:
         self._rows += self._rows_of(level.of, total)
         for one in self.entrants:
             chosen = (self._chosen(one, *member) for member in level.of.maps.items())
@@ -446,7 +414,7 @@ class GrowingWorlds(Contest[Growth]):
         self.leave(level, total)
 
     @override
-    def report(self, ending: Ending) -> Growth:
+    def report(self, ending: outcome.Ending) -> Growth:
         return Growth(
             **self.contest(ending),
             families=self._families,
@@ -454,13 +422,13 @@ class GrowingWorlds(Contest[Growth]):
             left_out=self._left_out,
         )
 
-    def _rows_of(self, size: _Size, total: CostsOfAll) -> Iterator[GrowRow]:
+    def _rows_of(self, size: _Size, total: entrants.CostsOfAll) -> Iterator[GrowRow]:
         """The row of each entrant that was run in every chosen place of one of the members."""
         for number, one in enumerate(self.entrants):
             costs, members = total.one(number).costs, dict[CombinatorialMap, GrownWorld]()
             for member, map_ in size.maps.items():
                 places, ran = self._chosen(one, member, map_)
-                known = costs.get(key_of(map_), {})
+                known = costs.get(entrants.key_of(map_), {})
                 if ran and ran.keys() <= known.keys():
                     members[map_] = GrownWorld(
                         name=member.name,
@@ -485,7 +453,7 @@ class GrowingWorlds(Contest[Growth]):
                 )
 
 
-def _ensure_grows(entrants: Sequence[Entrant], request: CompareRequest) -> None:
+def _ensure_grows(entrants: Sequence[entrants.Entrant], request: entrants.CompareRequest) -> None:
     """Raise InputError for an option without effect on worlds that grow, and for none to run."""
     given = {name: getattr(request, name) for name in ("edges", "vertices", "holes", "worlds")}
     for name, value in given.items():
@@ -493,7 +461,7 @@ def _ensure_grows(entrants: Sequence[Entrant], request: CompareRequest) -> None:
             raise InputError(f"{name} = {show(value)} has no effect on worlds that grow")
     if request.where is not None:
         raise InputError(f"where {show(request.where.name)} has no effect on worlds that grow")
-    if request.map_class is not MapClass.MAPS:
+    if request.map_class is not classes.MapClass.MAPS:
         raise InputError(f"class {show(request.map_class.value)} has no effect on worlds that grow")
     if not entrants:
         raise InputError("compare with to takes an explorer at least, not none")
@@ -505,5 +473,5 @@ def _size(number: int, family: str, members: Sequence[Member]) -> _Size:
     """The size with these members."""
     maps = distinct(members)
     member, map_ = next(iter(maps.items()))
-    drawn_from = rootings(member.text, map_, member.holes)
-    return _Size(number, family, edges_of(member.text), len(members), maps, drawn_from)
+    drawn_from = families.rootings(member.text, map_, member.holes)
+    return _Size(number, family, families.edges_of(member.text), len(members), maps, drawn_from)

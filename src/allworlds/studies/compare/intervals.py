@@ -13,8 +13,6 @@ Source: T. C. Hesterberg, What Teachers Should Know About the Bootstrap, The Ame
 69 (2015), section 4.1 ('expanded percentile').
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from functools import cache
 from math import atan, cos, exp, fsum, log, pi, sin, sqrt

@@ -7,55 +7,22 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, cast, get_args
 
 from typing_extensions import override
 
-from allworlds.document.struct import (
-    Document,
-    Edges,
-    Natural,
-    NotInDocument,
-    Positive,
-    Text,
-    Vertices,
-    WhichShard,
-    about,
-    computed,
-    with_options,
-)
+from allworlds import document as doc, outcome, words
+from allworlds.engines import limits, single, sweep, units
 from allworlds.engines.dask import Dask
-from allworlds.engines.engine_table import COMPILER, ReadyEngine
-from allworlds.engines.here import Threads
-from allworlds.engines.limits import (
-    ClusterOptions,
-    Limits,
-    ListenerOptions,
-    RunDirectoryOptions,
-    TimeLimitOptions,
-    WorkerOptions,
-)
-from allworlds.engines.single import SingleRun, single_run
-from allworlds.engines.sweep import Sweep
-from allworlds.engines.swept_report import (
-    FileDigests,
-    GivenCount,
-    SweptReport,
-    ToldGate,
-    told_scope,
-)
-from allworlds.engines.units import WHOLE, ShardOptions, SweptLevel, cells_of_level
-from allworlds.explorers.asked import DEFAULT_EXPLORER
+from allworlds.engines.engine_table import COMPILER, ReadyEngine, Threads
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import Subject, load
+from allworlds.explorers.sources import DEFAULT_EXPLORER
 from allworlds.inputs.checks import InputError, an_integer, ensure_installed, integer_of, show
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Converted, Option, Request, answers
 from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.maps.classes import ClassOptions, Extent
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps import classes, combinatorial
 from allworlds.notations.given import GivenOptions
-from allworlds.outcome import Ending
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
-from allworlds.words import size
 from allworlds.world.lighthouses.kinds import LighthouseKind
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.selection import LighthouseOptions
@@ -108,14 +75,14 @@ class Algorithm1Option(Request, kw_only=False):
 
 
 class WorstRequest(
-    ListenerOptions,
-    ClusterOptions,
-    RunDirectoryOptions,
-    TimeLimitOptions,
-    WorkerOptions,
-    ShardOptions,
+    limits.ListenerOptions,
+    limits.ClusterOptions,
+    limits.RunDirectoryOptions,
+    limits.TimeLimitOptions,
+    limits.WorkerOptions,
+    units.ShardOptions,
     GivenOptions,
-    ClassOptions,
+    classes.ClassOptions,
     Algorithm1Option,
 ):
     """Request of ``worst``: the worlds and the effort."""
@@ -127,7 +94,7 @@ class WorstRequest(
             "M",
             f"At most M edges [default: {DEFAULT_EDGES}; of given worlds any].",
             parse=integer_of,
-            document_type=Annotated[Positive, about("at most so many")],
+            document_type=Annotated[doc.Positive, doc.about("at most so many")],
         ),
     ] = Converted(_edges, None)
     transit: Annotated[
@@ -137,13 +104,13 @@ class WorstRequest(
             "|".join(get_args(Transit)),
             "How Algorithm 1 goes to the next edge: on a shortest or on any simple path.",
             document_type=Annotated[
-                Transit, about("the paths by which Algorithm 1 goes to the next edge")
+                Transit, doc.about("the paths by which Algorithm 1 goes to the next edge")
             ],
         ),
     ] = Converted(_transit, "simple")
 
     @property
-    def extent(self) -> Extent:
+    def extent(self) -> classes.Extent:
         """The worlds.
 
         Raises:
@@ -152,33 +119,33 @@ class WorstRequest(
         self.lighthouse_of_given(LighthouseKind(Directional.kind))
         usual = self.edges is None and self.given is None
         edges = DEFAULT_EDGES if usual else self.edges
-        extent = Extent(self.map_class, edges, given=self.given)
+        extent = classes.Extent(self.map_class, edges, given=self.given)
         _room_for(extent.levels[-1])
         return extent
 
 
-class WorstRow(Document):
+class WorstRow(doc.Document):
     """Costs over every schedule in the worlds of one size.
 
     ``counted`` holds the rooted maps according to the independent source; None in a shard.
     """
 
-    edges: Edges
-    vertices: Vertices
-    worlds: Annotated[Positive, about("rooted maps")]
-    worst: Annotated[Natural, about("the largest cost of a schedule")]
+    edges: doc.Edges
+    vertices: doc.Vertices
+    worlds: Annotated[doc.Positive, doc.about("rooted maps")]
+    worst: Annotated[doc.Natural, doc.about("the largest cost of a schedule")]
     best: Annotated[
-        Natural, about("the largest, over the worlds, of the cost of the cheapest schedule")
+        doc.Natural, doc.about("the largest, over the worlds, of the cost of the cheapest schedule")
     ]
-    bound: Annotated[int | None, about("the largest of these worlds; null without a bound")]
-    tests: Annotated[Natural, about("different tests of false hypotheses")]
-    wrong_tests: Annotated[Natural, about("tests that confirmed a false hypothesis")]
-    world: Annotated[World, about("the least one that attains `worst`")]
-    choices: Annotated[tuple[Natural, ...], about("choices that attain it there")]
+    bound: Annotated[int | None, doc.about("the largest of these worlds; null without a bound")]
+    tests: Annotated[doc.Natural, doc.about("different tests of false hypotheses")]
+    wrong_tests: Annotated[doc.Natural, doc.about("tests that confirmed a false hypothesis")]
+    world: Annotated[World, doc.about("the least one that attains `worst`")]
+    choices: Annotated[tuple[doc.Natural, ...], doc.about("choices that attain it there")]
     replayed: Annotated[
-        Natural | None, about("their cost in the Python engine; null: a law was broken")
+        doc.Natural | None, doc.about("their cost in the Python engine; null: a law was broken")
     ]
-    counted: NotInDocument[int | None]
+    counted: doc.NotInDocument[int | None]
 
     @property
     def agrees(self) -> bool:
@@ -192,18 +159,18 @@ class WorstRow(Document):
         return bool(self.wrong_tests) or (self.bound is not None and self.worst > self.bound)
 
 
-@with_options(ClassOptions, LighthouseOptions, WorstRequest, RuleOptions)
-class WorstScope(Document):
+@doc.with_options(classes.ClassOptions, LighthouseOptions, WorstRequest, RuleOptions)
+class WorstScope(doc.Document):
     """The scope of a search for the worst case."""
 
-    schedules: Annotated[Literal["all"], about("each was searched")]
-    symmetry: Annotated[Text, about("why one world stands for every direction")]
-    given: GivenCount
-    sha256: FileDigests
-    shard: WhichShard
+    schedules: Annotated[Literal["all"], doc.about("each was searched")]
+    symmetry: Annotated[doc.Text, doc.about("why one world stands for every direction")]
+    given: sweep.GivenCount
+    sha256: sweep.FileDigests
+    shard: doc.WhichShard
 
 
-class WorstReport(SweptReport, kw_only=True):
+class WorstReport(sweep.SweptReport, kw_only=True):
     """Report of 'worst'.
 
     The worst and best costs of Algorithm 1, by size.
@@ -212,21 +179,21 @@ class WorstReport(SweptReport, kw_only=True):
     run by the ``rules``.
     """
 
-    rows: Annotated[tuple[WorstRow, ...], about("one for each (edges, vertices), ascending")]
-    findings: Annotated[tuple[Finding, ...], about("always empty: `wrong_tests` counts")] = ()
-    subject: NotInDocument[Subject]
-    rules: NotInDocument[Rules]
-    disagreement: NotInDocument[str] = ""
+    rows: Annotated[tuple[WorstRow, ...], doc.about("one for each (edges, vertices), ascending")]
+    findings: Annotated[tuple[Finding, ...], doc.about("always empty: `wrong_tests` counts")] = ()
+    subject: doc.NotInDocument[Subject]
+    rules: doc.NotInDocument[Rules]
+    disagreement: doc.NotInDocument[str] = ""
 
-    @computed
-    def explorer(self) -> Text:
+    @doc.computed
+    def explorer(self) -> doc.Text:
         """Its name."""
         return self.subject.name
 
-    @computed
+    @doc.computed
     def scope(self) -> WorstScope:
         """All that was searched."""
-        return told_scope(
+        return sweep.told_scope(
             WorstScope,
             self.request,
             self.rules,
@@ -237,8 +204,8 @@ class WorstReport(SweptReport, kw_only=True):
             shard=str(self.portion),
         )
 
-    @computed
-    def gate(self) -> ToldGate:
+    @doc.computed
+    def gate(self) -> sweep.ToldGate:
         """Count gate, if there is anything to compare."""
         return self.compared
 
@@ -252,11 +219,13 @@ class WorstReport(SweptReport, kw_only=True):
     def refuted(self) -> bool:
         return any(row.refutes for row in self.rows)
 
-    def walks(self) -> Iterator[SingleRun]:
+    def walks(self) -> Iterator[single.SingleRun]:
         """The runs that attain each row's worst cost, where they are known, played again."""
         for row in self.rows:
             if row.replayed is not None:
-                yield single_run(self.subject, row.world, self.rules, row.choices, Limits())
+                yield single.single_run(
+                    self.subject, row.world, self.rules, row.choices, limits.Limits()
+                )
 
 
 @answers(WorstRequest)
@@ -273,11 +242,11 @@ def worst(request: WorstRequest) -> WorstReport:
     return SchedulesSweep(request).answer(request.run)
 
 
-class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
+class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
     """The sweep of the compiled search through all schedules of Algorithm 1."""
 
     verb, asked = "worst", WorstRequest
-    extent: Extent
+    extent: classes.Extent
 
     def __init__(self, request: WorstRequest) -> None:
         from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
@@ -313,18 +282,18 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
         return ((len(c.sigma) // 2, n, c.worst) for n, c in total.by_vertices.items())
 
     @override
-    def finish(self, level: SweptLevel, total: ScheduleCostsBySize) -> None:
-        whole, edges, rows = self.portion == WHOLE, level.edges, total.by_vertices
-        cells = {} if self.extent.given else cells_of_level(self.extent, edges)
+    def finish(self, level: units.SweptLevel, total: ScheduleCostsBySize) -> None:
+        whole, edges, rows = self.portion == units.WHOLE, level.edges, total.by_vertices
+        cells = {} if self.extent.given else units.cells_of_level(self.extent, edges)
         for n, costs in sorted(rows.items()):
             counted = cells.get(n, 0) if whole and cells else None
             self._rows.append(self._row(edges, costs, counted))
         for n, counted in cells.items():
             if whole and counted and n not in rows and not self._missing:
-                self._missing = f"no map with {size(edges, n)} was met"
+                self._missing = f"no map with {words.size(edges, n)} was met"
 
     @override
-    def report(self, ending: Ending) -> WorstReport:
+    def report(self, ending: outcome.Ending) -> WorstReport:
         return WorstReport(
             **self.ended(ending),
             rows=tuple(self._rows),
@@ -335,7 +304,7 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
 
     def _row(self, edges: int, costs: ScheduleCosts, counted: int | None) -> WorstRow:
         bound = paper_bound(costs.vertices, edges)
-        world = World(CombinatorialMap(costs.sigma, costs.alpha), Directional(0), 0)
+        world = World(combinatorial.CombinatorialMap(costs.sigma, costs.alpha), Directional(0), 0)
         choices, replayed = ((), None) if costs.wrong else self._replayed(world, bound)
         return WorstRow(
             edges=edges,
@@ -360,5 +329,5 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
         if not isinstance(episode.ending, Answered):
             return (), None
         choices = tuple(planned.record)
-        again = single_run(self._subject, world, self._rules, choices, Limits())
+        again = single.single_run(self._subject, world, self._rules, choices, limits.Limits())
         return choices, again.outcome.cost if again.finding is None else None

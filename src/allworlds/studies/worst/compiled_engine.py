@@ -1,14 +1,11 @@
 """The most expensive worlds of a level: the compiled search over schedules as an engine."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from msgspec import Struct, field
 
-from allworlds.engines.kernel.engine import flag
-from allworlds.engines.kernel.schedules import ScheduleCosts, schedule_costs_of_unit
+from allworlds.engines.kernel import engine, schedules
 from allworlds.engines.units import GivenUnit, LevelUnit
 from allworlds.maps.classes import Extent
 from allworlds.maps.enumeration import history
@@ -18,21 +15,21 @@ from allworlds.studies.worst.every_schedule import Transit
 class ScheduleCostsBySize(Struct):
     """Costs over every schedule, by the number of vertices. They add up in any order."""
 
-    by_vertices: dict[int, ScheduleCosts] = field(default_factory=dict)
+    by_vertices: dict[int, schedules.ScheduleCosts] = field(default_factory=dict)
 
     @property
     def worlds(self) -> int:
         """The number of rooted maps."""
         return sum(row.rooted for row in self.by_vertices.values())
 
-    def add(self, other: ScheduleCostsBySize) -> None:
+    def add(self, other: "ScheduleCostsBySize") -> None:
         """Add the costs of another part."""
         for vertices, row in other.by_vertices.items():
             mine = self.by_vertices.get(vertices)
             self.by_vertices[vertices] = _joined(mine, row) if mine else row
 
 
-def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
+def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules.ScheduleCosts:
     """Sums, maxima, and the least of the worlds that attain the worst cost."""
     most_expensive = min(
         (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a
@@ -50,7 +47,7 @@ class ScheduleSearch(Struct, frozen=True):
 
     extent: Extent
     transit: Transit
-    flag: Any = field(default_factory=flag)
+    flag: Any = field(default_factory=engine.flag)
 
     def halt(self) -> None:
         """Set the flag that ends the compiled search."""
@@ -65,7 +62,7 @@ class ScheduleSearch(Struct, frozen=True):
         else:
             prefixes = [unit.prefix]
         for prefix in prefixes:
-            rows = schedule_costs_of_unit(
+            rows = schedules.schedule_costs_of_unit(
                 unit.edges,
                 self.extent.vertex_limit(unit.edges),
                 prefix,

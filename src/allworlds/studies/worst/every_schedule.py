@@ -8,8 +8,6 @@ The robot's S is spoken of by the darts of the world: S lies in the world by I-1
 Source: Algorithm 1, Section IV.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from functools import cache
 from operator import attrgetter

@@ -11,12 +11,10 @@ from itertools import islice
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 
-from allworlds.document.struct import Natural, about, plain
+from allworlds.document import Natural, about, plain
 from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.actions import Action, Percept, Write
-from allworlds.protocol.player import Told
-from allworlds.protocol.user_code import UserCode
+from allworlds.protocol import actions, user_code
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
     OptionValue,
@@ -63,9 +61,9 @@ class Sensing:
 
 
 @cache
-def _percept(degree: int, marks: int = 0, bearing: int | None = None) -> Percept:
+def _percept(degree: int, marks: int = 0, bearing: int | None = None) -> actions.Percept:
     """A percept; equal ones are one object."""
-    return Percept(degree, marks, bearing)
+    return actions.Percept(degree, marks, bearing)
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +108,7 @@ class WalkInAnswer(NamedTuple):
 
     map: CombinatorialMap
     trail: Sequence[Dart]
-    sensed: Sequence[Percept]
+    sensed: Sequence[actions.Percept]
 
 
 class Lighthouse(ABC):
@@ -147,7 +145,7 @@ class Lighthouse(ABC):
     gives_marks: ClassVar[bool] = True
     gives_bearings: ClassVar[bool] = True
     leaves_marks: ClassVar[bool] = False
-    code: ClassVar[UserCode | None] = None
+    code: ClassVar[user_code.UserCode | None] = None
     chosen: ClassVar[Mapping[str, OptionValue]] = MappingProxyType({})
     every_place_to: ClassVar[int | None] = None
     beyond: ClassVar[str] = ""
@@ -183,11 +181,11 @@ class Lighthouse(ABC):
                 f"{start}: it is none of its places there"
             )
 
-    def sensed(self, map_: CombinatorialMap, here: Dart) -> Percept:
+    def sensed(self, map_: CombinatorialMap, here: Dart) -> actions.Percept:
         """The percept of a robot that has arrived by the dart ``here``: the degree alone."""
-        return Percept(map_.degree_at[here])
+        return actions.Percept(map_.degree_at[here])
 
-    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+    def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
         """For each dart the percept of a robot that has arrived by it."""
         return tuple(self.sensed(map_, here) for here in map_.darts)
 
@@ -208,8 +206,8 @@ class Lighthouse(ABC):
         kind: Any = type(self)
         code, where = kind.code, {key: plain(getattr(self, key)) for key in place_keys(kind)}
         if code is not None:
-            options = code.arguments or values_in(self)
-            return {"kind": code.plain, "options": options, "digest": code.digest, **where}
+            given = code.arguments or values_in(self)
+            return {"kind": code.plain, "options": given, "digest": code.digest, **where}
         usual = [
             key
             for key, option in options_of(kind).items()
@@ -259,7 +257,7 @@ class Lighthouse(ABC):
         """The number of markers in the robot's hand at the start."""
         return 0
 
-    def refusal(self, action: Action, lying: int, hand: int) -> str:  # noqa: ARG002  # none
+    def refusal(self, action: actions.Action, lying: int, hand: int) -> str:  # noqa: ARG002  # none
         """A sentence about the legal actions if this one is illegal; empty if it is legal.
 
         Args:
@@ -267,10 +265,10 @@ class Lighthouse(ABC):
             lying: the number of markers at its vertex that have been dropped there.
             hand: the number of markers in its hand.
         """
-        lacks = "has no room for numbers" if type(action) is Write else "gives no markers"
+        lacks = "has no room for numbers" if type(action) is actions.Write else "gives no markers"
         return f"the {self.kind} lighthouse {lacks}"
 
-    def acted(self, map_: CombinatorialMap, state: State, action: Action) -> State:  # noqa: ARG002
+    def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:  # noqa: ARG002
         """The state after an action that is no motion, and that is not refused."""
         return state
 
@@ -278,7 +276,7 @@ class Lighthouse(ABC):
         """The marks that the robot senses of what it has left itself."""
         return 0
 
-    def told(self, map_: CombinatorialMap) -> Told:  # noqa: ARG002  # for kinds that need it
+    def told(self, map_: CombinatorialMap) -> actions.Told:  # noqa: ARG002  # for kinds that need it
         """The value that the explorer is told before the start; by default None."""
         return None
 
@@ -303,7 +301,7 @@ class ReferenceLighthouse(Lighthouse):
         """
         return {}
 
-    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+    def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
         """For each dart the percept of a robot that has arrived by it."""
         sensed = [_percept(degree) for degree in map_.degree_at]
         # The first comes last: where a wrong answer takes v1 for v0, what is sensed is v0.

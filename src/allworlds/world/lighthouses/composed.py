@@ -1,21 +1,179 @@
-"""Two or more lighthouses in one world: percepts add up, places multiply."""
+"""Two or more lighthouses in one world, and those of which nothing stands anywhere.
+
+Of several lighthouses percepts add up, and places multiply.  Where nothing stands something is
+told, or the robot leaves marks.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import compress, product
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
+from msgspec import Meta
 from typing_extensions import override
 
+from allworlds.document import Different, IfAny, Positive, about, narrowed
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.actions import Action, Percept
-from allworlds.protocol.player import Told
-from allworlds.world.lighthouses.base import Lighthouse, State, WalkInAnswer
-from allworlds.world.lighthouses.options import InvalidWorld
-from allworlds.world.lighthouses.placeless import Knowledge
+from allworlds.protocol import actions
+from allworlds.world.lighthouses import options
+from allworlds.world.lighthouses.base import Lighthouse, PlacelessLighthouse, State, WalkInAnswer
+
+
+@dataclass(frozen=True, slots=True)
+class Nothing(PlacelessLighthouse):
+    """No marker and no direction: only the degree is sensed.
+
+    Source: Section III of the paper ('lacking any position and orientation information').
+    """
+
+    kind: ClassVar[str] = "none"
+
+
+ToldName: TypeAlias = Literal["n", "m", "d", "g"]
+
+TOLD: dict[ToldName, Callable[[CombinatorialMap], int]] = {
+    "n": lambda map_: map_.vertex_count,
+    "m": lambda map_: map_.edge_count,
+    "d": lambda map_: map_.diameter,
+    "g": lambda map_: map_.genus,
+}
+"""The numbers that can be told, by their names: of vertices, of edges, the diameter, the genus."""
+
+
+@dataclass(frozen=True)
+class Knowledge(PlacelessLighthouse):
+    """A lighthouse without marks: the robot is told some numbers of the world.
+
+    Sensed: the degree alone.  ``told`` holds the numbers by their names: n (vertices), m (edges),
+    d (diameter), g (genus); n and m where none is named.
+    """
+
+    names: Annotated[
+        Different[ToldName], narrowed(minItems=1), about("of the numbers: n, m, d, g")
+    ] = ("n", "m")
+
+    kind: ClassVar[str] = "told"
+
+    def told(self, map_: CombinatorialMap) -> dict[str, int]:
+        """The numbers by their names."""
+        return {name: TOLD[name](map_) for name in self.names}
+
+
+@dataclass(frozen=True, slots=True)
+class Movable(PlacelessLighthouse):
+    """No marker stands anywhere at the start; the robot has some in its hand.
+
+    Sensed at a vertex: how many markers lie there, and the degree.  They point nowhere, and
+    one is like the other.  The options are ``markers=K``, how many there are (1),
+    ``pick=false``: what has been dropped stays, and ``distinct=true``: the markers are told
+    apart. Marker i then counts as 2^i marks, and of several the first is dropped and taken up.
+    Source: Section II of the paper (Dudek, Jenkin, Milios, Wilkes 1991: one, with ``pick``).
+    """
+
+    markers: Annotated[Positive, about("how many are in the hand at the start")] = 1
+    pick: Annotated[bool, about("whether one that was dropped may be taken up again")] = True
+    distinct: Annotated[IfAny[bool], about("whether they are told apart; else false")] = False
+
+    kind: ClassVar[str] = "movable"
+    leaves_marks: ClassVar[bool] = True
+
+    @property
+    def in_hand(self) -> int:
+        """The number of all markers."""
+        return self.markers
+
+    @override
+    def refusal(self, action: actions.Action, lying: int, hand: int) -> str:
+        if type(action) is actions.Drop:
+            return "" if hand else "a Drop only with a marker in hand"
+        if type(action) is not actions.Pick:
+            return "a Move, Drop or Pick"
+        if not self.pick:
+            return "no Pick: under pick=false a marker stays where it was dropped"
+        return "" if lying else "a Pick only where a marker lies"
+
+    @override
+    def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:
+        here, lying = map_.vertex_of[state.dart], [*state.lying]
+        after = state
+        if type(action) is actions.Drop:
+            lying.append(here)
+            if self.distinct:
+                dropped = sum(bits for _, bits in state.written)
+                first = ~dropped & (dropped + 1)
+                after = state.with_number(here, state.number_at(here) | first)
+        else:
+            lying.remove(here)
+            if self.distinct:
+                bits = state.number_at(here)
+                after = state.with_number(here, bits & (bits - 1))
+        hand = state.hand + len(state.lying) - len(lying)
+        return replace(after, lying=tuple(sorted(lying)), hand=hand)
+
+    @override
+    def left_marks(self, map_: CombinatorialMap, state: State) -> int:
+        here = map_.vertex_of[state.dart]
+        return state.number_at(here) if self.distinct else state.lying.count(here)
+
+
+LEAST, MOST = 2, 2**31
+"""The numbers of numbers that there can be room for."""
+
+
+HowMany = Annotated[int, Meta(ge=LEAST, le=MOST), about("how many numbers there are")]
+
+
+@dataclass(frozen=True, slots=True)
+class Whiteboard(PlacelessLighthouse):
+    """At every vertex room for one number, which the robot writes there and reads there.
+
+    Sensed at a vertex: the number that was last written there (0 at first) as marks, and the
+    degree.  The option is ``states=K``: the numbers are 0 to K-1 (2).
+    """
+
+    states: HowMany = LEAST
+
+    kind: ClassVar[str] = "whiteboard"
+    leaves_marks: ClassVar[bool] = True
+
+    def place_of_number(self, map_: CombinatorialMap, dart: Dart) -> int:
+        """Where a robot writes and reads that has arrived by this dart: at its vertex."""
+        return map_.vertex_of[dart]
+
+    @override
+    def refusal(self, action: actions.Action, lying: int, hand: int) -> str:
+        if type(action) is not actions.Write:
+            return "a Move or Write"
+        legal = 0 <= action.k < self.states
+        return "" if legal else f"a Write(k) with k from 0 to {self.states - 1}"
+
+    @override
+    def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:
+        assert type(action) is actions.Write
+        return state.with_number(self.place_of_number(map_, state.dart), action.k)
+
+    @override
+    def left_marks(self, map_: CombinatorialMap, state: State) -> int:
+        return state.number_at(self.place_of_number(map_, state.dart))
+
+
+@dataclass(frozen=True, slots=True)
+class Ports(Whiteboard):
+    """At every dart room for one number, which the robot writes and reads when it comes by it.
+
+    Sensed: the number that was last written on the dart by which the robot has arrived (0 at
+    first) as marks, and the degree.  The option is ``states=K``: the numbers are 0 to K-1 (2).
+    """
+
+    kind: ClassVar[str] = "ports"
+
+    @override
+    def place_of_number(self, map_: CombinatorialMap, dart: Dart) -> int:
+        return dart
+
 
 PLUS = "+"
 """The text between the parts of a name."""
@@ -72,14 +230,14 @@ class Composed(Lighthouse):
         for part in self.parts:
             part.check(map_, start)
 
-    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+    def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
         """The marks of the part that has them, with the bearing of the part that has one."""
         marks, bearings = (
             next((part.percepts(map_) for part in self.parts if getattr(part, gives)), None)
             for gives in ("gives_marks", "gives_bearings")
         )
         return tuple(
-            Percept(
+            actions.Percept(
                 map_.degree_at[dart],
                 marks[dart].marks if marks else 0,
                 bearings[dart].bearing if bearings else None,
@@ -106,11 +264,11 @@ class Composed(Lighthouse):
         return self._marking.in_hand
 
     @override
-    def refusal(self, action: Action, lying: int, hand: int) -> str:
+    def refusal(self, action: actions.Action, lying: int, hand: int) -> str:
         return self._marking.refusal(action, lying, hand)
 
     @override
-    def acted(self, map_: CombinatorialMap, state: State, action: Action) -> State:
+    def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:
         return self._marking.acted(map_, state, action)
 
     @override
@@ -118,7 +276,7 @@ class Composed(Lighthouse):
         return self._marking.left_marks(map_, state)
 
     @override
-    def told(self, map_: CombinatorialMap) -> Told:
+    def told(self, map_: CombinatorialMap) -> actions.Told:
         heard = (part.told(map_) for part in self.parts)
         return next((each for each in heard if each is not None), None)
 
@@ -165,7 +323,7 @@ def check_together(names: Sequence[str], kinds: Sequence[type[Lighthouse]]) -> N
     """Raise InvalidWorld if two of these kinds, with their names, cannot be put together."""
     for number, kind in enumerate(kinds):
         if kind in kinds[:number]:
-            raise InvalidWorld(f"the lighthouse {names[number]} stands there twice")
+            raise options.InvalidWorld(f"the lighthouse {names[number]} stands there twice")
     for what, has in (
         ("have marks", [kind.gives_marks for kind in kinds]),
         ("have bearings", [kind.gives_bearings for kind in kinds]),
@@ -173,7 +331,7 @@ def check_together(names: Sequence[str], kinds: Sequence[type[Lighthouse]]) -> N
     ):
         if sum(has) > 1:
             one, other, *_ = compress(names, has)
-            raise InvalidWorld(
+            raise options.InvalidWorld(
                 f"the lighthouses {one} and {other} both {what}, and a robot could not tell which "
                 "is which; leave one out"
             )

@@ -1,20 +1,33 @@
-"""**The** table of the lighthouses, and their reading from names and from JSON."""
+"""**The** table of the lighthouses, and their reading from names and from JSON.
 
-from __future__ import annotations
+A kind of the user's own is loaded, and its mistakes are told by its name.
+"""
 
+import copyreg
+import inspect
 import re
-from collections.abc import Mapping
-from functools import cache
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import MISSING, dataclass, fields
+from functools import cache, wraps
 from typing import Any, TypeAlias
 
-from msgspec import Struct
+from msgspec import Struct, ValidationError, convert, to_builtins
 from msgspec.structs import replace
 
-from allworlds.inputs.checks import InputError, a_text, show
+from allworlds.inputs.checks import InputError, a_text, integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.user_code import Role, UserCode
-from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.composed import PLUS, Composed, composed
+from allworlds.protocol import actions, importing, user_code
+from allworlds.world.lighthouses.base import Lighthouse, State
+from allworlds.world.lighthouses.composed import (
+    PLUS,
+    Composed,
+    Knowledge,
+    Movable,
+    Nothing,
+    Ports,
+    Whiteboard,
+    composed,
+)
 from allworlds.world.lighthouses.marked import (
     Cluster,
     Compass,
@@ -34,8 +47,203 @@ from allworlds.world.lighthouses.options import (
     refuse_other_keys,
     with_arguments,
 )
-from allworlds.world.lighthouses.own_kind import own_kind
-from allworlds.world.lighthouses.placeless import Knowledge, Movable, Nothing, Ports, Whiteboard
+
+SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
+
+
+def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
+    """The class that the code stands for, with its options, ready to be used as one of ours.
+
+    Raises:
+        InvalidWorld: if there is none, or it has no such options.
+    """
+    if code.arguments and isinstance(code.load(), type):
+        kind = _kind(code.bare)
+        return kind_with(kind, options_in(kind, code.plain, code.name.partition("?")[2]))  # type: ignore[no-any-return]
+    return _kind(code)
+
+
+@cache
+def _kind(code: user_code.UserCode) -> type[Lighthouse]:
+    """The class, which is loaded once a process; of a factory one for each of its arguments."""
+    kind = code.made()
+    if not isinstance(kind, type) or not issubclass(kind, Lighthouse) or inspect.isabstract(kind):
+        raise InvalidWorld(f"{show(code.name)} is no lighthouse, but {shown(kind)}; one is {SHAPE}")
+    if "__dataclass_params__" not in vars(kind):
+        kind = dataclass(frozen=True)(kind)
+    if not vars(kind)["__dataclass_params__"].frozen or "__hash__" not in vars(kind):
+        raise InvalidWorld(
+            f"{show(code.name)} is no frozen dataclass; write @dataclass(frozen=True)"
+        )
+    if kind.refusal is not Lighthouse.refusal and not kind.leaves_marks:
+        raise InvalidWorld(f"{show(code.name)} has a method refusal, but leaves_marks is False")
+    for each in fields(kind):
+        told = vars(kind).get(each.name, each.default)
+        if each.default is not MISSING and told != each.default and not hasattr(told, "__get__"):
+            raise InvalidWorld(
+                f"{show(code.name)} sets {each.name} = {show(told)} without a type, and so the "
+                f"field keeps {show(each.default)}; write {each.name}: {type(told).__name__} = ..."
+            )
+    return _named(kind, code)
+
+
+def shown(value: object) -> str:
+    """A short text for any object, without the name of the module that its class was loaded as."""
+    if isinstance(value, type):
+        return f"the class {value.__qualname__}"
+    plain = type(value).__repr__ is object.__repr__
+    return f"an object of the class {type(value).__qualname__}" if plain else show(value)
+
+
+def _is_method(value: object) -> bool:
+    return isinstance(value, property | classmethod) or inspect.isfunction(value)
+
+
+METHODS = [
+    *(name for name, value in vars(Lighthouse).items() if name[0] != "_" and _is_method(value)),
+    "__post_init__",
+]
+"""The methods that can be written anew: their errors are the user's."""
+
+
+def _named(kind: type[Lighthouse], code: user_code.UserCode) -> type[Lighthouse]:
+    """The class itself, which from now on names itself in errors, files and pickles."""
+    kind.kind, kind.code = code.plain, code
+    for name in METHODS:
+        owner = next((each for each in kind.__mro__ if name in vars(each)), Lighthouse)
+        theirs = not owner.__module__.startswith("allworlds.")
+        if theirs or name == "percepts":
+            _check(kind, code.name, name, theirs=theirs)
+    copyreg.pickle(kind, _reduced)
+    return kind
+
+
+def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> None:
+    """Let errors of a method of the user's name the lighthouse, and check what it returns."""
+    found = inspect.getattr_static(kind, method)
+    if not _is_method(found):  # a plain value in the place of a property
+        value = found
+        found = property(lambda _self: value)
+    function: Any = found.fget if isinstance(found, property) else getattr(found, "__func__", found)
+    what = f"lighthouse {show(name)}: {method} raises"
+    check, legal = RETURNS.get(method, (None, ""))
+
+    @wraps(function)
+    def checked(self: Any, *args: Any, **keywords: Any) -> Any:
+        def act() -> Any:
+            returned = function(self, *args, **keywords)
+            return tuple(returned) if method in ("places", "percepts") else returned
+
+        returned = importing.attempted(what, act, InvalidWorld) if theirs else act()
+        try:
+            return check(returned, self, *args) if check else returned
+        except (TypeError, ValidationError):
+            raise InvalidWorld(
+                f"{method} of the lighthouse {show(name)} gives {shown(returned)}; legal is {legal}"
+            ) from None
+
+    setattr(kind, method, checked if found is function else type(found)(checked))
+
+
+# ---------------------------------------------------------------- the values of methods
+
+
+def _places(
+    places: tuple[Any, ...], kind: type[Lighthouse], _map: CombinatorialMap, _start: Dart
+) -> Iterator[Lighthouse]:
+    """Places of the class, with the options that were asked for."""
+    chosen, code = kind.chosen, kind.code
+    for place in places:
+        fits = isinstance(place, Lighthouse) and place.code is code
+        if not fits or any(getattr(place, key) != value for key, value in chosen.items()):
+            assert code is not None
+            raise InvalidWorld(
+                f"places of the lighthouse {show(code.name)} has {shown(place)}, which "
+                "cls(...) has not made; write yield cls(...)"
+            )
+    return iter(places)
+
+
+def _percepts(
+    sensed: tuple[Any, ...], place: Lighthouse, map_: CombinatorialMap
+) -> tuple[actions.Percept, ...]:
+    """A percept for each dart, with its degree, in plain integers."""
+    assert place.code is not None
+    name = show(place.code.name)
+    if len(sensed) != len(map_.darts):
+        raise InvalidWorld(
+            f"the lighthouse {name} has {len(sensed)} percepts for {len(map_.darts)} darts"
+        )
+    found = []
+    for degree, percept in zip(map_.degree_at, sensed, strict=True):
+        try:
+            found.append(_percept(degree, percept))
+        except TypeError:
+            raise InvalidWorld(
+                f"the lighthouse {name} senses {show(percept)} at a dart of degree {degree}; legal "
+                "is Percept(degree, marks, bearing) with that degree, marks from 0 on, and a "
+                "bearing from 0 on and below the degree, or None"
+            ) from None
+    return tuple(found)
+
+
+def _percept(degree: int, given: Any) -> actions.Percept:
+    if type(given) is not actions.Percept or integer(given.degree) != degree:
+        raise TypeError
+    bearing = None if given.bearing is None else _natural(given.bearing)
+    if (bearing or 0) >= degree:
+        raise TypeError
+    return actions.Percept(degree, _natural(given.marks), bearing)
+
+
+def _told(told: Any, *_asked: object) -> actions.Told:
+    if isinstance(told, Mapping):
+        return {str.__str__(key): integer(value) for key, value in told.items()}
+    return None if told is None else integer(told)
+
+
+def _natural(number: Any, *_asked: object) -> int:
+    if (found := integer(number)) < 0:
+        raise TypeError
+    return found
+
+
+def _refusal(text: Any, *_asked: object) -> str:
+    return str.__str__(text)
+
+
+def _state(after: Any, _place: Lighthouse, _map: object, before: State, _action: object) -> State:
+    """A state of plain integers, in which the robot has not moved."""
+    plain = convert(to_builtins(after), State) if type(after) is State else None
+    if plain is None or plain.dart != before.dart:
+        raise TypeError
+    return plain
+
+
+RETURNS: dict[str, tuple[Callable[..., Any], str]] = {
+    "places": (_places, ""),
+    "percepts": (_percepts, ""),
+    "told": (_told, "an integer, a dict of integers by their names, or None"),
+    "in_hand": (_natural, "an integer from 0 on"),
+    "left_marks": (_natural, "an integer from 0 on"),
+    "refusal": (_refusal, "a text, empty if the action is legal"),
+    "acted": (_state, "a State with the dart of the one before"),
+}
+"""By method: its value in plain types, or a TypeError, and the legal values in words."""
+
+
+# ---------------------------------------------------------------- in other processes
+
+
+def _reduced(place: Lighthouse) -> tuple[Any, ...]:
+    """The content of a pickle: the code with its text, from which any process makes the class."""
+    state = {each.name: getattr(place, each.name) for each in fields(place)}  # type: ignore[arg-type]
+    return _placed, (type(place).code, state)
+
+
+def _placed(code: user_code.UserCode, state: Mapping[str, Any]) -> Lighthouse:
+    return _kind(code)(**state)
+
 
 LIGHTHOUSES: dict[str, type[Lighthouse]] = {
     kind.kind: kind
@@ -59,7 +267,7 @@ class LighthouseKind(Struct, frozen=True):
     """
 
     name: str
-    codes: tuple[UserCode, ...] = ()
+    codes: tuple[user_code.UserCode, ...] = ()
 
     @property
     def as_class(self) -> type[Lighthouse]:
@@ -83,12 +291,12 @@ def lighthouse_kind(given: object) -> LighthouseKind:
     if isinstance(given, LighthouseKind):
         return given
     if isinstance(given, type) and issubclass(given, Lighthouse):
-        parts: list[str | UserCode] = [_of_class(given)]
+        parts: list[str | user_code.UserCode] = [_of_class(given)]
     else:
         parts = [_part(part) for part in a_text("lighthouse", given).split(PLUS)]
     found = LighthouseKind(
         PLUS.join(part if isinstance(part, str) else part.name for part in parts),
-        tuple(part for part in parts if isinstance(part, UserCode)),
+        tuple(part for part in parts if isinstance(part, user_code.UserCode)),
     )
     found.as_class  # noqa: B018  # it is refused here, and not where it is used
     return found
@@ -118,25 +326,25 @@ def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
     return tuple(name for part in parts if issubclass(part, Knowledge) for name in part.names)
 
 
-def _part(text: str) -> str | UserCode:
+def _part(text: str) -> str | user_code.UserCode:
     """One part of a name: as it is for one of ours, else the code, with its text."""
     if text.partition(":")[0] in LIGHTHOUSES:
         return text
-    options = re.fullmatch(r"([^?]+):([^:?=]+=[^?]*)", text)
-    return _found(f"{options[1]}?{options[2]}" if options else text)
+    parts = re.fullmatch(r"([^?]+):([^:?=]+=[^?]*)", text)
+    return _found(f"{parts[1]}?{parts[2]}" if parts else text)
 
 
-def _found(name: str) -> UserCode:
+def _found(name: str) -> user_code.UserCode:
     try:
         return LIGHTHOUSE.find(name)
     except InputError as error:
         raise InvalidWorld(str(error)) from None
 
 
-LIGHTHOUSE = Role("lighthouse", "allworlds.lighthouses", known=tuple(LIGHTHOUSES))
+LIGHTHOUSE = user_code.Role("lighthouse", "allworlds.lighthouses", known=tuple(LIGHTHOUSES))
 
 
-def _of_class(kind: type[Lighthouse]) -> str | UserCode:
+def _of_class(kind: type[Lighthouse]) -> str | user_code.UserCode:
     ours = kind.__module__.startswith("allworlds.")
     if {"code", "chosen"} & {*vars(kind)} or ours:
         name = named_with(kind, kind.chosen)
@@ -178,14 +386,14 @@ def lighthouse_from_json(
         return _of_parts(name, document["parts"], map_, start)
     if name in LIGHTHOUSES:
         kind, apart = LIGHTHOUSES[name], ["kind"]
-        options = {key: document[key] for key in options_of(kind) if key in document}
+        given = {key: document[key] for key in options_of(kind) if key in document}
     else:
         kind, apart = _own_of(document), ["kind", "options", "digest"]
         made = kind.code is not None and kind.code.arguments  # by a factory, which has taken them
-        options = {} if made else document.get("options", {})
+        given = {} if made else document.get("options", {})
     refuse_other_keys(f"{name} lighthouse", document, (*apart, *place_keys(kind)))
-    chosen = kind_with(kind, ensure_options(kind, name, options))
-    where = {key: document[key] for key in place_keys(kind) if key in document.keys() - options}
+    chosen = kind_with(kind, ensure_options(kind, name, given))
+    where = {key: document[key] for key in place_keys(kind) if key in document.keys() - given}
     place: Lighthouse = chosen.at(**where) if where else chosen.usual(map_, start)
     return place
 
@@ -208,9 +416,9 @@ def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
     Raises:
         InputError: if there is none, or it has another text than the one in the document.
     """
-    name, options = document["kind"], document.get("options", {})
-    if not isinstance(options, Mapping):
-        raise InvalidWorld(f"lighthouse.options = {show(options)} is no object")
+    name, given = document["kind"], document.get("options", {})
+    if not isinstance(given, Mapping):
+        raise InvalidWorld(f"lighthouse.options = {show(given)} is no object")
     if PLUS in name:
         raise InvalidWorld(f"lighthouse.kind = {show(name)} needs the key parts")
     if name.partition(":")[0] in LIGHTHOUSES or "?" in name or "=" in name:
@@ -220,6 +428,6 @@ def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
         )
     code = _found(name)
     code.ensure_recorded(document.get("digest"))
-    if options and not isinstance(code.load(), type):
-        code = replace(code, name=with_arguments(name, options))
+    if given and not isinstance(code.load(), type):
+        code = replace(code, name=with_arguments(name, given))
     return own_kind(code)

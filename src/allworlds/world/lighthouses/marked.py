@@ -10,23 +10,16 @@ from typing import Annotated, Any, ClassVar, Self
 
 from typing_extensions import override
 
-from allworlds.document.struct import IfAny, NotInDocument, Some, about
+from allworlds.document import IfAny, NotInDocument, Some, about
 from allworlds.inputs.checks import are_plain, show
-from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import (
-    ReferenceLighthouse,
-    Sensing,
-    StandsAt,
-    WalkInAnswer,
-    Where,
-)
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, numbering
+from allworlds.world.lighthouses import base
 from allworlds.world.lighthouses.options import InvalidWorld, ensure_legal, the_integer
 
 # ---------------------------------------------------------------- at one or two vertices
 
 
-class MarkedStart(ReferenceLighthouse):
+class MarkedStart(base.ReferenceLighthouse):
     """A lighthouse at the start's vertex v0, of which all that is sensed follows from its dart."""
 
     dart: Dart
@@ -60,7 +53,7 @@ class TowardsNeighbour(MarkedStart):
                 f"another one; legal are {', '.join(map(str, legal)) or 'none'}"
             )
 
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Self:
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Self:
         """The lighthouse in the same direction from the start, even if it may not stand there."""
         dart = walk.map.turn(walk.trail[0], map_.offset(start, self.dart))
         return replace(self, dart=dart)  # type: ignore[type-var]
@@ -75,10 +68,10 @@ class Position(MarkedStart):
     Source: Section III of the paper ('unique position information').
     """
 
-    dart: StandsAt = field(compare=False)
+    dart: base.StandsAt = field(compare=False)
 
     kind: ClassVar[str] = "position"
-    sensing: ClassVar[Sensing] = Sensing(Where.AT_V0, bearing=False)
+    sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.AT_V0, bearing=False)
     leaves_open: ClassVar[bool] = True
 
     @classmethod
@@ -95,10 +88,10 @@ class Directional(MarkedStart):
     Source: Section IV of the paper.
     """
 
-    dart: StandsAt
+    dart: base.StandsAt
 
     kind: ClassVar[str] = "directional"
-    sensing: ClassVar[Sensing] = Sensing(Where.AT_V0, bearing=True)
+    sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.AT_V0, bearing=True)
     default_bound: ClassVar[str] = "paper"
     folds: ClassVar[bool] = True
 
@@ -118,13 +111,13 @@ class Cluster(TowardsNeighbour):
     Source: Sections IV and VIII of the paper.
     """
 
-    dart: StandsAt
+    dart: base.StandsAt
     single: Annotated[
         IfAny[bool], about("whether exactly one edge joins v0 and v1; else false")
     ] = False
 
     kind: ClassVar[str] = "cluster"
-    sensing: ClassVar[Sensing] = Sensing(Where.AT_V0_AND_V1, bearing=False)
+    sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.AT_V0_AND_V1, bearing=False)
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Cluster]:
@@ -164,7 +157,7 @@ class Natural(TowardsNeighbour):
     Source: Section VIII of the paper.
     """
 
-    dart: StandsAt
+    dart: base.StandsAt
 
     kind: ClassVar[str] = "natural"
 
@@ -202,7 +195,7 @@ class Natural(TowardsNeighbour):
 # ---------------------------------------------------------------- at every vertex
 
 
-class AtEveryVertex(ReferenceLighthouse):
+class AtEveryVertex(base.ReferenceLighthouse):
     """A lighthouse with a reference dart at every vertex."""
 
     darts: tuple[Dart, ...]
@@ -227,7 +220,7 @@ class AtEveryVertex(ReferenceLighthouse):
                 )
 
 
-def _first_sensed(walk: WalkInAnswer) -> dict[int, tuple[Dart, int]]:
+def _first_sensed(walk: base.WalkInAnswer) -> dict[int, tuple[Dart, int]]:
     """The reference dart and the marks sensed at the first visit of each vertex of an answer.
 
     Of one that was never visited, they are its first dart, and 0.
@@ -252,7 +245,7 @@ class Compass(AtEveryVertex):
     darts: Annotated[Some[Dart], about("the reference dart of each vertex, ascending")]
 
     kind: ClassVar[str] = "compass"
-    sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE, bearing=True)
+    sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.EVERYWHERE, bearing=True)
     every_place_to: ClassVar[int | None] = 3
     beyond: ClassVar[str] = "the compass at the smallest dart of each vertex alone"
 
@@ -281,7 +274,7 @@ class Compass(AtEveryVertex):
         if list(self.darts) != sorted(self.darts):
             raise InvalidWorld(f"lighthouse.darts = {show(list(self.darts))} must be ascending")
 
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
         """The compass with the reference darts sensed at the first visit of each vertex."""
         return Compass(tuple(sorted(dart for dart, _ in _first_sensed(walk).values())))
 
@@ -319,7 +312,7 @@ class Labels(AtEveryVertex):
     numbers: NotInDocument[tuple[int, ...]] = ()
 
     kind: ClassVar[str] = "labels"
-    sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE_NUMBERED, bearing=True)
+    sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.EVERYWHERE_NUMBERED, bearing=True)
 
     @override
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
@@ -341,7 +334,7 @@ class Labels(AtEveryVertex):
                 f"the labels {show(list(self.numbers))} are not 1 to {len(self.darts)}"
             )
 
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
         """The labels sensed at the first visit of each vertex; 0 for vertices never visited."""
         darts, numbers = zip(*_first_sensed(walk).values(), strict=True)
         return Labels(darts, numbers)

@@ -1,7 +1,5 @@
 """The options of a lighthouse."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
@@ -10,7 +8,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias, get_args, get_origin, ge
 
 from msgspec import Meta
 
-from allworlds.document.struct import IF_ANY, NOT_IN_DOCUMENT
+from allworlds.document import IF_ANY, NOT_IN_DOCUMENT
 from allworlds.inputs.checks import InputError, integer, show
 from allworlds.protocol.importing import pairs_in
 

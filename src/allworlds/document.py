@@ -1,8 +1,28 @@
-"""Structs that are documents, and the types of their keys."""
+"""A document, described once: the class of a result names its keys, their types and meanings.
+
+A result is a frozen :class:`Document`: its fields are the keys of its JSON object, in their order,
+each annotated with its type and, by :func:`about`, with one line of meaning.  From the same class
+come the JSON (:meth:`Document.to_json`), the strict reading (:func:`parse`), the JSON Schemas and
+the reference of keys.
+
+With ``@with_options(Request)`` a class has a key for each option of a request, too, whose type and
+meaning stand beside the option.  A method with ``@computed`` is a key that follows from the fields,
+after which it stands: its type is that of the annotation, its meaning the docstring.
+
+Three things are said beside a type:
+
+``key: T | UnsetType = UNSET``
+    may be missing in the object;
+``key: IfAny[T]``
+    is missing while it is None or empty;
+``name: NotInDocument[T]``
+    belongs to the result in Python, and is no key.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import MISSING, fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
 from functools import cache, cached_property
@@ -12,6 +32,7 @@ from typing import (
     TYPE_CHECKING,
     Annotated,
     Any,
+    Final,
     Literal,
     NamedTuple,
     TypeAlias,
@@ -23,11 +44,24 @@ from typing import (
     get_type_hints,
 )
 
-from msgspec import NODEFAULT, UNSET, Meta, Struct, defstruct, field as key, to_builtins
+from msgspec import (
+    NODEFAULT,
+    UNSET,
+    Meta,
+    Struct,
+    UnsetType,
+    ValidationError,
+    convert,
+    defstruct,
+    field as key,
+    inspect,
+    to_builtins,
+)
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
+from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import Field, Option, in_scope
-from allworlds.outcome import Exit
+from allworlds.outcome import Exit, Facts
 
 T = TypeVar("T")
 
@@ -304,3 +338,200 @@ def replace(value: T, **changes: Any) -> T:
     copied: Any = replace_in_struct if isinstance(value, Struct) else replace_in_dataclass
     found: T = copied(value, **changes)
     return found
+
+
+SCHEMA: Final = 2
+"""The version of every document that a verb writes, and of a corpus's manifest."""
+
+
+class Pictured:
+    """A value that notebooks show as a picture."""
+
+    __slots__ = ()
+
+    def _repr_svg_(self) -> str:
+        """The picture that notebooks show."""
+        from allworlds.reports.drawing.svg import draw
+
+        return draw(self).svg  # type: ignore[arg-type]  # one of the two that it draws
+
+
+class Paged:
+    """A value that is printed as text, and that notebooks show as a page, or as a part of one."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        """The text of the command line, 100 columns wide."""
+        from allworlds.reports.notebook import text_of
+
+        return text_of(self)  # type: ignore[arg-type]  # a report, or a part of one
+
+    def __init_subclass__(cls, **keywords: Any) -> None:
+        super().__init_subclass__(**keywords)
+        # IPython takes the first class in line that has this, or a repr as dataclasses have.
+        cls._repr_pretty_ = Paged._repr_pretty_  # type: ignore[method-assign]
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:  # noqa: ARG002  # IPython's call
+        """Print the text in a plain IPython."""
+        printer.text(str(self))
+
+    def _repr_html_(self) -> str:
+        """The element that notebooks show."""
+        from allworlds.reports.notebook import shown
+
+        return shown(self)  # type: ignore[arg-type]  # as above
+
+
+class Host(Document):
+    """Host.
+
+    A machine and its software.
+    """
+
+    name: Annotated[str, about("in its network")]
+    system: Annotated[str, about("its operating system")]
+    machine: Annotated[str, about("its architecture")]
+    processor: Annotated[str, about("the model")]
+    cores: Annotated[Positive | None, about("of all processors")]
+    load: Annotated[Figure, about("processes that wanted a core, averaged over the last minute")]
+    python: Annotated[Text, about("the version of Python")]
+    numba: Annotated[Text | None, about("the version of the compiler; null: there is none")]
+
+
+class MadeBy(Document, kw_only=True):
+    """Made by.
+
+    Who made a document, where, when and how fast: nothing else in it depends on that.
+    """
+
+    version: Annotated[Text, about("of this program")]
+    command: Annotated[tuple[str, ...], about("the words of the command line, as they were given")]
+    defaults: Annotated[
+        dict[str, dict[str, Any]] | UnsetType,
+        about("the options that a file gave, by the file; left out: every option was given so"),
+    ] = UNSET
+    workers: Annotated[Positive | None, about("processes or threads; null: the verb takes none")]
+    host: Annotated[Host, about("the machine and its software")]
+    started: Annotated[
+        str,
+        Meta(
+            description="when the command began, in UTC",
+            pattern="^[0-9-]{10}T[0-9:]{8}Z$",
+        ),
+    ]
+    seconds: Annotated[Seconds, about("from the beginning until this document was written")]
+    level_seconds: Annotated[
+        tuple[Seconds, ...] | UnsetType, about("of `search`: for each of its `levels`")
+    ] = UNSET
+    claim_seconds: Annotated[
+        tuple[Seconds, ...] | UnsetType, about("of `claims`: for each of them")
+    ] = UNSET
+
+
+class Report(Paged, Document, kw_only=True):
+    """A document that a verb writes."""
+
+    schema: Annotated[Literal[2], about("the version of the document")] = SCHEMA
+    made_by: Annotated[MadeBy | UnsetType, about("in Python; always there on the command line")] = (
+        UNSET
+    )
+
+    @property
+    def facts(self) -> Facts:
+        """Facts that the exit code depends on.
+
+        The default stands for a question that was answered.
+        """
+        return Facts()
+
+    @computed
+    def exit_code(self) -> ExitCode:
+        """The exit code of the command."""
+        return self.facts.exit
+
+    @property
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        """The seconds that its parts took, by their keys in ``made_by``; by default no part."""
+        return {}
+
+    def records(self) -> list[dict[str, Any]]:
+        """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``."""
+        from allworlds.reports.notebook import records
+
+        return records(self)
+
+
+def parse(document: object, kind: type[T], what: str) -> T:
+    """The value of that type that a JSON value stands for.
+
+    Args:
+        document: as a parser of JSON hands it back.
+        kind: a type that msgspec knows.
+        what: the words for the whole.
+
+    Raises:
+        InputError: naming the offending value, where it stands, and what would be legal.
+    """
+    try:
+        return convert(document, kind)
+    except ValidationError as error:
+        if isinstance(error.__cause__, InputError):
+            raise error.__cause__ from None
+        said, path = _PLACED.fullmatch(str(error)).groups("")  # type: ignore[union-attr]
+        steps = path.lstrip(".").replace("[", ".[").split(".") if path else []
+        where = f"{path.lstrip('.')} = {show(_at(document, steps))}" if path else what
+        if legal := _legal(kind, steps) if said.startswith("Invalid enum") else []:
+            raise InputError(f"{where} is not one of {', '.join(map(str, legal))}") from None
+        said = show(said[:1].lower() + said[1:].replace("`", ""))[1:-1]
+        raise InputError(f"{where}: {said}") from None
+    except UnicodeEncodeError:
+        raise InputError(f"{what}: a key or a word in it is no text") from None
+
+
+_PLACED = re.compile(r"(.*?)(?: - at `(?:key` in `)?\$([^`\n]*)`)?", re.DOTALL)
+"""An error of msgspec: its words, and the path of the value."""
+
+
+def _at(document: Any, steps: Iterable[str]) -> object:
+    """The value to which steps such as ``rows`` and ``[0]`` lead, or the last one on the way."""
+    for step in steps:
+        if step == "[...]":
+            return document
+        try:
+            document = document[int(step[1:-1])] if step[:1] == "[" else document[step]
+        except (LookupError, TypeError, ValueError):
+            return document
+    return document
+
+
+def _legal(kind: Any, steps: Iterable[str]) -> list[object]:
+    """The values of an enumeration that stands where the steps lead."""
+    kinds = _alternatives(inspect.type_info(kind))
+    for step in steps:
+        kinds = [part for one in kinds for part in _part(one, step)]
+    legal: list[object] = []
+    for one in kinds:
+        if isinstance(one, inspect.LiteralType):
+            legal += one.values
+        elif isinstance(one, inspect.EnumType):
+            legal += [each.value for each in one.cls]
+    return legal
+
+
+def _part(kind: inspect.Type, step: str) -> list[inspect.Type]:
+    match kind:
+        case inspect.StructType(fields=told):
+            return [part for f in told if f.encode_name == step for part in _alternatives(f.type)]
+        case inspect.DictType(value_type=part) | inspect.CollectionType(item_type=part):
+            return _alternatives(part)
+    return []
+
+
+def _alternatives(kind: inspect.Type) -> list[inspect.Type]:
+    match kind:
+        case inspect.Metadata(type=one):
+            return _alternatives(one)
+        case inspect.UnionType(types=several):
+            return [one for each in several for one in _alternatives(each)]
+    return [kind]

@@ -1,9 +1,10 @@
-"""One movable marker that points nowhere, in simple worlds: Dudek, Jenkin, Milios, Wilkes 1991.
+"""Explorers to compare with: depth-first search under labels, and one movable marker.
 
-Each pass explores one dart.  At its unknown end the robot drops the marker, comes back, and looks
-for it at the vertices of S that this end could be (place validation).  If it is not found, the
-end is a new vertex.  If it is, the robot drops it at the known end of the dart, and tries the
-open darts there until one leads to it (back-link validation).
+The marker points nowhere, and the worlds are simple: Dudek, Jenkin, Milios, Wilkes 1991.  Each pass
+explores one dart.  At its unknown end the robot drops the marker, comes back, and looks for it at
+the vertices of S that this end could be (place validation).  If it is not found, the end is a new
+vertex.  If it is, the robot drops it at the known end of the dart, and tries the open darts there
+until one leads to it (back-link validation).
 
 In a simple world the answer is right.  Where edges are parallel, or a vertex has two loops,
 back-link validation can take a wrong dart for the other end, and no explorer with markers does
@@ -14,15 +15,61 @@ candidates are visited in the order of a depth-first walk of a spanning tree of 
 needs; the open darts there are tried clockwise from the dart of entry.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
-from allworlds.explorers.builtin.algorithm1 import Walk, nobody
-from allworlds.explorers.builtin.partial_map import PartialMap, walks
-from allworlds.protocol.actions import Drop, Move, Percept, Pick
-from allworlds.protocol.answers import Estimate
+from allworlds.explorers.builtin.algorithm1 import PartialMap, Walk, bearing_of, nobody, walks
+from allworlds.protocol.actions import Drop, Estimate, Move, Percept, Pick
 from allworlds.protocol.choices import Choices
+
+
+def dfs(
+    first: Percept,
+    *,
+    choices: Choices | None = None,
+    notice: Callable[[str], None] = nobody,
+) -> Walk[Estimate]:
+    """Explore under labels: the number tells the vertex, and the bearing the dart of entry.
+
+    A choice (``edge``) is by which open dart the robot leaves a vertex; events are ``known`` and
+    ``unknown`` vertices beyond a dart.
+
+    Cost: at most 2m traversals: an edge is walked along once, and back once at most.
+    """
+    choices = choices or Choices()
+    s, here = PartialMap(first), 0
+    # The number of each vertex, and its reference dart.
+    reference = {first.marks: s.turn(0, bearing_of(first))}
+    way: list[int] = []  # the darts that lead back to the first vertex
+    while s.unexplored:
+        at = s.first[s.vertex[here]]
+        around = range(at, at + s.expected[at].degree)
+        options = [dart for dart in around if s.alpha[dart] == dart]
+        if not options:
+            back = way.pop()
+            yield Move(s.offset(here, back))
+            here = s.alpha[back]
+            continue
+        cost = walks(s, s.vertex[here], options)
+        dart = choices.pick(options, of="edge", cost=cost)
+        seen = yield Move(s.offset(here, dart))
+        if seen.marks in reference:
+            notice("known")
+            entry = s.turn(reference[seen.marks], -bearing_of(seen))
+            s.add_loop(dart, entry)
+            if s.vertex[entry] == s.vertex[dart]:
+                here = entry
+            elif s.unexplored:
+                yield Move(0)
+                here = dart
+            else:
+                here = entry
+        else:
+            notice("unknown")
+            here = s.add_vertex(dart, seen)
+            reference[seen.marks] = s.turn(here, bearing_of(seen))
+            way.append(here)
+        yield s.checkpoint(here)
+    return s.estimate(here)
 
 
 def dudek91(
