@@ -21,6 +21,7 @@ PROGRAMS = {"README.md": "mine.py"}
 
 SLOW = {
     "README.md",
+    "docs/how-to/building.md",
     "docs/how-to/ci.md",
     "docs/how-to/lighthouse.md",
     "docs/how-to/pytest.md",

@@ -21,8 +21,8 @@ class Size(NamedTuple):
 
 
 MOST = {
-    "": Size(code=24_000, lines=41_000, files=158),
-    "engines": Size(code=6_050, lines=9_950, files=32),
+    "": Size(code=25_400, lines=43_400, files=173),
+    "engines": Size(code=6_060, lines=9_960, files=32),
     "engines/kernel": Size(code=2_350, lines=3_650, files=13),
 }
 """Of folders of ``src/allworlds``; the whole has the name of none."""

@@ -241,7 +241,7 @@ class GivenUnit(Struct, frozen=True):
         return (map_ for map_, _ in self.placed(extent, Nothing))
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The same, each with every place that is left open."""
+        """The maps, each with every place that is left open."""
         for each in self.given:
             if extent.include(each.map):
                 yield from each.placed(kind)

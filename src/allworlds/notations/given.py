@@ -197,7 +197,7 @@ def files_of(*names: str) -> tuple[Digest, ...]:
 
 
 @lru_cache(maxsize=4)
-def worlds_of_files(codes: tuple[Digest, ...], order: Order, y: YAxis | None) -> GivenMaps:
+def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | None) -> GivenMaps:
     """Every world of these files; they are read twice, and never held.
 
     Raises:
@@ -234,7 +234,7 @@ def embeddings_of(
     of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
     if which != "all" and not of_genus:
         raise InputError(f"embeddings {show(which)} is not one of all, genus:G, as in genus:1")
-    named = entry_named(graph, "", order or "clockwise", y) if codes else None
+    named = entry_named(graph, "", order, y) if codes else None
     entry = named or Entry(named_map(graph))
     genus = int(of_genus[1]) if of_genus else None
     labels = Labelling(entry.labels.name, entry.labels.vertices)
@@ -307,22 +307,9 @@ def _said(meaning: str) -> Any:
     return Annotated[IfAny[Text | None], told]  # type: ignore[misc]  # a value here
 
 
-class GivenOptions(Request):
-    """The part of a request that gives worlds in place of those of a class."""
+class FileOptions(Request):
+    """The part of a request that says how files list edges, and where their y axis leads."""
 
-    worlds: Annotated[
-        Converted[Any, tuple[Any, ...] | None],
-        Option(
-            SCOPE,
-            "FILE",
-            "Every world of a file in place of a class, from every start, with every place of the "
-            "lighthouse, unless the file fixes them. Of several files: repeat the option.",
-            repeated=True,
-            document_type=Annotated[
-                IfAny[tuple[Text, ...] | None], about("the files of the worlds, if there are any")
-            ],
-        ),
-    ] = Converted(_worlds, None)
     order: Annotated[
         Order | None,
         Option(
@@ -341,6 +328,24 @@ class GivenOptions(Request):
             document_type=_said("where the y of positions in files grows"),
         ),
     ] = None
+
+
+class GivenOptions(FileOptions):
+    """The part of a request that gives worlds in place of those of a class."""
+
+    worlds: Annotated[
+        Converted[Any, tuple[Any, ...] | None],
+        Option(
+            SCOPE,
+            "FILE",
+            "Every world of a file in place of a class, from every start, with every place of the "
+            "lighthouse, unless the file fixes them. Of several files: repeat the option.",
+            repeated=True,
+            document_type=Annotated[
+                IfAny[tuple[Text, ...] | None], about("the files of the worlds, if there are any")
+            ],
+        ),
+    ] = Converted(_worlds, None)
     graph: Annotated[
         str | None,
         Option(
@@ -383,7 +388,7 @@ class GivenOptions(Request):
             codes = files_of(graph) if existing_file("graph", graph) else ()
             return embeddings_of(graph, codes, which or "all", order, y)
         if files and self.worlds:
-            return worlds_of_files(files_of(*self.worlds), order or "clockwise", y)
+            return worlds_of_files(files_of(*self.worlds), order, y)
         if self.worlds is not None and getattr(self, "run", None) is not None:
             raise InputError(
                 "run keeps no worlds that live in this process alone; write them into a file, and "

@@ -147,7 +147,7 @@ def notation_of(file: str | Path) -> Notation:
 
 
 def entries(
-    file: str | Path, order: Order = "clockwise", y: YAxis | None = None
+    file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> Iterator[tuple[int, Entry]]:
     """Every world of a file in any notation, with the offset in bytes at which it begins.
 
@@ -169,7 +169,7 @@ def entries(
             raise InputError("there is no world in it")
 
 
-def _check(notation: Notation, order: str, y: str | None) -> None:
+def _check(notation: Notation, order: str | None, y: str | None) -> None:
     for name, given, known in (("order", order, Order), ("y", y, YAxis)):
         if given is not None and given not in get_args(known):
             raise InputError(f"{name} {show(given)} is neither {' nor '.join(get_args(known))}")
@@ -177,11 +177,11 @@ def _check(notation: Notation, order: str, y: str | None) -> None:
         raise InputError(f"y {y} has no effect on {notation.name}, where positions decide nothing")
 
 
-def _turned(entry: Entry, notation: Notation, order: Order, y: YAxis | None) -> Entry:
+def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | None) -> Entry:
     """The entry as it is meant, which was read clockwise and with the y axis upward."""
     labels = entry.labels.checked(entry.map)
     if notation.positions and labels.positions:
-        if order != "clockwise":
+        if order == "anticlockwise":
             raise InputError(f"order {order} has no effect on positions; y up or y down has")
         turn = (y or notation.y) == "down"
         upward = tuple((right, 0.0 - up) for right, up in labels.positions)
@@ -194,7 +194,7 @@ def _turned(entry: Entry, notation: Notation, order: Order, y: YAxis | None) -> 
 
 
 def entry_at(
-    file: str | Path, offset: int, order: Order = "clockwise", y: YAxis | None = None
+    file: str | Path, offset: int, order: Order | None = None, y: YAxis | None = None
 ) -> Entry:
     """The world of a file at an offset that :func:`entries` has told.
 
@@ -214,7 +214,7 @@ def entry_at(
 
 
 @lru_cache(maxsize=4)
-def _whole(file: str, _changed: int, order: Order, y: YAxis | None) -> tuple[Entry, ...]:
+def _whole(file: str, _changed: int, order: Order | None, y: YAxis | None) -> tuple[Entry, ...]:
     """All entries of a file, as long as it does not change."""
     return tuple(entry for _, entry in entries(file, order, y))
 
@@ -224,7 +224,7 @@ SHOWN = 5
 
 
 def entry_named(
-    file: str | Path, name: str, order: Order = "clockwise", y: YAxis | None = None
+    file: str | Path, name: str, order: Order | None = None, y: YAxis | None = None
 ) -> Entry:
     """The world of that name in the file, or of that number, from 1 on; the only one for ``""``.
 

@@ -286,7 +286,7 @@ def as_recorded(records: Mapping[str, str]) -> Iterator[None]:
 
 
 def recorded(plain: str) -> str | None:
-    """What was recorded of that name, while a record is read; else None."""
+    """The text that was recorded under that name, while a record is read; else None."""
     return _RECORDED.get().get(plain)
 
 

@@ -7,13 +7,12 @@ from typing import Annotated
 
 from allworlds.document import Document, Edges, Natural, Positive, Report, Vertices, about
 from allworlds.inputs.checks import InputError, a_path, show
-from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, Request, answers
+from allworlds.inputs.requests import OUTPUT, Argument, Option, answers
 from allworlds.maps.combinatorial import automorphisms
 from allworlds.notations.entry import Entry
+from allworlds.notations.given import FileOptions
 from allworlds.notations.table import (
     PARTS,
-    Order,
-    YAxis,
     entries,
     legal,
     to_write,
@@ -21,28 +20,7 @@ from allworlds.notations.table import (
 )
 
 
-class FileOrder(Request):
-    """The part of a request that says how files list edges, and where their y axis leads."""
-
-    order: Annotated[
-        Order,
-        Option(
-            SCOPE,
-            "ORDER",
-            "In which order the file lists the edges round a vertex: clockwise or anticlockwise.",
-        ),
-    ] = "clockwise"
-    y: Annotated[
-        YAxis | None,
-        Option(
-            SCOPE,
-            "UP|DOWN",
-            "Where y grows in a file with positions: up or down [default: that of its notation].",
-        ),
-    ] = None
-
-
-class ConvertRequest(FileOrder, kw_only=False):
+class ConvertRequest(FileOptions, kw_only=False):
     """Request of ``convert``: a file of worlds, and where they are written."""
 
     file: Annotated[
