@@ -14,7 +14,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Move
 from allworlds.reports.drawing.layout import Layout, drawn_beside
 from allworlds.reports.drawing.positions import laid_out
-from allworlds.reports.drawing.svg import SHORT, document, picture, raw, record, tag
+from allworlds.reports.drawing.svg import document, picture, raw, record, tag
 from allworlds.reports.parts import (
     Block,
     DataRecord,
@@ -172,14 +172,13 @@ def figure(
         tabindex="0",
         aria_label=f"{title}, which can be scrolled",
     )
-    cut, lettered = scene.cut_names(SHORT), (drawn or laid_out(scene)).letters
+    lettered = (drawn or laid_out(scene)).letters
     known = "edges go on at the same letter" if lettered else "edges that cross do not meet"
     about = f", genus {genus}" + (f"; {known}" if genus else "")
     return tag(
         "figure",
         tag("figcaption", tag("b", title), about),
         frame,
-        *([tag("p", f"{'; '.join(cut)}.", class_="legend")] if cut else []),
         tag("p", *legend, class_="legend"),
         data_title=title,
     )
