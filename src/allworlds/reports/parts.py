@@ -199,9 +199,17 @@ class Paragraph(Struct, frozen=True):
 
 
 class FactList(Struct, frozen=True):
-    """Named sentences; one without a name goes on with the fact before."""
+    """Named sentences; one without a name goes on with the fact before.
 
-    entries: Sequence[tuple[str, str]]
+    Those that are empty are not shown.
+    """
+
+    given: Sequence[tuple[str, str]]
+
+    @property
+    def entries(self) -> list[tuple[str, str]]:
+        """Those that are not."""
+        return [(name, text) for name, text in self.given if text]
 
 
 class Table(Struct, frozen=True):
