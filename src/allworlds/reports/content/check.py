@@ -117,7 +117,10 @@ def verdict_of(report: CheckReport) -> parts.Headline:
         return parts.Headline("EMPTY", said, "vacuous")
     match report.verdict:
         case Verdict.HOLDS | Verdict.NOT_REFUTED:
-            text = f"{done}: no law is broken{_in_shard(report)}"
+            text = f"{done}: no law is broken"
+            if isinstance(shard := report.asked.portion, units.Shard):
+                whole = "the verdict on the whole needs the merge of all shards"
+                text = f"{text} in shard {shard}; {whole}"
         case Verdict.REFUTED:
             first = report.findings[0]
             text = f"law {first.law} is broken; {done} in {where}"
@@ -128,14 +131,6 @@ def verdict_of(report: CheckReport) -> parts.Headline:
         case Verdict.ERROR:
             text = report.ending.reason
     return parts.Headline(report.verdict.value.upper(), text, report.verdict.value)
-
-
-def _in_shard(report: CheckReport) -> str:
-    """A remark that this is only a shard; empty for a whole check."""
-    shard = report.asked.portion
-    if not isinstance(shard, units.Shard):
-        return ""
-    return f" in shard {shard}; the verdict on the whole needs the merge of all shards"
 
 
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
