@@ -3,7 +3,6 @@
 import pickle
 from random import Random
 
-import networkx as nx
 import pytest
 
 from allworlds.inputs.checks import InputError
@@ -83,21 +82,25 @@ def test_a_document_holds_them_and_is_read_again():
 @pytest.mark.parametrize(
     ("key", "given", "said"),
     [
-        ("name", 7, "name = 7 is no printable text"),
+        ("name", 7, "name = 7: expected str, got int"),
         ("name", "a\nb", "name = 'a\\nb' is no printable text"),
-        ("names", "abc", "names = 'abc' is no list of 3, one for each vertex of the map"),
+        ("names", "abc", "names = 'abc': expected array, got str"),
         ("names", ["a"], "names = ['a'] is no list of 3, one for each vertex of the map"),
         ("names", ["a", "", "c"], "names[1] = '' is no printable text"),
         ("names", ["a", " ", "c"], "names[1] = ' ' is no printable text"),
-        ("names", ["a", "b", 3], "names[2] = 3 is no printable text"),
+        ("names", ["a", "b", 3], "names[2] = 3: expected str, got int"),
         ("names", ["a", "b\u202e", "c"], "names[1] = 'b\\u202e' is no printable text"),
         ("names", ["a", "b", "a"], "names[2] = 'a' is names[0], too; names differ"),
-        ("positions", None, "positions = None is no list of 3, one for each vertex of the map"),
+        ("positions", None, "positions = None: expected array, got null"),
         ("positions", [[0, 0]] * 2, "is no list of 3"),
-        ("positions", [[0, 0], [1, 2, 3], [1, 1]], "positions[1] = [1, 2, 3] is no pair of"),
-        ("positions", [[0, 0], [1, 0], [1, "1"]], "positions[2] = [1, '1'] is no pair of"),
-        ("positions", [[0, float("nan")], [1, 0], [1, 1]], "positions[0] = [0, nan] is no pair"),
-        ("positions", [[0, 0], [1, 0], [1, 10**400]], "is no pair of finite numbers"),
+        (
+            "positions",
+            [[0, 0], [1, 2, 3], [1, 1]],
+            "positions[1] = [1, 2, 3]: expected array of length 2, got 3",
+        ),
+        ("positions", [[0, 0], [1, 0], [1, "1"]], "positions[2][1] = '1': expected float, got str"),
+        ("positions", [[0, float("nan")], [1, 0], [1, 1]], "positions[0][1] = nan: expected float"),
+        ("positions", [[0, 0], [1, 0], [1, 10**400]], "number out of range"),
         ("label", "a", "legal are sigma, alpha, start, lighthouse, name, names, positions"),
     ],
 )
@@ -124,33 +127,3 @@ def test_a_finding_gets_the_labels_of_the_first_given_world_that_is_the_same():
         assert found.labels.name == name
     elsewhere = [World(PATH, "position", start, labels=Labelling("x")) for start in PATH.darts]
     assert labelled(plain, elsewhere) is plain
-
-
-def test_a_graph_has_the_labels_and_gives_them_back():
-    world = corridor()
-    graph = world.to_networkx()
-    assert nx.get_node_attributes(graph, "pos") == dict(enumerate(world.labels.positions))
-    again = World.from_networkx(graph)
-    assert (again, again.labels) == (world, world.labels)
-    nodes = [*graph.nodes(data=True)]
-    other = nx.MultiGraph(**graph.graph)
-    other.add_nodes_from(reversed(nodes))  # in another order than the vertices
-    other.add_edges_from(world.to_networkx().edges(keys=True, data=True))
-    assert World.from_networkx(other).labels == world.labels
-    assert World.from_networkx(World(PATH).to_networkx()).labels == Labelling()
-
-
-def test_nodes_of_a_plan_are_the_names_and_its_positions_are_kept():
-    plan = nx.Graph([("hall", "bath"), ("F", "hall")], name="tower")
-    places = {"hall": (0, 0), "bath": (0, 1), "F": (1, 0)}
-    nx.set_node_attributes(plan, places, "pos")
-    for order in ("positions", "planar"):
-        labels = World.from_networkx(plan, order=order).labels
-        assert labels == Labelling("tower", ("hall", "bath", "F"), (*places.values(),))
-
-
-@pytest.mark.parametrize("nodes", [(0, 1), (1, "1"), ("a\nb", "c"), (float("nan"), " ")])
-def test_nodes_that_can_be_no_names_are_none(nodes):
-    graph = nx.Graph([nodes])
-    graph.nodes[nodes[0]]["pos"] = "here"
-    assert World.from_networkx(graph, order="planar").labels == Labelling()
