@@ -3,6 +3,7 @@
 import pickle
 from random import Random
 
+import networkx as nx
 import pytest
 
 from allworlds.inputs.checks import InputError
@@ -127,3 +128,33 @@ def test_a_finding_gets_the_labels_of_the_first_given_world_that_is_the_same():
         assert found.labels.name == name
     elsewhere = [World(PATH, "position", start, labels=Labelling("x")) for start in PATH.darts]
     assert labelled(plain, elsewhere) is plain
+
+
+def test_a_graph_has_the_labels_and_gives_them_back():
+    world = corridor()
+    graph = world.to_networkx()
+    assert nx.get_node_attributes(graph, "pos") == dict(enumerate(world.labels.positions))
+    again = World.from_networkx(graph)
+    assert (again, again.labels) == (world, world.labels)
+    nodes = [*graph.nodes(data=True)]
+    other = nx.MultiGraph(**graph.graph)
+    other.add_nodes_from(reversed(nodes))  # in another order than the vertices
+    other.add_edges_from(world.to_networkx().edges(keys=True, data=True))
+    assert World.from_networkx(other).labels == world.labels
+    assert World.from_networkx(World(PATH).to_networkx()).labels == Labelling()
+
+
+def test_nodes_of_a_plan_are_the_names_and_its_positions_are_kept():
+    plan = nx.Graph([("hall", "bath"), ("F", "hall")], name="tower")
+    places = {"hall": (0, 0), "bath": (0, 1), "F": (1, 0)}
+    nx.set_node_attributes(plan, places, "pos")
+    for order in ("positions", "planar"):
+        labels = World.from_networkx(plan, order=order).labels
+        assert labels == Labelling("tower", ("hall", "bath", "F"), (*places.values(),))
+
+
+@pytest.mark.parametrize("nodes", [(0, 1), (1, "1"), ("a\nb", "c"), (float("nan"), " ")])
+def test_nodes_that_can_be_no_names_are_none(nodes):
+    graph = nx.Graph([nodes])
+    graph.nodes[nodes[0]]["pos"] = "here"
+    assert World.from_networkx(graph, order="planar").labels == Labelling()

@@ -1,10 +1,11 @@
 import json
 from random import Random
 
+import networkx as nx
 import pytest
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.maps import InvalidMap, from_cycles, rooted_maps
+from allworlds.maps import InvalidMap, from_cycles, from_networkx, named_map, rooted_maps
 from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, InvalidWorld, World
 from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_kind
@@ -393,3 +394,26 @@ def test_without_a_lighthouse_a_world_has_the_directional_one_of_a_document_with
 def test_what_makes_no_world_is_named(given, said):
     with pytest.raises(InputError, match=said):
         World(*given)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda g: g.add_edge(0, 1), "the edge from 0 to 1 has no attribute 'darts'"),
+        (lambda g: g.remove_edge(0, 1), "no edge has dart 0 of node 0, nor dart 3 of node 1"),
+        (lambda g: g.clear_edges(), "node 0 has no edge"),
+    ],
+)
+def test_a_graph_of_a_world_that_was_changed_is_refused(change, said):
+    graph = World(named_map("k4"), "directional").to_networkx()
+    change(graph)
+    with pytest.raises(InvalidMap, match=said):
+        World.from_networkx(graph)
+
+
+def test_a_world_is_not_made_of_a_graph_without_an_order_unless_one_is_named():
+    for graph in (nx.Graph([(0, 0), (0, 1)]), nx.triangular_lattice_graph(2, 2)):
+        with pytest.raises(InvalidMap, match=r"maps\.from_cycles"):
+            World.from_networkx(graph)
+    world = World.from_networkx(graph, "position", 3, order="positions")
+    assert world == World(from_networkx(graph, "positions"), "position", 3)

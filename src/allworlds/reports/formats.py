@@ -12,7 +12,6 @@ import os
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -231,38 +230,77 @@ def project_folder() -> Path:
     return Path(os.environ.get("GITHUB_WORKSPACE") or Path.cwd()).resolve()
 
 
-CONTENTS = (
-    ("content.check", "check_content", {"CheckReport", "TimeEstimate"}),
-    ("content.single_run", "run_content", {"SingleRun", "WorldNames"}),
-    ("content.single_run", "replay_content", {"Replay"}),
-    ("content.single_run", "explain_content", {"Explanation"}),
-    ("content.plain", "init_content", {"Skeleton", "LedgerSkeleton", "Header"}),
-    ("web.play", "play_content", {"Play"}),
-    ("content.plain", "status_content", {"Standing"}),
-    ("content.compare", "compare_content", {"Comparison", "Growth"}),
-    ("content.sizes", "worst_content", {"WorstReport"}),
-    ("content.sizes", "count_content", {"Census"}),
-    ("content.ambiguity", "twins_content", {"ComparedWorlds"}),
-    ("content.ambiguity", "class_content", {"AmbiguityClass"}),
-    ("content.ambiguity", "census_content", {"AmbiguityCensus"}),
-    ("content.ambiguity", "search_content", {"SearchResult"}),
-    ("content.ledger", "ledger_content", {"LedgerReport"}),
-)
-"""The module and the function that make the content of results of these classes."""
-
-
 def content_of(result: Any) -> parts.ReportContent:
     """The content of the report of a verb's result."""
-    made: parts.ReportContent = _maker(type(result))(result)
-    return made
+    return _maker(type(result))(result)
 
 
-def _maker(kind: type) -> Any:
+def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
     """The function that makes it; of a report without words of its own keys and rows are shown."""
-    # No two classes of this package have one name.
-    places = (place for *place, names in CONTENTS if kind.__name__ in names)
-    module, function = next(places, ("content.plain", "plain_content"))
-    return getattr(import_module(f"allworlds.reports.{module}"), function)
+    match kind.__name__:  # which no other class of this package has
+        case "CheckReport" | "TimeEstimate":
+            from allworlds.reports.content.check import check_content
+
+            return check_content
+        case "SingleRun" | "WorldNames":
+            from allworlds.reports.content.single_run import run_content
+
+            return run_content
+        case "Replay":
+            from allworlds.reports.content.single_run import replay_content
+
+            return replay_content
+        case "Explanation":
+            from allworlds.reports.content.single_run import explain_content
+
+            return explain_content
+        case "Skeleton" | "LedgerSkeleton" | "Header":
+            from allworlds.reports.content.plain import init_content
+
+            return init_content
+        case "Play":
+            from allworlds.reports.web.play import play_content
+
+            return play_content
+        case "Standing":
+            from allworlds.reports.content.plain import status_content
+
+            return status_content
+        case "Comparison" | "Growth":
+            from allworlds.reports.content.compare import compare_content
+
+            return compare_content
+        case "WorstReport":
+            from allworlds.reports.content.sizes import worst_content
+
+            return worst_content
+        case "Census":
+            from allworlds.reports.content.sizes import count_content
+
+            return count_content
+        case "ComparedWorlds":
+            from allworlds.reports.content.ambiguity import twins_content
+
+            return twins_content
+        case "AmbiguityClass":
+            from allworlds.reports.content.ambiguity import class_content
+
+            return class_content
+        case "AmbiguityCensus":
+            from allworlds.reports.content.ambiguity import census_content
+
+            return census_content
+        case "SearchResult":
+            from allworlds.reports.content.ambiguity import search_content
+
+            return search_content
+        case "LedgerReport":
+            from allworlds.reports.content.ledger import ledger_content
+
+            return ledger_content
+    from allworlds.reports.content.plain import plain_content
+
+    return plain_content
 
 
 def text(result: Any, width: int) -> str:

@@ -1,7 +1,7 @@
 """The labels of a world: its name, and the names and positions of its vertices."""
 
-from collections.abc import Sequence
-from typing import Annotated, TypeAlias
+from collections.abc import Mapping, Sequence
+from typing import Annotated, Any, TypeAlias
 
 from msgspec import Meta, Struct
 
@@ -88,3 +88,20 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
 
 PLAIN = Labelling()
 """No labels."""
+
+
+def labels_of_nodes(
+    name: object, nodes: Sequence[tuple[object, Mapping[str, Any]]], map_: CombinatorialMap
+) -> Labelling:
+    """The labels that nodes, in the order of vertices, and their attributes make; else none."""
+    names = [data.get("name", node) for node, data in nodes]
+    if names == [*range(map_.vertex_count)]:
+        names = []
+    try:
+        places = [tuple(map(float, data["pos"])) for _, data in nodes]
+    except (KeyError, TypeError, ValueError):
+        places = []
+    try:
+        return Labelling(str(name), tuple(map(str, names)), places).checked(map_)  # type: ignore[arg-type]  # that is checked
+    except InvalidWorld:
+        return PLAIN

@@ -3,14 +3,15 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from allworlds.document import Document, IfAny, Pair, Pictured, about
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
+from allworlds.maps.networks import from_networkx, to_networkx
 from allworlds.protocol.actions import Action, IllegalAction, Move, Percept, Told
 from allworlds.words import size
-from allworlds.world.labels import PLAIN, Labelling
+from allworlds.world.labels import PLAIN, Labelling, labels_of_nodes
 from allworlds.world.lighthouses.base import Lighthouse, State
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional
@@ -150,6 +151,53 @@ class World(Pictured):
         return World(
             self.map.mirrored(), self.lighthouse, self.start, labels=self.labels.mirrored()
         )
+
+    def to_networkx(self) -> Any:
+        """The graph of the map, of networkx; see :func:`allworlds.maps.networks.to_networkx`.
+
+        Its attributes ``start`` and ``lighthouse`` are those of the world's document; ``name`` and
+        ``pos`` of its nodes, and its own ``name``, are the labels, where there are any.
+        :meth:`from_networkx` takes them back.
+        """
+        graph, labels = to_networkx(self.map), self.labels
+        graph.graph.update(start=self.start, lighthouse=self.lighthouse.to_json())
+        graph.graph.update({"name": labels.name} if labels.name else {})
+        for key, values in (("name", labels.vertices), ("pos", labels.positions)):
+            for vertex, value in enumerate(values):
+                graph.nodes[vertex][key] = value
+        return graph
+
+    @classmethod
+    def from_networkx(
+        cls,
+        graph: Any,
+        lighthouse: Lighthouse | GivenLighthouse | None = None,
+        start: Dart = 0,
+        order: Literal["positions", "planar"] | None = None,
+    ) -> "World":
+        """The world in the map of a graph of networkx.
+
+        Args:
+            graph: as :func:`allworlds.maps.networks.from_networkx` takes it.
+            lighthouse: as for a world, if the graph has no attribute of that name.
+            start: likewise.
+            order: as there; only ``darts`` fix the numbers of darts that these two name.
+
+        The nodes' attributes ``name``, or the nodes themselves unless they are 0, 1, ..., and the
+        attributes ``pos`` are the labels, if they can be.
+
+        Raises:
+            InvalidMap, InvalidWorld: naming the offending value and what would be legal.
+        """
+        map_, told = from_networkx(graph, order), graph.graph
+        begin = a_start(told.get("start", start), map_)
+        if "lighthouse" in told:
+            lighthouse = lighthouse_from_json(told["lighthouse"], map_, begin)
+        nodes = [*graph.nodes(data=True)]
+        if order is None and "darts" in nodes[0][1]:
+            nodes.sort(key=lambda node: map_.vertex_of[node[1]["darts"][0]])
+        labels = labels_of_nodes(told.get("name", ""), nodes, map_)
+        return cls(map_, lighthouse, begin, labels=labels)
 
     def to_json(self) -> dict[str, Any]:
         """The document :class:`WorldDocument`."""
