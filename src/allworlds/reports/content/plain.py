@@ -36,7 +36,7 @@ def plain_content(report: doc.Report) -> ReportContent:
         if isinstance(value, list) and value and all(isinstance(row, dict) for row in value):
             header = [*value[0]]
             cells = [[_cell(row.get(name)) for name in header] for row in value]
-            tables.append(Table(header, cells, key))
+            tables.append(Table(header, cells, words.plural(len(value), key.removesuffix("s"))))
             rows = rows if rows.columns else _rows(header, value)
         else:
             facts.append((key, str(_cell(value))))
