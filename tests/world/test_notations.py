@@ -23,7 +23,6 @@ from allworlds.maps import (
     unrooted_code,
 )
 from allworlds.maps.combinatorial import rooted_code
-from allworlds.notations.entry import Entry
 from allworlds.notations.table import (
     NOTATIONS,
     PARTS,
@@ -35,6 +34,7 @@ from allworlds.notations.table import (
     written,
 )
 from allworlds.world.labels import Labelling
+from allworlds.world.world import Entry
 from small import LOLLIPOP, TORUS, all_maps
 
 PLANTRI = Path(__file__).parents[1] / "support" / "data" / "plantri"

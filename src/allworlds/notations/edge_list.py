@@ -12,8 +12,9 @@ from typing import IO
 
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import from_cycles
-from allworlds.notations.entry import Entry, at, text_of
+from allworlds.notations.entry import at, text_of
 from allworlds.world.labels import Labelling
+from allworlds.world.world import Entry
 
 COLUMNS = ["from", "to", "from_rank", "to_rank"]
 

@@ -24,7 +24,6 @@ from allworlds.maps.combinatorial import (
     rooted_code,
 )
 from allworlds.maps.networks import embeddings, to_networkx
-from allworlds.notations.entry import Entry
 from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
 from allworlds.protocol.user_code import recorded
 from allworlds.words import listed, plural
@@ -32,7 +31,7 @@ from allworlds.world.labels import PLAIN, Labelling
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import LighthouseKind, kind_of, lighthouse_from_json
 from allworlds.world.lighthouses.options import InvalidWorld
-from allworlds.world.world import World
+from allworlds.world.world import Entry, World
 
 PIECE = 50
 """The given maps that one worker does at a time."""

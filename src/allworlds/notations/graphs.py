@@ -22,9 +22,10 @@ from xml.etree import ElementTree as ET
 
 from allworlds.inputs.checks import InputError, parse_json, show
 from allworlds.maps.networks import compared, from_positions, undirected
-from allworlds.notations.entry import Entry, text_of
+from allworlds.notations.entry import text_of
 from allworlds.notations.objects import entry_of_rotation
 from allworlds.world.labels import Labelling
+from allworlds.world.world import Entry
 
 if TYPE_CHECKING:
     import networkx as nx

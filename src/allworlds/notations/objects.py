@@ -22,12 +22,11 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import from_rotation
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles, inverse
 from allworlds.maps.networks import permutation
-from allworlds.notations.entry import Entry, at
+from allworlds.notations.entry import at
 from allworlds.world.labels import Labelling
-from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys
-from allworlds.world.world import a_start
+from allworlds.world.lighthouses.options import InvalidWorld
+from allworlds.world.world import Entry, WorldDocument
 
-OWN = ("sigma", "alpha", "start", "lighthouse", "name", "names", "positions")
 CYCLES = {"vp": "vertices", "ep": "edges", "fp": "faces"}
 """Other names of the keys of a fat graph."""
 
@@ -44,7 +43,7 @@ def entry_of(given: object, name: str = "") -> Entry:
             f"edges, not {show(given)}"
         )
     if {"sigma", "alpha"} & given.keys():
-        return _own(given, name)
+        return Entry.from_json(given, name)
     rotation = all(isinstance(each, list) for each in given.values())
     if given.keys() & {"findings", "finding", "law"} and not rotation:
         raise InputError("this is a report or a finding, not a world; see replay and explain")
@@ -52,17 +51,6 @@ def entry_of(given: object, name: str = "") -> Entry:
     if 1 < len(fat) == len(given) and fat.keys() <= {*CYCLES.values()}:
         return Entry(_fat(fat), Labelling(name))
     return entry_of_rotation(given, name)
-
-
-def _own(given: Mapping[str, Any], name: str) -> Entry:
-    refuse_other_keys("world", given, OWN)
-    if given.get("lighthouse", "") is None:
-        raise InvalidWorld("lighthouse = None is no object; without one any may stand there")
-    map_, start = CombinatorialMap.from_json(given), given.get("start")
-    names, positions = given.get("names", ()), given.get("positions", ())
-    labels = Labelling(given.get("name", name), names, positions)
-    start = None if start is None else a_start(start, map_)
-    return Entry(map_, labels, start, given.get("lighthouse"))
 
 
 def entry_of_rotation(given: Mapping[Any, Any], name: str = "") -> Entry:
@@ -140,5 +128,9 @@ def own_of(entry: Entry) -> dict[str, Any]:
     """The object of a world in our notation."""
     labels, map_ = entry.labels, entry.map
     values = map_.sigma, map_.alpha, entry.start, entry.lighthouse
-    told = zip(OWN, (*values, labels.name, labels.vertices, labels.positions), strict=True)
+    told = zip(
+        WorldDocument.__struct_fields__,
+        (*values, labels.name, labels.vertices, labels.positions),
+        strict=True,
+    )
     return {key: value for key, value in told if value not in ("", None, ())}

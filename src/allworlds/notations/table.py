@@ -10,7 +10,6 @@ from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, a_path, in_file, one_of, read_text, show
 from allworlds.notations.edge_list import read_edge_list, write_edge_list
-from allworlds.notations.entry import Entry
 from allworlds.notations.graphs import read_gml, read_graphml, read_yed
 from allworlds.notations.objects import entry_of, fat_of, own_of
 from allworlds.notations.plantri import (
@@ -30,6 +29,7 @@ from allworlds.notations.worlds_as_json import (
     write_rotations,
 )
 from allworlds.world.labels import Labelling
+from allworlds.world.world import Entry
 
 Order: TypeAlias = Literal["clockwise", "anticlockwise"]
 """In which order a file lists the edges round a vertex."""

@@ -6,8 +6,9 @@ from contextlib import nullcontext
 from typing import IO, Any
 
 from allworlds.inputs.checks import InputError, parse_json, show
-from allworlds.notations.entry import Entry, at, lines_of, text_of
+from allworlds.notations.entry import at, lines_of, text_of
 from allworlds.notations.objects import entry_of, own_of, rotation_of
+from allworlds.world.world import Entry
 
 Objects = Iterator[tuple[int, Entry]]
 

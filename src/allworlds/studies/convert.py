@@ -9,7 +9,6 @@ from allworlds.document import Document, Edges, Natural, Positive, Report, Verti
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Argument, Option, answers
 from allworlds.maps.combinatorial import automorphisms
-from allworlds.notations.entry import Entry
 from allworlds.notations.given import FileOptions
 from allworlds.notations.table import (
     PARTS,
@@ -18,6 +17,7 @@ from allworlds.notations.table import (
     to_write,
     written,
 )
+from allworlds.world.world import Entry
 
 
 class ConvertRequest(FileOptions, kw_only=False):
