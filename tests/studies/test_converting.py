@@ -65,10 +65,9 @@ def test_worlds_are_written_in_the_notation_of_the_suffix(cli, tmp_path):
 def test_what_is_not_written_leaves_the_old_file(refused, tmp_path):
     old = tmp_path / "old.pl"
     old.write_bytes(b"old")
-    assert "world 1 is not written: planar_code has no place for its name; without name leaves" in (
-        refused("convert", plans(tmp_path), "-o", old)
-    )
-    refused("convert", plans(tmp_path), "-o", old, "--without", "name")
+    loop = plans(tmp_path, json.dumps({"hall": ["hall", "hall"]}))
+    why = "world 1 is not written: vertex hall has a loop, not told so"
+    assert why in refused("convert", loop, "-o", old)
     assert old.read_bytes() == b"old"
     assert [*tmp_path.glob("*.part")] == []
 
@@ -76,8 +75,6 @@ def test_what_is_not_written_leaves_the_old_file(refused, tmp_path):
 @pytest.mark.parametrize(
     ("words", "why"),
     [
-        (["--without", "names"], "without names has no effect where nothing is written"),
-        (["-o", "x.pl", "--without", "rooms"], "without 'rooms': legal are name, names, positions"),
         (["-o", "x.pl", "-o", "x.ec"], "-o 'x.ec' is a second file of worlds; one is written"),
         (["-o", "x.graphml"], "worlds cannot be written as 'x.graphml'; legal are .json, "),
         (["-o", "x.odd"], "-o 'x.odd' is no file that convert writes: .json, "),
@@ -91,9 +88,11 @@ def test_options_without_a_meaning_are_refused(words, why, refused, tmp_path, mo
     assert [*tmp_path.iterdir()] == [tmp_path / "plans.json"]
 
 
-def test_all_but_the_map_is_left_out_where_that_is_asked(tmp_path):
-    told = convert(plans(tmp_path), output=tmp_path / "x.pl", without="name,names")
+def test_what_a_notation_has_no_place_for_is_left_out_and_told(tmp_path):
+    told = convert(plans(tmp_path), output=tmp_path / "x.pl")
     assert (told.written, len(told.rows)) == (str(tmp_path / "x.pl"), 2)
+    assert told.left_out == ("name", "names")
+    assert convert(plans(tmp_path), output=tmp_path / "x.jsonl").left_out is None
     assert [entry.labels.vertices for _, entry in entries(tmp_path / "x.pl")] == [(), ()]
 
 

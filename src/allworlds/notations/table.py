@@ -11,7 +11,7 @@ from msgspec import Struct
 from allworlds.inputs.checks import InputError, a_path, in_file, one_of, read_text, show
 from allworlds.notations.edge_list import read_edge_list, write_edge_list
 from allworlds.notations.graphs import read_gml, read_graphml, read_yed
-from allworlds.notations.objects import entry_of, fat_of, own_of
+from allworlds.notations.objects import fat_of, own_of, rotation_of
 from allworlds.notations.plantri import (
     EDGE,
     PLANAR,
@@ -26,7 +26,6 @@ from allworlds.notations.worlds_as_json import (
     read_lines,
     write_json,
     write_lines,
-    write_rotations,
 )
 from allworlds.world.labels import Labelling
 from allworlds.world.world import Entry
@@ -37,7 +36,7 @@ Order: TypeAlias = Literal["clockwise", "anticlockwise"]
 YAxis: TypeAlias = Literal["up", "down"]
 """Where the second coordinate of a position grows."""
 
-PARTS = ("name", "names", "positions", "start", "lighthouse")
+EVERY = ("name", "names", "positions", "start", "lighthouse")
 """All that a world of a file can have besides its map, by the keys of our JSON."""
 
 
@@ -50,11 +49,10 @@ class Notation(Struct, frozen=True):
         read: the entries of an open binary file from its position on, clockwise and with the y axis
             upward, each with the offset at which it begins; its number where it does not stream.
         write: the bytes of these entries; None where it is not written.
-        keeps: those of :data:`PARTS` that it can tell.
+        keeps: those of :data:`EVERY` that it can tell.
         mark: bytes that stand near the beginning of such files alone, where it has some.
         streams: whether it holds many entries, of which one at a time is in memory.
-        positions: whether the order follows from positions, so that the y axis matters.
-        y: the usual direction of its y axis.
+        y: the usual direction of its y axis, where the order follows from positions.
     """
 
     name: str
@@ -64,20 +62,17 @@ class Notation(Struct, frozen=True):
     keeps: tuple[str, ...] = ()
     mark: bytes = b""
     streams: bool = False
-    positions: bool = False
-    y: YAxis = "up"
+    y: YAxis | None = None
 
 
 NOTATIONS = (
-    Notation("worlds", (".json",), read_json, write_json(own_of), PARTS),
-    Notation("lines", (".jsonl", ".ndjson"), read_lines, write_lines, PARTS, streams=True),
-    Notation("rotation", (".rot.json",), read_json, write_rotations, ("name", "names")),
+    Notation("worlds", (".json",), read_json, write_json(own_of), EVERY),
+    Notation("lines", (".jsonl", ".ndjson"), read_lines, write_lines, EVERY, streams=True),
+    Notation("rotation", (".rot.json",), read_json, write_json(rotation_of), ("names",)),
     Notation("fat", (".fat.json",), read_json, write_json(fat_of)),
-    Notation("graphml", (".graphml",), read_graphml, positions=True),
-    Notation(
-        "yed", (), read_yed, mark=b"http://www.yworks.com/xml/graphml", positions=True, y="down"
-    ),
-    Notation("gml", (".gml",), read_gml, positions=True, y="down"),
+    Notation("graphml", (".graphml",), read_graphml, y="up"),
+    Notation("yed", (), read_yed, mark=b"http://www.yworks.com/xml/graphml", y="down"),
+    Notation("gml", (".gml",), read_gml, y="down"),
     Notation(
         "planar_code",
         (".pl", ".plc"),
@@ -173,14 +168,14 @@ def _check(notation: Notation, order: str | None, y: str | None) -> None:
     for name, given, known in (("order", order, Order), ("y", y, YAxis)):
         if given is not None and given not in get_args(known):
             raise InputError(f"{name} {show(given)} is neither {' nor '.join(get_args(known))}")
-    if y and not notation.positions:
+    if y and not notation.y:
         raise InputError(f"y {y} has no effect on {notation.name}, where positions decide nothing")
 
 
 def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | None) -> Entry:
     """The entry as it is meant, which was read clockwise and with the y axis upward."""
     labels = entry.labels.checked(entry.map)
-    if notation.positions and labels.positions:
+    if notation.y:
         if order == "anticlockwise":
             raise InputError(f"order {order} has no effect on positions; y up or y down has")
         turn = (y or notation.y) == "down"
@@ -268,37 +263,21 @@ def to_write(file: str) -> tuple[Notation, str]:
     return found, path
 
 
-def written(
-    worlds: Iterable[Entry], notation: Notation, without: Iterable[str] = ()
-) -> Iterator[bytes]:
-    """The bytes of a file in a notation.
-
-    Args:
-        worlds: what it holds.
-        notation: one that is written.
-        without: those of :data:`PARTS` that are left out.
+def written(worlds: Iterable[Entry], notation: Notation) -> Iterator[bytes]:
+    """The bytes of a file in a notation that is written, without what it does not keep.
 
     Raises:
-        InputError: naming the world, and what of it the notation cannot tell.
+        InputError: naming the world whose map the notation cannot tell.
     """
-    left, number = {*without}, 0
-    if wrong := left - {*PARTS}:
-        raise InputError(f"without {show(min(wrong))}: legal are {', '.join(PARTS)}")
+    number = 0
 
-    def kept() -> Iterator[Entry]:
+    def counted() -> Iterator[Entry]:
         nonlocal number
-        for entry in worlds:
-            number += 1
-            told = own_of(entry)
-            for part in PARTS:
-                if part in told and part not in left and part not in notation.keeps:
-                    advice = f"without {part} leaves it out"
-                    raise InputError(f"{notation.name} has no place for its {part}; {advice}")
-            rest = {key: value for key, value in told.items() if key not in left}
-            yield entry_of(rest) if left else entry
+        for number, entry in enumerate(worlds, 1):  # noqa: B007  # nonlocal
+            yield entry
 
     assert notation.write
     try:
-        yield from notation.write(kept())
+        yield from notation.write(counted())
     except InputError as error:
         raise type(error)(f"world {number} is not written: {error}") from None
