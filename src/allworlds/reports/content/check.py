@@ -133,7 +133,7 @@ def verdict_of(report: CheckReport) -> parts.Headline:
 def _in_shard(report: CheckReport) -> str:
     """A remark that this is only a shard; empty for a whole check."""
     shard = report.asked.portion
-    if not isinstance(shard, units.Shard):
+    if shard == units.WHOLE:
         return ""
     return f" in shard {shard}; the verdict on the whole needs the merge of all shards"
 
@@ -142,7 +142,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts. A text without a name continues the one before."""
     scope, rules = report.asked, report.asked.rules
     least = scope.coverage.min_edges if isinstance(scope.coverage, units.Sample) else 1
-    shard = f", shard {scope.portion}" if isinstance(scope.portion, units.Shard) else ""
+    shard = f", shard {scope.portion}" if scope.portion != units.WHOLE else ""
     what = (
         f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
         f"{of_the_class(scope.extent, least)}{shard}; {_schedules(report)}"
@@ -233,10 +233,10 @@ def _laws(report: CheckReport) -> str:
 def _gate(report: CheckReport) -> str:
     if (given := report.asked.extent.given) is not None:
         return given.gate
-    if isinstance(report.asked.coverage, units.Shard):
-        return "deferred to the merge of all shards"
     if isinstance(report.asked.coverage, units.Sample):
         return "absent: a sample is not to be counted"
+    if report.asked.coverage != units.WHOLE:
+        return "deferred to the merge of all shards"
     extent = report.asked.extent
     if extent.where is not None and source_of(extent) is None:
         return f"absent: no source counts the maps that are {extent.where.name}"
