@@ -125,15 +125,6 @@ def test_a_graph_with_a_start_that_is_no_dart_is_refused():
         World.from_networkx(graph)
 
 
-def test_a_map_and_a_world_are_made_by_their_classes():
-    faces = ["abc", "acd", "adb", "bdc"]
-    map_ = CombinatorialMap.from_faces(faces)
-    assert map_ == from_faces(faces)
-    assert CombinatorialMap.from_networkx(map_.to_networkx()) == map_
-    planar = CombinatorialMap.from_networkx(nx.Graph(map_.to_networkx().edges()), "planar")
-    assert planar.genus == 0
-
-
 def test_a_planar_graph_is_embedded_in_the_plane():
     map_ = from_networkx(nx.dodecahedral_graph(), order="planar")
     assert (map_.vertex_count, map_.edge_count, len(map_.faces), map_.genus) == (20, 30, 12, 0)

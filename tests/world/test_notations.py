@@ -27,7 +27,6 @@ from allworlds.notations.objects import own_of
 from allworlds.notations.table import (
     EVERY,
     NOTATIONS,
-    by_name,
     entries,
     entry_at,
     entry_named,
@@ -39,6 +38,7 @@ from allworlds.world.world import Entry
 from small import LOLLIPOP, TORUS, all_maps
 
 PLANTRI = Path(__file__).parents[1] / "support" / "data" / "plantri"
+by_name = {notation.name: notation for notation in NOTATIONS}.__getitem__
 WRITTEN = [notation.name for notation in NOTATIONS if notation.write]
 SIMPLE = {"planar_code", "sage"}
 ALONE = {"edges"}

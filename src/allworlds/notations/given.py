@@ -21,7 +21,6 @@ from allworlds.maps.combinatorial import (
     Dart,
     inverse,
     numbering,
-    rooted_code,
 )
 from allworlds.maps.networks import embeddings, to_networkx
 from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
@@ -83,8 +82,8 @@ class GivenMaps:
         noun: of one of them.
         of: where they come from, in words; empty for worlds that were made in this process.
         gate: why nobody counts them.
-        found: the maps, each with the name by which it is refused and the key by which
-            :meth:`_entry` finds it.
+        found: the maps, each with the name by which it is refused, and its key.
+        find: the map of such a key.
         codes: their files.
 
     Attributes:
@@ -103,10 +102,11 @@ class GivenMaps:
         of: str,
         gate: str,
         found: Iterable[tuple[str, tuple[int, int, int], GivenMap]],
+        find: Callable[[int, int, int], GivenMap],
         codes: tuple[Digest, ...] = (),
     ) -> None:
         self.noun, self.of, self.gate, self.codes = noun, of, f"absent: {gate}", codes
-        self.count, self.fixed = 0, True
+        self.count, self.fixed, self._find = 0, True, find
         self.lighthouse: LighthouseKind | None = None
         self._at: dict[int, array[int]] = defaultdict(lambda: array("Q"))
         first = ""
@@ -128,9 +128,7 @@ class GivenMaps:
         self.starts = {edges: sum(self._at[edges][3::4]) for edges in sorted(self._at)}
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**vars(self), "_at": None, "_entry": None}
-
-    _entry: Callable[[int, int, int], GivenMap]
+        return {**vars(self), "_at": None, "_find": None}
 
     @property
     def words(self) -> str:
@@ -152,23 +150,19 @@ class GivenMaps:
     def piece(self, edges: int, number: int) -> tuple[GivenMap, ...]:
         """The maps of a piece of a level."""
         keys = self._at[edges][4 * PIECE * number : 4 * PIECE * (number + 1)]
-        return tuple(map(self._entry, keys[::4], keys[1::4], keys[2::4]))
+        return tuple(map(self._find, keys[::4], keys[1::4], keys[2::4]))
 
     def like(self, world: World) -> Iterator[World]:
         """The given worlds that are this one in another numbering, in their order."""
-        code = rooted_code(world.map.sigma, world.map.alpha, world.start)
+        order = numbering(world.map.sigma, world.map.alpha, world.start)
         edges = world.map.edge_count
         pieces = (self.piece(edges, i) for i in range(len(self.weights(edges))))
         for given in chain.from_iterable(pieces):
             for start in given.starts:
-                if rooted_code(given.map.sigma, given.map.alpha, start) != code:
-                    continue
-                order = numbering(world.map.sigma, world.map.alpha, world.start)
                 own = numbering(given.map.sigma, given.map.alpha, start)
-                names = [own[i] for i in inverse(order)]
-                place = world.lighthouse.relabelled(names)
-                if given.lighthouse in (None, place):
-                    yield World(given.map, place, start, labels=given.labels)
+                again = world.relabelled([own[i] for i in inverse(order)])
+                if again.map == given.map and given.lighthouse in (None, again.lighthouse):
+                    yield World(given.map, again.lighthouse, start, labels=given.labels)
 
 
 def given_worlds(worlds: Sequence[World]) -> GivenMaps:
@@ -181,9 +175,7 @@ def _held(
     noun: str, of: str, gate: str, held: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
 ) -> GivenMaps:
     found = ((f"worlds[{i}]", (0, i, i), each) for i, each in enumerate(held))
-    maps = GivenMaps(noun, of, gate, found, codes)
-    maps._entry = lambda _file, _offset, number: held[number]  # noqa: SLF001  # of this module
-    return maps
+    return GivenMaps(noun, of, gate, found, lambda _file, _offset, number: held[number], codes)
 
 
 def files_of(*names: str) -> tuple[Digest, ...]:
@@ -216,9 +208,7 @@ def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | N
         return replace(_given(entry, called), labels=replace(entry.labels, name=called))
 
     of = listed([code.plain for code in codes])
-    maps = GivenMaps("world", of, "worlds of a file", found(), codes)
-    maps._entry = entry_of  # noqa: SLF001  # of this module
-    return maps
+    return GivenMaps("world", of, "worlds of a file", found(), entry_of, codes)
 
 
 @lru_cache(maxsize=4)
@@ -233,8 +223,7 @@ def embeddings_of(
     of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
     if which != "all" and not of_genus:
         raise InputError(f"embeddings {show(which)} is not one of all, genus:G, as in genus:1")
-    named = entry_named(graph, "", order, y) if codes else None
-    entry = named or Entry(named_map(graph))
+    entry = entry_named(graph, "", order, y) if codes else Entry(named_map(graph))
     genus = int(of_genus[1]) if of_genus else None
     labels = Labelling(entry.labels.name, entry.labels.vertices)
     every = embeddings(to_networkx(entry.map), genus=genus)
@@ -395,7 +384,7 @@ class GivenOptions(FileOptions):
             )
         return None if self.worlds is None else given_worlds(self.worlds)
 
-    def lighthouse_of_given(self, named: Any) -> LighthouseKind | None:
+    def lighthouse_of_given(self, named: Any) -> Any:
         """The lighthouse that the given worlds fix, or the one that is named.
 
         Raises:
@@ -403,8 +392,6 @@ class GivenOptions(FileOptions):
         """
         fixed = self.given and self.given.lighthouse
         if named and fixed and named != fixed:
-            raise InputError(
-                f"lighthouse = {show(str(named))}, but {self.given.words} have "  # type: ignore[union-attr]
-                f"{show(str(fixed))}"
-            )
+            words = f"{self.given.words} have {show(str(fixed))}"  # type: ignore[union-attr]
+            raise InputError(f"lighthouse = {show(str(named))}, but {words}")
         return fixed or named

@@ -1,6 +1,5 @@
 """The notations of embedded graphs that files are read in and written in."""
 
-import io
 from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from pathlib import Path
@@ -8,7 +7,7 @@ from typing import IO, Literal, TypeAlias, get_args
 
 from msgspec import Struct
 
-from allworlds.inputs.checks import InputError, a_path, in_file, one_of, read_text, show
+from allworlds.inputs.checks import InputError, a_path, in_file, one_of, show
 from allworlds.notations.edge_list import read_edge_list, write_edge_list
 from allworlds.notations.graphs import read_gml, read_graphml, read_yed
 from allworlds.notations.objects import fat_of, own_of, rotation_of
@@ -44,7 +43,7 @@ class Notation(Struct, frozen=True):
     """One notation.
 
     Attributes:
-        name: as ``-o NAME:FILE`` takes it.
+        name: its usual one.
         suffixes: of files in it.
         read: the entries of an open binary file from its position on, clockwise and with the y axis
             upward, each with the offset at which it begins; its number where it does not stream.
@@ -118,15 +117,9 @@ def legal(*, written: bool = False) -> str:
 
 
 def _opened(file: str | Path) -> IO[bytes]:
-    """The file, at its beginning; what cannot be read from the middle is read as a whole."""
-    if file == "-":
-        return io.BytesIO(read_text("-").encode())
+    """The file, at its beginning."""
     try:
-        stream = a_path("file", file).open("rb")
-        if stream.seekable():
-            return stream
-        with stream:
-            return io.BytesIO(stream.read())
+        return a_path("file", file).open("rb")
     except OSError as error:
         raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
 
@@ -243,24 +236,15 @@ def entry_named(
     raise InputError(f"file {show(str(file))} has {what}; @FILE:NAME names one of {first}")
 
 
-def by_name(name: str) -> Notation | None:
-    """The notation of that name."""
-    return next((each for each in NOTATIONS if each.name == name), None)
-
-
-def to_write(file: str) -> tuple[Notation, str]:
-    """The notation and the path that ``FILE`` or ``NOTATION:FILE`` means.
+def to_write(file: str) -> Notation:
+    """The notation in which a file of that name is written.
 
     Raises:
         InputError: if it is of none that is written.
     """
-    name, _, path = file.partition(":")
-    found, path = (named, path) if (named := by_name(name)) else (by_suffix(file), file)
-    if not found or not found.write:
-        raise InputError(
-            f"worlds cannot be written as {show(file)}; legal are {legal(written=True)}"
-        )
-    return found, path
+    if (found := by_suffix(file)) and found.write:
+        return found
+    raise InputError(f"worlds cannot be written as {show(file)}; legal are {legal(written=True)}")
 
 
 def written(worlds: Iterable[Entry], notation: Notation) -> Iterator[bytes]:

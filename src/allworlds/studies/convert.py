@@ -20,12 +20,12 @@ class ConvertRequest(FileOptions, kw_only=False):
     """Request of ``convert``: a file of worlds, and where they are written."""
 
     file: Annotated[
-        str | Path, Argument("", "FILE", f"A file of worlds, by its suffix: {legal()}; or - .")
+        str | Path, Argument("", "FILE", f"A file of worlds, by its suffix: {legal()}.")
     ]
     _: KW_ONLY
     output: Annotated[
         str | Path | None,
-        f"where the worlds are written, by its suffix: {legal(written=True)}, or NOTATION:FILE",
+        f"where the worlds are written, by its suffix: {legal(written=True)}",
     ] = None
 
 
@@ -85,10 +85,11 @@ def convert(request: ConvertRequest) -> Convert:
     if request.output is None:
         deque(told(), 0)
         return Convert(rows=tuple(rows))
-    notation, path = to_write(str(request.output))
-    _write(a_path("output", path), written(told(), notation))
+    path = a_path("output", request.output)
+    notation = to_write(str(path))
+    _write(path, written(told(), notation))
     left_out = tuple(sorted(has - {"sigma", "alpha", *notation.keeps}))
-    return Convert(written=path, rows=tuple(rows), left_out=left_out or None)
+    return Convert(written=str(path), rows=tuple(rows), left_out=left_out or None)
 
 
 def _write(path: Path, content: Iterable[bytes]) -> None:

@@ -227,12 +227,9 @@ def _is_json(text: str) -> bool:
 
 
 def _file_and_name(text: str) -> tuple[str, str]:
-    """The file and the name of ``FILE:NAME``; each may have colons of its own."""
-    parts = text.split(":")
-    for count in range(len(parts), 0, -1):
-        if Path(file := ":".join(parts[:count])).exists():
-            return file, ":".join(parts[count:])
-    return text, ""
+    """The file and the name of ``FILE:NAME``; the name may have colons of its own."""
+    file, _, name = text.partition(":")
+    return (text, "") if Path(text).exists() else (file, name)
 
 
 def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:
