@@ -30,7 +30,7 @@ from allworlds.notations.table import (
     entries,
     entry_at,
     entry_named,
-    notation_of,
+    notation_in,
     written,
 )
 from allworlds.world.labels import Labelling
@@ -54,6 +54,11 @@ def file_of(tmp_path, notation, *worlds):
     path = tmp_path / f"worlds{by_name(notation).suffixes[0]}"
     path.write_bytes(b"".join(written(worlds, by_name(notation))))
     return path
+
+
+def notation_of(path):
+    with path.open("rb") as stream:
+        return notation_in(stream, str(path))
 
 
 def read(path, **options):
@@ -276,7 +281,7 @@ def test_a_fat_graph_is_told_by_any_two_of_its_permutations(tmp_path):
         ),
         (
             '{"vertices": [[0], [0]], "edges": [[0, 1]]}',
-            "edges have different|do not have the same darts",
+            "vertices: the darts \\[0, 0\\] are not 0..1",
         ),
         ('{"vertices": [[0], [1]], "edges": "(0 1)"}', "edges: '\\(0 1\\)' is no list of cycles"),
         ("[]", "there is no world in it"),

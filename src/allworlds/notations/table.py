@@ -96,7 +96,7 @@ def by_suffix(file: str) -> Notation | None:
     return max(ends, key=lambda found: len(found[0]), default=("", None))[1]
 
 
-def _notation_in(stream: IO[bytes], file: str) -> Notation:
+def notation_in(stream: IO[bytes], file: str) -> Notation:
     """The notation of an open file, by its mark, its suffix, or how it begins."""
     head = stream.read(HEAD)
     stream.seek(0)
@@ -124,16 +124,6 @@ def _opened(file: str | Path) -> IO[bytes]:
         raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
 
 
-def notation_of(file: str | Path) -> Notation:
-    """The notation of a file.
-
-    Raises:
-        InputError: if it is of none, or cannot be read.
-    """
-    with _opened(file) as stream, in_file(str(file)):
-        return _notation_in(stream, str(file))
-
-
 def entries(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> Iterator[tuple[int, Entry]]:
@@ -147,7 +137,7 @@ def entries(
     Cost: the memory of one entry at a time, where the notation streams.
     """
     with _opened(file) as stream, in_file(str(file)):
-        notation = _notation_in(stream, str(file))
+        notation = notation_in(stream, str(file))
         _check(notation, order, y)
         found = False
         for offset, entry in notation.read(stream):
@@ -189,7 +179,7 @@ def entry_at(
     Cost: that of this world; the file is read as a whole, once, where its notation does not stream.
     """
     with _opened(file) as stream, in_file(str(file)):
-        notation = _notation_in(stream, str(file))
+        notation = notation_in(stream, str(file))
         if notation.streams:
             stream.seek(offset)
             for _, entry in notation.read(stream):
