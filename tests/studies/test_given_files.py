@@ -168,7 +168,7 @@ def test_lighthouses_must_agree(tmp_path, refused):
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (["--worlds", "nowhere.jsonl"], "worlds 'nowhere.jsonl' cannot be read: No such file"),
+        (["--worlds", "nowhere.jsonl"], "file 'nowhere.jsonl' cannot be read: No such file"),
         (["--worlds", "plans.jsonl", "--edges", "1"], "6 worlds of plans.jsonl have at least 2"),
         (["--order", "anticlockwise"], "has no effect without worlds of a file"),
         (["--embeddings", "all"], "embeddings = 'all' has no effect without a graph"),

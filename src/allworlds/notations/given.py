@@ -1,6 +1,5 @@
 """Worlds that users give in place of a class: of files, of a graph's embeddings, or made here."""
 
-import hashlib
 import re
 from array import array
 from collections import defaultdict
@@ -24,7 +23,7 @@ from allworlds.maps.combinatorial import (
 )
 from allworlds.maps.networks import embeddings, to_networkx
 from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
-from allworlds.protocol.user_code import recorded
+from allworlds.protocol.user_code import digest_of_file, recorded
 from allworlds.words import listed, plural
 from allworlds.world.labels import PLAIN, Labelling
 from allworlds.world.lighthouses.base import Lighthouse
@@ -184,7 +183,13 @@ def files_of(*names: str) -> tuple[Digest, ...]:
     Raises:
         InputError: if one cannot be read, or is not as a record says that is being read.
     """
-    return tuple(Digest(name, _digest(name)) for name in dict.fromkeys(names))
+    found = list[Digest]()
+    for name in dict.fromkeys(names):
+        digest = digest_of_file(a_path("worlds", name))
+        if recorded(name) not in (None, digest):
+            raise InputError(f"worlds {show(name)} has another text now than the one recorded")
+        found.append(Digest(name, digest))
+    return tuple(found)
 
 
 @lru_cache(maxsize=4)
@@ -258,18 +263,6 @@ def _stands(place: Lighthouse, map_: CombinatorialMap, start: Dart) -> bool:
     return True
 
 
-def _digest(name: str) -> str:
-    """SHA-256 of a file; the recorded one where a record is read."""
-    try:
-        with a_path("worlds", name).open("rb") as file:
-            digest = hashlib.file_digest(file, "sha256").hexdigest()
-    except OSError as error:
-        raise InputError(f"worlds {show(name)} cannot be read: {error.strerror}") from None
-    if recorded(name) not in (None, digest):
-        raise InputError(f"worlds {show(name)} has another text now than the one recorded")
-    return digest
-
-
 # ---------------------------------------------------------------- options
 
 
@@ -277,17 +270,15 @@ def _worlds(given: object) -> tuple[Any, ...] | None:
     """The names of files, or worlds; each as it is."""
     if given is None:
         return None
-    if isinstance(given, str | Path):
-        return (str(given),)
-    try:
-        every = [*given]  # type: ignore[misc]  # or a refusal
-    except TypeError:
-        raise InputError(f"worlds = {show(given)} is no series of worlds") from None
+    every = [given] if isinstance(given, str | Path) else given
+    if not isinstance(every, Iterable):
+        raise InputError(f"worlds = {show(given)} is no series of worlds")
+    every = [*every]
     made = any(isinstance(world, World) for world in every)
     for number, world in enumerate(every):
         if not isinstance(world, World if made else str | Path):
             raise InputError(f"worlds[{number}] = {show(world)} is no World")
-    return tuple(every) if made else tuple(map(str, every))
+    return tuple(every if made else map(str, every))
 
 
 def _said(meaning: str) -> Any:
