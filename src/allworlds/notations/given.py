@@ -22,6 +22,7 @@ from allworlds.maps.combinatorial import (
     numbering,
 )
 from allworlds.maps.networks import embeddings, to_networkx
+from allworlds.notations.entry import at
 from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
 from allworlds.protocol.user_code import digest_of_file, recorded
 from allworlds.words import listed, plural
@@ -106,21 +107,18 @@ class GivenMaps:
     ) -> None:
         self.noun, self.of, self.gate, self.codes = noun, of, f"absent: {gate}", codes
         self.count, self.fixed, self._find = 0, True, find
-        self.lighthouse: LighthouseKind | None = None
+        kinds = dict[LighthouseKind, str]()
         self._at: dict[int, array[int]] = defaultdict(lambda: array("Q"))
-        first = ""
         for name, key, given in found:
             self.count += 1
             self._at[given.map.edge_count].extend((*key, len(given.starts)))
             self.fixed &= len(given.starts) == 1 and given.lighthouse is not None
-            kind = given.lighthouse and kind_of(given.lighthouse)
-            if kind and self.lighthouse and kind != self.lighthouse:
-                raise InputError(
-                    f"{name} has the lighthouse {show(str(kind))}, and {first} has "
-                    f"{show(str(self.lighthouse))}; legal is one lighthouse for all"
-                )
-            if kind and not self.lighthouse:
-                self.lighthouse, first = kind, name
+            if given.lighthouse:
+                kinds.setdefault(kind_of(given.lighthouse), name)
+        if len(kinds) > 1:
+            one, other, *_ = (f"{name} has {show(str(kind))}" for kind, name in kinds.items())
+            raise InputError(f"{one}, and {other}; legal is one lighthouse for all")
+        self.lighthouse = next(iter(kinds), None)
         if not self.count:
             empty = f"there is no {noun} of {of}" if of else "worlds = [] is empty"
             raise InputError(f"{empty}; legal is one world or more")
@@ -245,12 +243,10 @@ def _given(entry: Entry, name: str) -> GivenMap:
     map_, place = entry.map, None
     starts: Sequence[Dart] = map_.darts if entry.start is None else (entry.start,)
     if entry.lighthouse is not None:
-        try:
+        with at(name):
             place = lighthouse_from_json(entry.lighthouse, map_, starts[0])
             starts = [start for start in starts if _stands(place, map_, start)] or starts
             place.check(map_, starts[0])
-        except InputError as error:
-            raise InputError(f"{name}: {error}") from None
     return GivenMap(map_, starts, place, entry.labels)
 
 
