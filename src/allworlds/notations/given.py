@@ -162,12 +162,6 @@ class GivenMaps:
                     yield World(given.map, again.lighthouse, start, labels=given.labels)
 
 
-def given_worlds(worlds: Sequence[World]) -> GivenMaps:
-    """Worlds that were made in this process, each with its own start and lighthouse."""
-    made = [GivenMap(world.map, (world.start,), world.lighthouse, world.labels) for world in worlds]
-    return _held("given world", "", "the worlds were given", made)
-
-
 def _held(
     noun: str, of: str, gate: str, held: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
 ) -> GivenMaps:
@@ -369,7 +363,10 @@ class GivenOptions(FileOptions):
                 "run keeps no worlds that live in this process alone; write them into a file, and "
                 "name that"
             )
-        return None if self.worlds is None else given_worlds(self.worlds)
+        if self.worlds is None:
+            return None
+        made = [GivenMap(it.map, (it.start,), it.lighthouse, it.labels) for it in self.worlds]
+        return _held("given world", "", "the worlds were given", made)
 
     def lighthouse_of_given(self, named: Any) -> Any:
         """The lighthouse that the given worlds fix, or the one that is named.

@@ -60,15 +60,13 @@ def _end(given: Any) -> Any:
 def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
     """The rotation of a world, by names; edges that are parallel, and loops, have keys."""
     map_, at_ = entry.map, entry.map.vertex_of
-    ends = {d: (min(at_[d], at_[e]), max(at_[d], at_[e])) for d, e in enumerate(map_.alpha)}
-    seen, keys = Counter[tuple[int, int]](), dict[int, int]()
-    for d, e in map_.edges:
-        keys[d] = keys[e] = seen[ends[d]]
-        seen[ends[d]] += 1
+    edge = {dart: number for number, darts in enumerate(map_.edges) for dart in darts}
+    ends = [frozenset((at_[d], at_[e])) for d, e in map_.edges]
+    count = Counter(ends)
 
     def end(dart: int) -> str | list[str | int]:
         name = entry.labels.vertex(at_[map_.alpha[dart]])
-        return name if seen[ends[dart]] == 1 else [name, keys[dart]]
+        return name if count[ends[edge[dart]]] == 1 else [name, edge[dart]]
 
     return {entry.labels.vertex(v): [*map(end, ds)] for v, ds in enumerate(map_.vertices)}
 

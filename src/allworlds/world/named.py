@@ -147,7 +147,9 @@ def world_named(
 
 def _world_of_text(text: str, kind: LighthouseKind, seed: int | None, holes: str | None) -> World:
     if text.startswith("@"):
-        file, name = _file_and_name(text[1:])
+        file, _, name = text[1:].partition(":")
+        if Path(text[1:]).exists():  # with colons of its own
+            file, name = text[1:], ""
         entry = entry_named(file, name)
         with in_file(file):
             return entry.world(kind)
@@ -224,12 +226,6 @@ def _world_of_corpus(name: str, kind: LighthouseKind, no_map: NoSuchMap) -> Worl
 
 def _is_json(text: str) -> bool:
     return text.lstrip().startswith(("{", "["))
-
-
-def _file_and_name(text: str) -> tuple[str, str]:
-    """The file and the name of ``FILE:NAME``; the name may have colons of its own."""
-    file, _, name = text.partition(":")
-    return (text, "") if Path(text).exists() else (file, name)
 
 
 def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:
