@@ -4,7 +4,15 @@ import pytest
 
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, isomorphism, named_map
-from allworlds.reports.drawing.layout import extended, layout, layout_like, mirror_of, names_like
+from allworlds.reports.drawing.layout import (
+    dart_names_like,
+    extended,
+    layout,
+    layout_like,
+    mirror_of,
+    vertex_names_like,
+)
+from allworlds.reports.parts import Scene
 
 MAPS = [named_map(name) for name in ("k4", "theta", "theta-torus", "wheel-4", "k4-torus")]
 
@@ -44,9 +52,10 @@ def test_the_same_map_lies_where_the_other_one_does_and_has_its_names():
         drawn = layout(map_, 0)
         like = layout_like(old, other, 0, map_, drawn)
         assert all(like.ways[d] == drawn.ways[old[d]] for d in other.darts)
-        names = names_like(old, other, map_)
-        assert names.darts == tuple(str(old[d]) for d in other.darts)
-        for vertex, name in zip(other.vertices, names.vertices, strict=True):
+        darts = dart_names_like(old, other, len(map_.sigma))
+        assert darts == [str(old[d]) for d in other.darts]
+        names = vertex_names_like(old, other, Scene(map_))
+        for vertex, name in zip(other.vertices, names, strict=True):
             assert name == f"v{map_.vertex_of[old[vertex[0]]]}"
 
 
@@ -71,11 +80,11 @@ def is_chiral(map_):
 
 def test_what_is_new_gets_numbers_that_the_other_map_does_not_have():
     small, large = named_map("edge"), named_map("theta")
-    names = names_like({0: 0, 1: 1}, large, small)
-    assert len({*names.darts}) == 6
-    assert {*names.darts} == {"0", "1", "2", "3", "4", "5"}
-    assert len({*names.vertices}) == large.vertex_count
-    assert names_like({}, small, large).darts == ("6", "7")
+    ties = {0: 0, 1: 1}
+    assert {*dart_names_like(ties, large, 2)} == {"0", "1", "2", "3", "4", "5"}
+    assert vertex_names_like(ties, large, Scene(small)) == ["v0", "new 1"]
+    assert vertex_names_like({}, small, Scene(large)) == ["new 1", "new 2"]
+    assert dart_names_like({}, small, 6) == ["6", "7"]
 
 
 def test_a_map_that_agrees_in_part_is_drawn_by_itself():

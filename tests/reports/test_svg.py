@@ -13,7 +13,7 @@ from allworlds import worlds
 from allworlds.maps import CombinatorialMap, family, named_map
 from allworlds.reports.drawing.planar import planar
 from allworlds.reports.drawing.svg import in_words, picture
-from allworlds.reports.parts import Names, Scene
+from allworlds.reports.parts import Scene
 from curves import flat, points
 
 layouts = import_module("allworlds.reports.drawing.layout")
@@ -269,8 +269,8 @@ def test_the_longest_face_lies_outside_whatever_bends_its_loops_have():
 
 def test_letters_names_and_a_ring_are_drawn_and_told():
     map_ = named_map("edge")
-    names = Names(("x", "y"), ("here", "there"))
-    scene = Scene(map_, 0, 0, labels=("a", "b"), ringed=1, names=names)
+    names = {"darts": ("x", "y"), "vertices": ("here", "there")}
+    scene = Scene(map_, 0, 0, labels=("a", "b"), ringed=1, **names)
     svg = ET.fromstring(ET.tostring(picture(scene, "p", "a map")))
     texts = ["".join(text.itertext()) for text in svg.iter(f"{NS}text")]
     assert sorted(texts) == ["here", "there", "xa", "yb"]

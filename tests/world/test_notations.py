@@ -277,7 +277,7 @@ def test_a_fat_graph_is_told_by_any_two_of_its_permutations(tmp_path):
         ('{"sigma": [0, 1], "alpha": [1, 0], "start": 2}', "start = 2 is no dart; darts are 0..1"),
         (
             '{"sigma": [0, 1], "alpha": [1, 0], "positions": [[0, 0], [0, NaN]]}',
-            "positions\\[1\\] = \\[0, nan\\]",
+            "positions\\[1\\]\\[1\\] = nan",
         ),
         (
             '{"vertices": [[0], [0]], "edges": [[0, 1]]}',

@@ -25,7 +25,7 @@ from allworlds.document import replace
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.maps import named_map, rooted_code
 from allworlds.protocol.choices import Choices
-from allworlds.studies.ambiguity import formulas, twin_search
+from allworlds.studies.ambiguity import formulas
 from allworlds.studies.worst.every_schedule import EverySchedule
 from allworlds.world import Compass
 from formulas import paper_bound
@@ -136,7 +136,7 @@ def a_quarter(means: Any, edges: int) -> Any:
 
 
 right_pair_formula, right_search, right_compare = (
-    twin_search.pair_formula,
+    formulas.pair_formula,
     ambiguity.search,
     complexity.compare,
 )
@@ -273,9 +273,9 @@ MUTANTS = (
     Mutant("no-twins-with-direction", "the direction is not sensed",
            ((algorithm, "worlds", given(lighthouse="position")),), {"edges": 2}),
     Mutant("no-twins-smt", "each formula has a contradiction",
-           ((twin_search, "pair_formula", contradictory),)),
+           ((formulas, "pair_formula", contradictory),)),
     Mutant("no-twins-smt", "a contradiction where there is a direction, at the end",
-           ((twin_search, "pair_formula", contradictory_if_directional),)),
+           ((formulas, "pair_formula", contradictory_if_directional),)),
     Mutant("no-twins-smt", "a contradiction where there is a direction, in 'alike'",
            ((formulas, "_sense_the_same", in_section(formulas._sense_the_same)),)),
     Mutant("no-twins-smt", "a contradiction where there is a direction, in 'different'",

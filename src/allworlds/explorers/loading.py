@@ -337,6 +337,8 @@ def load(
         InputError: if there is none, it does not import, or it is no generator function.
     """
     if has_shield(name):
+        import allworlds.explorers.builtin.folding  # noqa: F401  # no file opens after some explorers
+
         return with_shield(load(name.removeprefix(SHIELD), answer_timeout, source))
     if entry_of(name):
         return built_in(name)

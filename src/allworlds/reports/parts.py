@@ -7,9 +7,9 @@ picture shows, whatever the lighthouse.
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from itertools import count, zip_longest
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from itertools import zip_longest
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from msgspec import Struct, field
@@ -29,13 +29,6 @@ LONGEST_IN_LEGEND = 60
 """Characters of a name of a vertex in a legend."""
 
 
-class Names(Struct, frozen=True):
-    """Names of darts and vertices in a picture, in their order."""
-
-    darts: tuple[str, ...]
-    vertices: tuple[str, ...]
-
-
 class Scene(Struct, frozen=True):
     """Content of a picture; each form of picture draws as much of it as it can.
 
@@ -49,7 +42,8 @@ class Scene(Struct, frozen=True):
         labels: a short text for each dart, such as its class; None where there are none.
         walked: the darts by which the robot has arrived anywhere.
         ringed: the dart to look at; None where there is none.
-        names: the names of darts and vertices, where they are not their numbers.
+        darts: their names, where these are not their numbers.
+        vertices: likewise.
         positions: of the vertices, where these are given.
     """
 
@@ -61,36 +55,32 @@ class Scene(Struct, frozen=True):
     labels: Sequence[str] | None = None
     walked: Collection[Dart] = ()
     ringed: Dart | None = None
-    names: Names | None = None
+    darts: Sequence[str] = ()
+    vertices: Sequence[str] = ()
     positions: tuple[Position, ...] = ()
 
     @property
     def dart_names(self) -> Sequence[str]:
         """The name of each dart."""
-        return self.names.darts if self.names else [*map(str, self.map.darts)]
+        return self.darts or [*map(str, self.map.darts)]
 
     @property
     def vertex_names(self) -> Sequence[str]:
         """The name of each vertex."""
-        if self.names:
-            return self.names.vertices
-        return [f"v{vertex}" for vertex in range(self.map.vertex_count)]
+        return self.vertices or [f"v{vertex}" for vertex in range(self.map.vertex_count)]
 
     def short_names(self, width: int) -> Sequence[str]:
-        """The names of the vertices; longer ones are cut, and no two become one."""
-        if self.names is None:
+        """The names of the vertices; longer ones are cut and numbered, so no two become one."""
+        if not self.vertices:
             return self.vertex_names
-        taken, shown = {name for name in self.vertex_names if len(name) <= width}, list[str]()
-        numbers = defaultdict[str, Iterator[int]](lambda: count(1))
-        for name in self.vertex_names:
-            ends = ("" if k == 1 else str(k) for k in numbers[name[: width - 1]])
-            cuts = (f"{name[: max(width - 1 - len(end), 0)]}…{end}" for end in ends)
-            shown.append(name if name in taken else next(cut for cut in cuts if cut not in taken))
-            taken.add(shown[-1])
-        return shown
+        ends = (f"…{vertex}" for vertex in range(self.map.vertex_count))
+        return [
+            name if len(name) <= width else name[: max(width - len(end), 0)] + end
+            for name, end in zip(self.vertices, ends, strict=True)
+        ]
 
     def cut_names(self, width: int) -> list[str]:
-        """For each name that :meth:`short_names` cuts: ``ki… kitchen``, itself cut if need be."""
+        """For each name that :meth:`short_names` cuts: ``ki…1 kitchen``, itself cut if need be."""
         pairs = zip(self.short_names(width), self.short_names(LONGEST_IN_LEGEND), strict=True)
         return [f"{short} {name}" for short, name in pairs if short != name]
 
@@ -121,8 +111,7 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
     map_, lying = world.map, Counter(dropped)
     percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
     scene, labels = Scene.sensed(map_, world.start, percepts), world.labels
-    names = Names((*map(str, map_.darts),), labels.vertices) if labels.vertices else None
-    return doc.replace(scene, names=names, positions=labels.positions)
+    return doc.replace(scene, vertices=labels.vertices, positions=labels.positions)
 
 
 def walk_in_world(world: World, transcript: Transcript) -> Scene:
@@ -210,9 +199,17 @@ class Paragraph(Struct, frozen=True):
 
 
 class FactList(Struct, frozen=True):
-    """Named sentences; one without a name goes on with the fact before."""
+    """Named sentences; one without a name goes on with the fact before.
 
-    entries: Sequence[tuple[str, str]]
+    Those that are empty are not shown.
+    """
+
+    given: Sequence[tuple[str, str]]
+
+    @property
+    def entries(self) -> list[tuple[str, str]]:
+        """Those that are not."""
+        return [(name, text) for name, text in self.given if text]
 
 
 class Table(Struct, frozen=True):

@@ -1,22 +1,25 @@
 """The labels of a world: its name, and the names and positions of its vertices."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
-from msgspec import Struct
+from msgspec import Meta, Struct
 
-from allworlds.inputs.checks import show
+from allworlds.document import parse
+from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 from allworlds.world.lighthouses.options import InvalidWorld
-
-Position: TypeAlias = tuple[float, float]
-"""Two coordinates: to the right, and up."""
 
 FARTHEST = 1e300
 """No coordinate is larger, so that differences are finite."""
 
+Coordinate: TypeAlias = Annotated[float, Meta(ge=-FARTHEST, le=FARTHEST)]
 
-class Labelling(Struct, frozen=True):
+Position: TypeAlias = tuple[Coordinate, Coordinate]
+"""Two coordinates: to the right, and up."""
+
+
+class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
     """Names of a world and of its vertices; nothing of it is sensed, or decides anything.
 
     Attributes:
@@ -39,24 +42,31 @@ class Labelling(Struct, frozen=True):
         Raises:
             InvalidWorld: naming a label that is none, and what would be legal.
         """
-        if not isinstance(self.name, str) or not self.name.isprintable():
-            raise InvalidWorld(f"name = {show(self.name)} is no printable text")
-        many = map_.vertex_count
-        for key, labels in (("names", self.vertices), ("positions", self.positions)):
-            if not isinstance(labels, list | tuple) or len(labels) not in (0, many):
+        try:
+            labels = parse(
+                {"name": self.name, "names": self.vertices, "positions": self.positions},
+                Labelling,
+                "labels",
+            )
+        except InputError as error:
+            raise InvalidWorld(str(error)) from None
+        for key, given in (("names", labels.vertices), ("positions", labels.positions)):
+            if len(given) not in (0, map_.vertex_count):
                 raise InvalidWorld(
-                    f"{key} = {show(labels)} is no list of {many}, one for each vertex of the map"
+                    f"{key} = {show([*given])} is no list of {map_.vertex_count}, one for each "
+                    "vertex of the map"
                 )
-        first: dict[str, Vertex] = {}
-        for vertex, name in enumerate(self.vertices):
-            if not isinstance(name, str) or not name.strip() or not name.isprintable():
+        if not self.name.isprintable():
+            raise InvalidWorld(f"name = {show(self.name)} is no printable text")
+        first = {name: vertex for vertex, name in reversed([*enumerate(labels.vertices)])}
+        for vertex, name in enumerate(labels.vertices):
+            if not name.strip() or not name.isprintable():
                 raise InvalidWorld(f"names[{vertex}] = {show(name)} is no printable text")
-            if first.setdefault(name, vertex) != vertex:
+            if first[name] < vertex:
                 raise InvalidWorld(
                     f"names[{vertex}] = {show(name)} is names[{first[name]}], too; names differ"
                 )
-        places = tuple(_a_position(v, place) for v, place in enumerate(self.positions))
-        return Labelling(self.name, tuple(self.vertices), places)
+        return labels
 
     def relabelled(
         self, map_: CombinatorialMap, names: Sequence[Dart], other: CombinatorialMap
@@ -95,12 +105,3 @@ def labels_of_nodes(
         return Labelling(str(name), tuple(map(str, names)), places).checked(map_)  # type: ignore[arg-type]  # that is checked
     except InvalidWorld:
         return PLAIN
-
-
-def _a_position(vertex: Vertex, given: object) -> Position:
-    """The position; raise InvalidWorld unless it is a pair of finite numbers."""
-    match given:
-        case [int() | float() as x, int() | float() as y]:
-            if all(-FARTHEST <= value <= FARTHEST for value in (x, y)):
-                return float(x), float(y)
-    raise InvalidWorld(f"positions[{vertex}] = {show(given)} is no pair of finite numbers")

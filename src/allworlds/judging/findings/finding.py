@@ -197,12 +197,9 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
             raise InputError(
                 f"finding of version {show(document['version'])}; this program reads {VERSION}"
             )
-        explorer, law = document.get("explorer"), document.get("law")
-        if not isinstance(explorer, str):
-            raise InputError(f"a finding names its explorer, not {show(explorer)}")
-        if law not in PRECEDENCE:
-            raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
         found = doc.parse(document, cls, "finding")
+        if found.law not in PRECEDENCE:
+            raise InputError(f"law {show(found.law)} is not one of {', '.join(PRECEDENCE)}")
         found.rules  # noqa: B018  # wrong options are refused here, and not where they are used
         return found
 
@@ -242,10 +239,8 @@ def canonical_world(world: World) -> World:
 
 def labelled(world: World, given: Iterable[World]) -> World:
     """The canonical world with the labels of the first given one that is the same world."""
-    for one in given:
-        if one.map.edge_count == world.map.edge_count and canonical_world(one) == world:
-            return canonical_world(one)
-    return world
+    sized = (one for one in given if one.map.edge_count == world.map.edge_count)
+    return next((one for one in map(canonical_world, sized) if one == world), world)
 
 
 DIGITS = 12

@@ -12,7 +12,7 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.quotient import Quotient
 from allworlds.protocol import actions
 from allworlds.reports import parts
-from allworlds.reports.content.scope import finished, gate_facts, maps_in_words, places_facts
+from allworlds.reports.content.scope import finished, gate_facts, maps_in_words
 from allworlds.studies.ambiguity import marked_worlds, twin_search
 from allworlds.studies.ambiguity.members import AmbiguityClass, ComparedWorlds, projection_of
 from allworlds.world.lighthouses.marked import Position
@@ -200,7 +200,7 @@ def census_content(census: marked_worlds.AmbiguityCensus) -> parts.ReportContent
         f"{maps_in_words(census)}, {marked}, up to isomorphism; ambiguous are those "
         "from which no motion tells another world of the scope"
     )
-    facts = [("scope", scope), *places_facts(census.places)]
+    facts = [("scope", scope), ("places", census.places)]
     if not census.whole:
         text = (
             f"{census.portion}: it may hold some members of a class and not others; classes and "
@@ -298,7 +298,7 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
         return parts.Headline("VACUOUS", f"{asked}: there is no world at all.", "vacuous"), []
     if result.status == "sat":
         pair = [] if result.certificate is None else [("pair", str(result.certificate))]
-        return parts.Headline("FOUND", f"{asked}.", "vacuous"), [("why", _why(result)), *pair]
+        return parts.Headline("FOUND", f"{asked}.", "vacuous"), [("why", ALIKE), *pair]
     proof = "no certificate for all sizes; the notices say why"
     if result.certificate is not None:
         proof = (
@@ -306,17 +306,6 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
             "by a program that is no solver"
         )
     return parts.Headline("NONE", f"{asked}: there are none.", "holds"), [("proof", proof)]
-
-
-def _why(result: twin_search.SearchResult) -> str:
-    assert result.pair is not None
-    assert result.bisimulation is not None
-    home = result.bisimulation[0][result.pair[0].start]
-    return (
-        f"the two starts are in class {letters(home)}, sigma and alpha take every class to one "
-        "class, and the darts of a class sense the same: so whatever the motions, both robots "
-        "stand at darts of one class. No start makes the two worlds the same."
-    )
 
 
 def walk_along(world: World, motions: Sequence[int]) -> actions.Transcript:

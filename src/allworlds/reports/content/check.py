@@ -11,10 +11,10 @@ from allworlds.reports.content import single_run
 from allworlds.reports.content.scope import (
     SAID,
     each_of,
+    left_out,
     of_the_class,
     option_facts,
-    places_facts,
-    trust_facts,
+    trust,
 )
 from allworlds.studies.check import exhaustive, tally_sweep
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
@@ -62,7 +62,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
         if report.complete:
             sizes = f"all {plural(len(cells), 'size')} complete"
         short["gate"] = f"{sizes}; their number equals an independent count"
-    words = [(name, short.get(name, said)) for name, said in scope_words(report)]
+    words = [(name, short.get(name, said)) for name, said in scope_words(report) if said]
     if report.tally.rows and not report.findings:
         rows = sorted(report.tally.rows.items())
         (edges, vertices), most = max(rows, key=lambda row: row[1].max_cost)
@@ -117,7 +117,10 @@ def verdict_of(report: CheckReport) -> parts.Headline:
         return parts.Headline("EMPTY", said, "vacuous")
     match report.verdict:
         case Verdict.HOLDS | Verdict.NOT_REFUTED:
-            text = f"{done}: no law is broken{_in_shard(report)}"
+            text = f"{done}: no law is broken"
+            if (shard := report.asked.portion) != units.WHOLE:
+                whole = "the verdict on the whole needs the merge of all shards"
+                text = f"{text} in shard {shard}; {whole}"
         case Verdict.REFUTED:
             first = report.findings[0]
             text = f"law {first.law} is broken; {done} in {where}"
@@ -130,14 +133,6 @@ def verdict_of(report: CheckReport) -> parts.Headline:
     return parts.Headline(report.verdict.value.upper(), text, report.verdict.value)
 
 
-def _in_shard(report: CheckReport) -> str:
-    """A remark that this is only a shard; empty for a whole check."""
-    shard = report.asked.portion
-    if shard == units.WHOLE:
-        return ""
-    return f" in shard {shard}; the verdict on the whole needs the merge of all shards"
-
-
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts. A text without a name continues the one before."""
     scope, rules = report.asked, report.asked.rules
@@ -147,31 +142,31 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
         f"{of_the_class(scope.extent, least)}{shard}; {_schedules(report)}"
     )
-    words = [("explorer", f"{report.explorer}, {report.engine} engine"), ("scope", what)]
-    words += places_facts(sweep.tried_places(rules.lighthouse, scope.extent))
-    words += option_facts(report, CHECK_SAID)
+    unfinished = ""
     if not report.complete and not isinstance(scope.coverage, units.Sample):
         finished = ", ".join(map(str, report.levels)) or "none"
         why = "" if report.ending.final else f"{report.ending.reason}; "
-        words.append(("", f"NOT complete: {why}finished levels (edges): {finished}"))
-    if not rules.task.is_map:
-        words.append(("task", f"{rules.task.name}: {rules.task.asks}"))
-    words += trust_facts(report.scope.shared_file)
-    if report.symmetry:
-        words.append(("symmetry", report.symmetry))
-    witnesses = report.tally.witnesses
+        unfinished = f"NOT complete: {why}finished levels (edges): {finished}"
+    witnesses, past = report.tally.witnesses, report.corpus
     seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
-    met = f"events seen: {seen}" if seen else "no event was seen"
-    words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
-    if report.missing_witnesses:
-        words.append(("MISSING", f"never met: {', '.join(report.missing_witnesses)}"))
-    if past := report.corpus:
-        words.append(("corpus", f"{past.directory}: {_corpus(past)}"))
-    if report.tally.left_out:
-        left = plural(report.tally.left_out, "world")
-        words.append(("left out", f"{left} without a place for the lighthouse"))
-    words += [("remark", remark) for remark in report.remarks]
-    return words
+    missing = ", ".join(report.missing_witnesses)
+    return [
+        ("explorer", f"{report.explorer}, {report.engine} engine"),
+        ("scope", what),
+        ("places", sweep.tried_places(rules.lighthouse, scope.extent)),
+        *option_facts(report, CHECK_SAID),
+        ("", unfinished),
+        ("task", "" if rules.task.is_map else f"{rules.task.name}: {rules.task.asks}"),
+        ("trust", trust(report.scope.shared_file)),
+        ("symmetry", report.symmetry),
+        ("laws", _laws(report)),
+        ("gate", _gate(report)),
+        ("witnesses", f"events seen: {seen}" if seen else "no event was seen"),
+        ("MISSING", missing and f"never met: {missing}"),
+        ("corpus", f"{past.directory}: {_corpus(past)}" if past else ""),
+        ("left out", left_out(report.tally.left_out)),
+        *(("remark", remark) for remark in report.remarks),
+    ]
 
 
 CHECK_SAID = (*SAID, "task", "laws", "schedules", "min_edges", "runs", "max_findings", "engine")

@@ -5,7 +5,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from allworlds.engines.sweep import By
 from allworlds.explorers.sources import short_names
 from allworlds.reports import parts
-from allworlds.reports.content.scope import SAID, explorer_facts, maps_in_words, option_facts
+from allworlds.reports.content.scope import (
+    SAID,
+    explorer_facts,
+    left_out,
+    maps_in_words,
+    option_facts,
+)
 from allworlds.reports.content.single_run import finding_section, run_section
 from allworlds.studies.compare import comparison, entrants, growth
 from allworlds.studies.compare.intervals import LEVEL
@@ -120,10 +126,7 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
             words.append(("exact", "every world that seeds draw was run, in every place"))
         member = report.rows[-1].members[-1].name
         words.append(("again", f"allworlds run {report.names[0]} --family {member}"))
-    if report.left_out:
-        left = plural(report.left_out, "world")
-        words.append(("left out", f"{left} without a place for the lighthouse"))
-    return words
+    return [*words, ("left out", left_out(report.left_out))]
 
 
 GROWTH_SAID = (*SAID, "to", "draws", "places")

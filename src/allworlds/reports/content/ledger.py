@@ -91,9 +91,9 @@ def _headline(report: LedgerReport) -> parts.Headline | None:
 
 def _section(one: CheckedClaim) -> parts.Section:
     """One claim, with the worlds that show it."""
-    facts = [("verdict", f"{one.verdict}, {one.standing.replace('-', ' ')}"), *_details(one)]
-    if one.differences:
-        facts.append(("differs", "; ".join(one.differences)))
+    verdict = f"{one.verdict}, {one.standing.replace('-', ' ')}"
+    differs = "; ".join(one.differences)
+    facts = [("verdict", verdict), *_details(one), ("differs", differs)]
     captioned = zip(one.captions, one.worlds, strict=True)
     pictures = [(caption.capitalize(), parts.scene_of(world)) for caption, world in captioned]
     drawn = [parts.MapPictures(pictures)] if pictures else []
@@ -119,8 +119,8 @@ def _details(one: CheckedClaim) -> list[tuple[str, str]]:
     facts = [(name, getattr(one, name)) for name in ("method", "scope", "expected", "source")]
     if one.standing == "not-checked":
         return [*facts, ("reason", one.told)]
-    seen = (("witnesses", _listed(one.witnesses)), ("figures", _listed(one.figures)))
-    return [*facts, *((name, text) for name, text in (*seen, ("seen", one.told)) if text)]
+    seen = [("witnesses", _listed(one.witnesses)), ("figures", _listed(one.figures))]
+    return [*facts, *seen, ("seen", one.told)]
 
 
 def _listed(values: Mapping[str, object]) -> str:

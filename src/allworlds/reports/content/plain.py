@@ -69,7 +69,7 @@ def _cell(value: Any) -> Cell:
 
 def status_content(standing: merge.Standing) -> ReportContent:
     """Progress, rate, and results so far."""
-    units, worlds, worst = standing.units, standing.worlds, standing.worst
+    units, worlds = standing.units, standing.worlds
     so_far = "" if standing.state == "finished" else " so far"
     most = "" if standing.counted else "at most "
     some = most + ("" if standing.shard == str(WHOLE) else "about ")
@@ -84,12 +84,12 @@ def status_content(standing: merge.Standing) -> ReportContent:
         facts.append(("rate", f"{words.plural(round(standing.rate), 'world')} a second"))
     if standing.left_s:
         facts.append(("left", f"{most}{words.duration(standing.left_s)}, at this rate: a guess"))
-    if worst:
+    if worst := standing.worst:
         where = words.size(worst.edges, worst.vertices)
         facts.append(("worst", f"{words.plural(worst.cost, 'traversal')}{so_far}, with {where}"))
     if standing.findings:
         facts.append(("findings", f"{words.number(standing.findings)}{so_far}"))
-    seen = Section("seen", "", [FactList([(name, said) for name, said in facts if said])])
+    seen = Section("seen", "", [FactList(facts)])
     return ReportContent("allworlds status", standing.verb, standing, None, [seen])
 
 
@@ -118,7 +118,7 @@ def init_content(begun: init.Skeleton | init.LedgerSkeleton | init.Header) -> Re
         subject, name, last = "ledger", "next", list[Block]()
         if isinstance(begun, init.Skeleton):
             subject = begun.explorer
-            facts += [("needs", ", ".join(begun.language.needs))] if begun.language.needs else []
+            facts.append(("needs", ", ".join(begun.language.needs)))
             wrong = "is wrong so far: the check draws the smallest world that refutes it."
             last = [Paragraph(f"{begun.explorer} {wrong}")]
         blocks = [FactList(facts), Quote("next", "next", begun.check, command=True), *last]

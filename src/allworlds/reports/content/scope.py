@@ -58,27 +58,26 @@ def finished(report: sweep.SweptReport, last: int) -> str:
     return of_the_class(extent if report.complete else doc.replace(extent, edges=last))
 
 
-def places_facts(places: str) -> list[tuple[str, str]]:
-    """A fact about the places of the lighthouse; none where every one was tried."""
-    return [("places", places)] if places else []
-
-
 def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
     """A fact about each explorer of a comparison, with its rules and its places."""
-    words = []
+    facts = []
     for one in report.entrants:
         rules = one.rules
         how = f"lighthouse {rules.lighthouse}, policy {rules.policy}, bound {rules.the_bound}"
-        words.append(("explorer", f"{one.name}: {how}"))
-        words += places_facts(sweep.tried_places(rules.lighthouse, report.extent))
-        words += trust_facts(rules.shared_file)
-    return words
+        facts.append(("explorer", f"{one.name}: {how}"))
+        facts.append(("places", sweep.tried_places(rules.lighthouse, report.extent)))
+        facts.append(("trust", trust(rules.shared_file)))
+    return facts
 
 
-def trust_facts(file: str) -> list[tuple[str, str]]:
-    """A fact about the explorer's file, if code that judges it is loaded from it."""
-    said = f"{file} holds the explorer, and code that judges it: see docs/trust.md"
-    return [("trust", said)] if file else []
+def trust(file: str) -> str:
+    """A word about the explorer's file; empty unless code that judges it is loaded from it."""
+    return file and f"{file} holds the explorer, and code that judges it: see docs/trust.md"
+
+
+def left_out(worlds: int) -> str:
+    """A word about worlds in which nothing was run; empty if there is none."""
+    return f"{words.plural(worlds, 'world')} without a place for the lighthouse" if worlds else ""
 
 
 def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]:

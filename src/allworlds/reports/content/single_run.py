@@ -317,8 +317,7 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
             scope = f"the scope (--where {among.name})" if among else "the scope"
             smaller = f"no smaller world of {scope} refutes"
         yield "confirmed", f"{confirmed}; {smaller}"
-    if origin:
-        yield "origin", origin
+    yield "origin", origin
 
 
 def explain_content(explanation: Explanation) -> ReportContent:

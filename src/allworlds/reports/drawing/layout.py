@@ -22,7 +22,7 @@ from allworlds.maps.combinatorial import (
 )
 from allworlds.reports.drawing.planar import mesh, place, planar
 from allworlds.reports.drawing.regular import lattice, wheel
-from allworlds.reports.parts import Names, View
+from allworlds.reports.parts import Scene, View
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
@@ -283,17 +283,20 @@ def drawn_beside(
     if agreement < len(first.trail):
         world = replace(world, ringed=first.trail[agreement])
         answer = replace(answer, ringed=other.trail[agreement])
-    answer = replace(answer, names=names_like(ties, answer.map, world.map, world.names))
+    answer = replace(
+        answer,
+        darts=dart_names_like(ties, answer.map, len(world.map.sigma)),
+        vertices=vertex_names_like(ties, answer.map, world),
+    )
     return replace(first, scene=world), replace(other, scene=answer), beside
 
 
 def named_like(first: View, other: View, agreement: int) -> View:
     """The other view with the names of the first one's vertices, if these are not their numbers."""
-    scene, called = other.scene, first.scene.names
-    if called is None:
+    if not first.scene.vertices:
         return other
-    names = names_like(_ties(first, other, agreement), scene.map, first.scene.map, called)
-    return replace(other, scene=replace(scene, names=Names((*scene.dart_names,), names.vertices)))
+    names = vertex_names_like(_ties(first, other, agreement), other.scene.map, first.scene)
+    return replace(other, scene=replace(other.scene, vertices=names))
 
 
 def _ties(first: View, other: View, agreement: int) -> dict[Dart, Dart]:
@@ -335,27 +338,20 @@ def extended(
     return ties
 
 
-def names_like(
-    ties: Mapping[Dart, Dart],
-    map_: CombinatorialMap,
-    other: CombinatorialMap,
-    called: Names | None = None,
-) -> Names:
-    """Names for a map's darts and vertices from another map; unmatched ones get new names."""
-    own = dict(enumerate(called.vertices if called else ()))
-    fresh = iter(range(len(other.sigma), len(other.sigma) + len(map_.sigma)))
-    darts = tuple(str(ties[d] if d in ties else next(fresh)) for d in map_.darts)
-    new = iter(range(other.vertex_count, other.vertex_count + map_.vertex_count))
-    taken: set[int] = set()
-    vertices = []
+def dart_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, many: int) -> list[str]:
+    """Numbers of a map's darts, from a map with so many; unmatched ones get new numbers."""
+    new = iter(range(many, many + len(map_.sigma)))
+    return [str(ties[d] if d in ties else next(new)) for d in map_.darts]
+
+
+def vertex_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: Scene) -> list[str]:
+    """Names of a map's vertices, from another one; unmatched ones get new names."""
+    names, left = list[str](), dict(enumerate(other.vertex_names))
+    new = iter(range(1, map_.vertex_count + 1))
     for vertex in map_.vertices:
-        known = next((other.vertex_of[ties[d]] for d in vertex if d in ties), None)
-        if known is None or known in taken:
-            known = next(new)
-        taken.add(known)
-        fresh_name = f"new {known - other.vertex_count + 1}" if called else f"v{known}"
-        vertices.append(own.get(known, fresh_name))
-    return Names(darts, tuple(vertices))
+        known = next((other.map.vertex_of[ties[d]] for d in vertex if d in ties), -1)
+        names.append(left.pop(known, "") or f"new {next(new)}")
+    return names
 
 
 def mirror_of(map_: CombinatorialMap, other: CombinatorialMap) -> dict[Dart, Dart]:

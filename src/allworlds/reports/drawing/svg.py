@@ -112,6 +112,12 @@ LETTER = 9.0
 MARGIN = 30.0
 """The free room round the drawing, in pixels."""
 
+SHORT = 5
+"""The characters of a vertex's name for which its disc has room; a legend has longer names."""
+
+LINE, WIDE = 18, 8
+"""In pixels, the height of a line of a legend and the width of a character."""
+
 TURN = 16.5
 """The radius of the arrow that shows which way is clockwise."""
 
@@ -124,6 +130,9 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
     map_ = scene.map
     drawn = drawn or laid_out(scene)
     left, top, width, height = (round(x) for x in drawn.box(MARGIN))
+    cut = scene.cut_names(SHORT)
+    wide = max([width, *(WIDE * len(line) for line in cut)])
+    middle, bottom = left + width // 2, top + height
     return tag(
         "svg",
         tag("title", title, id=f"{name}-title"),
@@ -135,14 +144,18 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
             for d, way in enumerate(drawn.ways)
         ),
         *(_vertex(scene, drawn, v, name) for v, name in enumerate(scene.short_names(SHORT))),
+        *(
+            tag("text", line, class_="legend", x=middle, y=bottom + i * LINE)
+            for i, line in enumerate(cut)
+        ),
         tag("g", class_="arrows"),
         id=name,
         class_="map",
         role="img",
         aria_labelledby=f"{name}-title {name}-desc",
-        viewBox=f"{left} {top} {width} {height}",
-        width=width,
-        height=height,
+        viewBox=f"{middle - wide // 2} {top} {wide} {height + LINE * len(cut)}",
+        width=wide,
+        height=height + LINE * len(cut),
         xmlns="http://www.w3.org/2000/svg",
     )
 
@@ -282,26 +295,6 @@ def _clockwise(along: Sequence[complex]) -> ET.Element:
     )
 
 
-SHORT = 5
-"""The characters of a vertex's name for which its disc has room; a legend has longer names."""
-
-LINE, WIDE = 18, 8
-"""In pixels, the height of a line of a legend and the width of a character."""
-
-
-def _add_legend(root: ET.Element, scene: Scene) -> None:
-    """Write the names of vertices that are cut below the picture, a line for each."""
-    lines = scene.cut_names(SHORT)
-    left, top, width, height = map(int, root.get("viewBox", "").split())
-    for i, line in enumerate(lines):
-        y = top + height + i * LINE
-        root.append(tag("text", line, class_="legend", x=left + LINE, y=y))
-    width = max(width, *(WIDE * len(line) + 2 * LINE for line in lines)) if lines else width
-    height += LINE * len(lines)
-    root.attrib.update(width=f"{width}", height=f"{height}")
-    root.set("viewBox", f"{left} {top} {width} {height}")
-
-
 SUFFIX = ".svg"
 """The end of the names of files of drawings."""
 
@@ -362,7 +355,6 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
     def svg(name: str) -> str:
         root = picture(scene, name, title)
         root.insert(2, tag("style", style.replace("NAME", name)))
-        _add_legend(root, scene)
         return ET.tostring(root, "unicode") + "\n"
 
     # In a notebook that shows several drawings, each has a name of its own: that of its content.

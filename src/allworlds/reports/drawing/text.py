@@ -151,7 +151,7 @@ def _turned(map_: CombinatorialMap, first: Dart) -> list[Dart]:
 
 def _names(scene: Scene) -> list[str]:
     """``v0``, ``v1 ●``, ``v2 ●3``: all numbers of equal length, then the markers."""
-    length = 0 if scene.names else len(f"v{scene.map.vertex_count - 1}")
+    length = 0 if scene.vertices else len(f"v{scene.map.vertex_count - 1}")
     names = []
     for vertex, name in enumerate(scene.short_names(LONGEST_NAME)):
         count = scene.marks.get(vertex, 0)

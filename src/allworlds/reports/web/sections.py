@@ -14,7 +14,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Move
 from allworlds.reports.drawing.layout import Layout, drawn_beside
 from allworlds.reports.drawing.positions import laid_out
-from allworlds.reports.drawing.svg import SHORT, document, picture, raw, record, tag
+from allworlds.reports.drawing.svg import document, picture, raw, record, tag
 from allworlds.reports.parts import (
     Block,
     DataRecord,
@@ -109,28 +109,6 @@ KEYS = (
 )
 
 
-def viewer(
-    figures: Sequence[ET.Element], steps: ET.Element, title: str, *about: ET.Element
-) -> ET.Element:
-    """Pictures with the walk along which keys step in all of them.
-
-    What is said about them stands before the pictures, and on a phone behind them.
-    """
-    return tag(
-        "div",
-        *about,
-        tag("div", class_="tabs", role="group", aria_label="Picture", hidden="hidden"),
-        tag("div", *figures, class_="pictures"),
-        ET.fromstring(read("controls.html")),  # noqa: S314  # our own file
-        tag("p", KEYS, class_="keys", hidden="hidden"),
-        steps,
-        class_="viewer",
-        role="group",
-        tabindex="0",
-        aria_label=f"{title} {KEYS}",
-    )
-
-
 def figure(
     title: str,
     scene: Scene,
@@ -172,14 +150,13 @@ def figure(
         tabindex="0",
         aria_label=f"{title}, which can be scrolled",
     )
-    cut, lettered = scene.cut_names(SHORT), (drawn or laid_out(scene)).letters
+    lettered = (drawn or laid_out(scene)).letters
     known = "edges go on at the same letter" if lettered else "edges that cross do not meet"
     about = f", genus {genus}" + (f"; {known}" if genus else "")
     return tag(
         "figure",
         tag("figcaption", tag("b", title), about),
         frame,
-        *([tag("p", f"{'; '.join(cut)}.", class_="legend")] if cut else []),
         tag("p", *legend, class_="legend"),
         data_title=title,
     )
@@ -349,11 +326,19 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
     moving = [view for view in walk.views if not view.still]
     views = {view.name if i else "robot": view for i, view in enumerate(moving)}
     said = [part for sentence in walk.sentences for part in (tag("bdi", sentence), " ")]
-    yield viewer(
-        [*_figures(walk, name, views)],
-        _steps(walk, name, views),
-        f"{walk.title}.",
+    # What is said about the pictures stands before them, and on a phone behind them.
+    yield tag(
+        "div",
         *([tag("p", *said, class_="story")] if said else []),
+        tag("div", class_="tabs", role="group", aria_label="Picture", hidden="hidden"),
+        tag("div", *_figures(walk, name, views), class_="pictures"),
+        ET.fromstring(read("controls.html")),  # noqa: S314  # our own file
+        tag("p", KEYS, class_="keys", hidden="hidden"),
+        _steps(walk, name, views),
+        class_="viewer",
+        role="group",
+        tabindex="0",
+        aria_label=f"{walk.title}. {KEYS}",
     )
 
 
