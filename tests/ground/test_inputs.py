@@ -71,11 +71,11 @@ def _index_error(*_, **__):
 # A fault in the program, and the kind of input that must find it.
 FAULTS = {
     "a loader that raises what nobody expects": (
-        ("allworlds.world.named.lighthouse_from_json", _index_error),
+        ("allworlds.world.world.lighthouse_from_json", _index_error),
         "worlds",
     ),
     "a start that is looked at after the lighthouse": (
-        ("allworlds.notations.objects.a_start", lambda given, _map: given),
+        ("allworlds.world.world.a_start", lambda given, _map: given),
         "worlds",
     ),
     "findings that may be nested as deeply as they like": (

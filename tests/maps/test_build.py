@@ -181,9 +181,9 @@ def test_every_map_can_be_written_with_edge_names():
 @pytest.mark.parametrize(
     ("rotation", "named"),
     [
-        ([[1, 1], [0, 0]], ["vertex 0 lists 1 too often", "keys, as in [1, 0]", "from_cycles"]),
-        ([[0, 0, 0, 0]], ["vertex 0 lists 0 too often", "keys, as in [0, 0]", "from_cycles"]),
-        ([[0]], ["vertex 0 lists 0 once; a loop stands twice"]),
+        ([[1, 1], [0, 0]], ["vertex 0 lists 1 2 times", "keys, as in [1, 0]"]),
+        ([[0, 0, 0, 0]], ["vertex 0 lists 0 4 times", "keys, as in [0, 0]"]),
+        ([[0]], ["vertex 0 lists 0 1 time; a loop stands twice"]),
         ({"a": [["b", 0]], "b": ["a"]}, ["lists ['b', 0], but 'b' does not list ['a', 0]"]),
         ({"a": [["b", 0]], "b": [["a", 1]]}, ["lists ['b', 0], but 'b' does not list ['a', 0]"]),
         ({"a": [["b", 0, 1]], "b": ["a"]}, ["'a' lists ['b', 0, 1]; legal is a neighbour, or ["]),

@@ -125,15 +125,6 @@ def test_a_graph_with_a_start_that_is_no_dart_is_refused():
         World.from_networkx(graph)
 
 
-def test_a_map_and_a_world_are_made_by_their_classes():
-    faces = ["abc", "acd", "adb", "bdc"]
-    map_ = CombinatorialMap.from_faces(faces)
-    assert map_ == from_faces(faces)
-    assert CombinatorialMap.from_networkx(map_.to_networkx()) == map_
-    planar = CombinatorialMap.from_networkx(nx.Graph(map_.to_networkx().edges()), "planar")
-    assert planar.genus == 0
-
-
 def test_a_planar_graph_is_embedded_in_the_plane():
     map_ = from_networkx(nx.dodecahedral_graph(), order="planar")
     assert (map_.vertex_count, map_.edge_count, len(map_.faces), map_.genus) == (20, 30, 12, 0)
@@ -244,8 +235,8 @@ def with_an_edge_moved(graph):
         ),
         (with_an_edge_moved, "the edge from 2 to 3 has the darts [0, 3]"),
         (lambda g: nx.contracted_nodes(g, 0, 1), "the edge from 0 to 2 has the darts [5, 7]"),
-        (lambda g: g.remove_edge(0, 1), "no edge has dart 0 of node 0, nor dart 3 of node 1"),
-        (lambda g: g.remove_node(3), "no edge has dart 2 of node 0, nor dart 4 of node 1"),
+        (lambda g: g.remove_edge(0, 1), "no edge has dart 0 of node 0"),
+        (lambda g: g.remove_node(3), "no edge has dart 2 of node 0"),
         (lambda g: g.add_node(4), "node 4 has no edge"),
         (lambda g: g.add_edge(3, 4, darts=(12, 13)), "node 4 has no attribute 'darts'"),
         (lambda g: nx.Graph(g.edges(data=True)), "node 0 has no attribute 'darts'"),
@@ -428,8 +419,8 @@ def test_the_faces_of_a_simple_map_give_it_back():
     ("faces", "said"),
     [
         (["abc"], "never walked back"),
-        (["abc", "abc"], "from 'a' to 'b' is walked twice; parallel edges .* from_cycles"),
-        (["aa"], "'a' has a loop.*from_cycles"),
+        (["abc", "abc"], "from 'a' to 'b' is a loop or walked twice; from_cycles"),
+        (["aa"], "from 'a' to 'a' is a loop or .*from_cycles"),
         (["abc", "acb", "ade", "aed"], "at vertex 'a' 2 pieces of surface meet"),
         (["abc", "acb", "dce", "dec", "cfg", "cgf"], "at vertex 'c' 3 pieces of surface meet"),
         (["abc", "acb", "def", "dfe"], "vertex 'd' cannot be reached from vertex 'a'; .*connected"),

@@ -3,8 +3,6 @@
 import csv
 import io
 import json
-import os
-import threading
 from pathlib import Path
 
 import pytest
@@ -36,18 +34,6 @@ def test_each_world_of_a_file_is_told_of(cli, tmp_path):
     assert [{key: str(value) for key, value in row.items()} for row in told["rows"]] == [*rows]
 
 
-def test_worlds_may_come_from_a_pipe_which_is_read_once(cli, tmp_path, monkeypatch):
-    monkeypatch.setattr("sys.stdin", io.StringIO(json.dumps(PLAN)))
-    assert cli("convert", "-", "-o", tmp_path / "x.json")[0] == 0
-    assert [entry.map.edge_count for _, entry in entries(tmp_path / "x.json")] == [2]
-    pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
-    writing = threading.Thread(target=pipe.write_text, args=[json.dumps(PLAN)])
-    writing.start()
-    assert len(convert(pipe).rows) == 1
-    writing.join()
-
-
 def test_worlds_are_written_in_the_notation_of_the_suffix(cli, tmp_path):
     for notation in NOTATIONS:
         for suffix in notation.suffixes if notation.write else ():
@@ -55,20 +41,19 @@ def test_worlds_are_written_in_the_notation_of_the_suffix(cli, tmp_path):
             assert cli("convert", PLANTRI / "tri5.pl", "-o", written)[0] == 0
             ((_, entry),) = entries(written)
             assert unrooted_code(entry.map) == unrooted_code(world_named(f"@{written}").map)
-    named = f"edge_code:{tmp_path / 'x'}"
+    worlds = tmp_path / "x.ec"
     report = tmp_path / "x.html"
-    assert cli("convert", PLANTRI / "tri6.pl", "-o", named, "-o", report)[0] == 0
-    assert len([*entries(tmp_path / "x")]) == 2
+    assert cli("convert", PLANTRI / "tri6.pl", "-o", worlds, "-o", report)[0] == 0
+    assert len([*entries(worlds)]) == 2
     assert "allworlds convert" in report.read_text()
 
 
 def test_what_is_not_written_leaves_the_old_file(refused, tmp_path):
     old = tmp_path / "old.pl"
     old.write_bytes(b"old")
-    assert "world 1 is not written: planar_code has no place for its name; without name leaves" in (
-        refused("convert", plans(tmp_path), "-o", old)
-    )
-    refused("convert", plans(tmp_path), "-o", old, "--without", "name")
+    loop = plans(tmp_path, json.dumps({"hall": ["hall", "hall"]}))
+    why = "world 1 is not written: vertex hall has a loop, not told so"
+    assert why in refused("convert", loop, "-o", old)
     assert old.read_bytes() == b"old"
     assert [*tmp_path.glob("*.part")] == []
 
@@ -76,8 +61,6 @@ def test_what_is_not_written_leaves_the_old_file(refused, tmp_path):
 @pytest.mark.parametrize(
     ("words", "why"),
     [
-        (["--without", "names"], "without names has no effect where nothing is written"),
-        (["-o", "x.pl", "--without", "rooms"], "without 'rooms': legal are name, names, positions"),
         (["-o", "x.pl", "-o", "x.ec"], "-o 'x.ec' is a second file of worlds; one is written"),
         (["-o", "x.graphml"], "worlds cannot be written as 'x.graphml'; legal are .json, "),
         (["-o", "x.odd"], "-o 'x.odd' is no file that convert writes: .json, "),
@@ -91,9 +74,11 @@ def test_options_without_a_meaning_are_refused(words, why, refused, tmp_path, mo
     assert [*tmp_path.iterdir()] == [tmp_path / "plans.json"]
 
 
-def test_all_but_the_map_is_left_out_where_that_is_asked(tmp_path):
-    told = convert(plans(tmp_path), output=tmp_path / "x.pl", without="name,names")
+def test_what_a_notation_has_no_place_for_is_left_out_and_told(tmp_path):
+    told = convert(plans(tmp_path), output=tmp_path / "x.pl")
     assert (told.written, len(told.rows)) == (str(tmp_path / "x.pl"), 2)
+    assert told.left_out == ("name", "names")
+    assert convert(plans(tmp_path), output=tmp_path / "x.jsonl").left_out is None
     assert [entry.labels.vertices for _, entry in entries(tmp_path / "x.pl")] == [(), ()]
 
 
@@ -106,7 +91,6 @@ def test_a_world_is_one_of_a_file_by_its_name_or_number(tmp_path):
     assert world_named(f"@{path}:2").labels.vertices == ("in", "out")
     assert world_named(f"@{PLANTRI / 'tri5.pl'}").map.edge_count == 9
     colons = path.rename(tmp_path / "a:1.json")
-    assert world_named(f"@{colons}:house").map.edge_count == 2
     with pytest.raises(
         InputError, match="more than one world; @FILE:NAME names one of 'house', 'b"
     ):

@@ -158,7 +158,7 @@ def test_lighthouses_must_agree(tmp_path, refused):
     worlds = as_json("k4", lighthouse=position), as_json("theta", lighthouse={"kind": "none"})
     one, two = (write(tmp_path / f"{n}.jsonl", *worlds[:n]) for n in (1, 2))
     said = refused("check", "--worlds", two)
-    assert f"theta of {two} has the lighthouse 'none', and k4 of {two} has 'position'" in said
+    assert f"k4 of {two} has 'position', and theta of {two} has 'none'" in said
     for verb in (["check", "folding"], ["ambiguity", "census"]):
         said = refused(*verb, "--worlds", one, "--lighthouse", "directional")
         assert "lighthouse = 'directional', but 1 world of" in said
@@ -168,7 +168,7 @@ def test_lighthouses_must_agree(tmp_path, refused):
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (["--worlds", "nowhere.jsonl"], "worlds 'nowhere.jsonl' cannot be read: No such file"),
+        (["--worlds", "nowhere.jsonl"], "file 'nowhere.jsonl' cannot be read: No such file"),
         (["--worlds", "plans.jsonl", "--edges", "1"], "6 worlds of plans.jsonl have at least 2"),
         (["--order", "anticlockwise"], "has no effect without worlds of a file"),
         (["--embeddings", "all"], "embeddings = 'all' has no effect without a graph"),

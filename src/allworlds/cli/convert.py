@@ -13,7 +13,7 @@ def convert(request: ConvertRequest, *, output: OutputGroup) -> int:
     """Example: allworlds convert plan.graphml -o plan.json
 
     Tell of each world of a file: its size, genus, faces and symmetries; with -o write them in
-    another notation. What that cannot tell is refused, or left out by --without.
+    another notation, without what that has no place for.
     """
     files = output.files or []
     worlds = [name for name in files if names_world_file("convert", name)]

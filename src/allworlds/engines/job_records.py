@@ -16,7 +16,7 @@ from typing import Annotated, Any, NamedTuple, Self, TypeVar, get_args, get_orig
 from msgspec import Struct
 
 from allworlds import document as doc, words
-from allworlds.engines.units import Portion, Sum, a_shard, shard_numbers, shards_of
+from allworlds.engines.units import Shard, Sum, a_shard, shard_numbers
 from allworlds.inputs.checks import InputError, show
 from allworlds.version import __version__
 
@@ -55,7 +55,7 @@ class Identity(doc.Document):
         return doc.parse({"format": 1} | json.loads(text), cls, "identity")
 
     @property
-    def portion(self) -> Portion:
+    def portion(self) -> Shard:
         """The part of the units that is done: the whole, or a shard."""
         return a_shard(shard_numbers(self.shard))
 
@@ -68,7 +68,7 @@ class Identity(doc.Document):
     @property
     def shards(self) -> int:
         """The number of shards into which the job is cut."""
-        return shards_of(self.portion)
+        return self.portion.count
 
     def difference(self, other: "Identity") -> str:
         """The difference of the other one, as a clause about the other; empty if there is none.

@@ -137,9 +137,9 @@ class SweptReport(limits.RowsReport):
         return self.ending.stopped
 
     @property
-    def portion(self) -> units.Portion:
+    def portion(self) -> units.Shard:
         """The part of the job that was to be done."""
-        portion: units.Portion = self.request.shard
+        portion: units.Shard = self.request.shard
         return portion
 
     @property
@@ -222,20 +222,18 @@ class Sweep(ABC, Generic[Total, Answer]):
     def __init__(self, request: Any, extent: classes.Extent | None = None) -> None:
         self.request, self.extent = request, extent
         self.listener: limits.Listener = request.listener
-        self.portion: units.Portion = getattr(request, "shard", units.WHOLE)
+        self.portion: units.Shard = getattr(request, "shard", units.WHOLE)
         self.deadline = limits.deadline_after(request.time_limit)
 
     @classmethod
     def known(
-        cls, identity: Identity, portion: units.Portion, listener: limits.Listener
+        cls, identity: Identity, portion: units.Shard, listener: limits.Listener
     ) -> "Sweep[Any, Any]":
         """Return the sweep of that identity, or of a shard of it, without loading an explorer."""
         return cls(cls.asked_then(identity, portion, listener))
 
     @classmethod
-    def asked_then(
-        cls, identity: Identity, portion: units.Portion, listener: limits.Listener
-    ) -> Any:
+    def asked_then(cls, identity: Identity, portion: units.Shard, listener: limits.Listener) -> Any:
         """Return the request of that identity, for a portion."""
         shard = {"shard": portion} if issubclass(cls.asked, units.ShardOptions) else {}
         options = requests.remembered(cls.asked, identity.parameters)
@@ -325,7 +323,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         Raises:
             InputError: if the directory is of another job, in use, damaged, or not writable.
         """
-        if run is None and isinstance(self.portion, units.Shard):
+        if run is None and self.portion != units.WHOLE:
             self.listener.notice(
                 "without --run DIR the report of this shard cannot be merged with others"
             )
@@ -373,7 +371,7 @@ class Sweep(ABC, Generic[Total, Answer]):
             return outcome.Stopped(str(error))
 
     def _through(self) -> outcome.Ending | None:
-        made, shards = self.ready(), units.shards_of(self.portion)
+        made, shards = self.ready(), self.portion.count
         with made.transport as there:
             if self.extent is not None:
                 units.tell_of_size(self.extent, self.listener, shards)

@@ -81,13 +81,6 @@ class Transport(Protocol[E_contra]):
         """
 
 
-class Whole(Struct, frozen=True):
-    """Every world of the extent."""
-
-    def __str__(self) -> str:
-        return "0/1"
-
-
 class Shard(Struct, frozen=True):
     """The part of number ``index`` when every level is dealt out to ``count`` parts.
 
@@ -99,8 +92,8 @@ class Shard(Struct, frozen=True):
     count: int
 
     def __post_init__(self) -> None:
-        for name, number in (("K", self.index), ("N", self.count)):
-            an_integer(f"shard {name}", number)
+        for name, key in (("K", "index"), ("N", "count")):
+            force_setattr(self, key, an_integer(f"shard {name}", getattr(self, key)))
         if self.count < 1 or not 0 <= self.index < self.count:
             raise InputError(f"shard {self} is out of range; K/N needs 0 <= K < N, counted from 0")
 
@@ -108,15 +101,8 @@ class Shard(Struct, frozen=True):
         return f"{self.index}/{self.count}"
 
 
-WHOLE = Whole()
-
-Portion: TypeAlias = Whole | Shard
-"""The part of the units of a job that is done."""
-
-
-def shards_of(portion: object) -> int:
-    """The number of parts of the job to which this part belongs."""
-    return portion.count if isinstance(portion, Shard) else 1
+WHOLE = Shard(0, 1)
+"""All units of a job, as its only part."""
 
 
 def shard_numbers(text: str) -> tuple[int, int]:
@@ -129,27 +115,26 @@ def shard_numbers(text: str) -> tuple[int, int]:
     return int(match[1]), int(match[2])
 
 
-def a_shard(pair: object) -> Portion:
-    """The shard of ``(K, N)``; of one shard, and of None, the whole.
+def a_shard(pair: object) -> Shard:
+    """The shard of ``(K, N)``; of None the whole.
 
     Raises:
         InputError: for anything else.
     """
-    if isinstance(pair, Whole | Shard):
-        return pair
     if pair is None:
-        return Whole()
+        return WHOLE
+    if isinstance(pair, Shard):
+        return pair
     if not isinstance(pair, tuple | list) or len(pair) != 2:
         raise InputError(f"shard = {show(pair)} is not a pair (K, N)")
-    shard = Shard(an_integer("shard K", pair[0]), an_integer("shard N", pair[1]))
-    return Whole() if shard.count == 1 else shard
+    return Shard(*pair)
 
 
 class ShardOptions(Request):
     """The part of a request that names the shard."""
 
     shard: Annotated[
-        Converted[tuple[int, int] | Portion | None, Portion],
+        Converted[tuple[int, int] | Shard | None, Shard],
         Option(
             RARE_SCOPE,
             "K/N",
@@ -248,7 +233,7 @@ class GivenUnit(Struct, frozen=True):
 
 
 def units_of_level(
-    extent: Extent, edges: int, portion: Portion = WHOLE
+    extent: Extent, edges: int, portion: Shard = WHOLE
 ) -> Iterator[LevelUnit | GivenUnit]:
     """The pieces of a level, or those of a shard; independent of the number of workers.
 
@@ -256,16 +241,14 @@ def units_of_level(
     """
     given = extent.given
     if isinstance(given, GivenMaps):
-        weights = given.weights(edges)
-        mine = dealt(weights, portion) if isinstance(portion, Shard) else range(len(weights))
-        for number in mine:
+        for number in dealt(given.weights(edges), portion):
             yield GivenUnit(edges, number, given.piece(edges, number))
         return
     depths = SIMPLE_DEPTHS if extent.map_class.simple else DEPTHS
     depth = next(depth for below, depth in depths if edges < below)
     histories = prefixes(edges, extent.map_class, extent.vertices, depth, extent.where)
     units: Iterable[LevelUnit] = (LevelUnit(edges, prefix) for prefix in histories)
-    if isinstance(portion, Shard):
+    if portion != WHOLE:
         every = list(units)
         units = (every[i] for i in dealt([unit.weight(extent) for unit in every], portion))
     yield from units
@@ -350,12 +333,8 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
         listener.notice(f"all levels up to {last} edges are asked for: {_LONG}")
 
 
-class UnitOfRuns(Protocol):
+class UnitOfRuns(Unit, Protocol):
     """A unit that one worker does at a time."""
-
-    @property
-    def key(self) -> str:
-        """Its name among the units of a check."""
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
         """Every map with its places, in a fixed order."""
@@ -417,7 +396,7 @@ class Sample(Struct, frozen=True):
     runs: int
     seed: int = 0
     min_edges: int = 1
-    portion: Portion = WHOLE
+    portion: Shard = WHOLE
 
     def __post_init__(self) -> None:
         for name in ("runs", "seed", "min_edges"):
@@ -431,7 +410,7 @@ class Sample(Struct, frozen=True):
             raise InputError(f"min-edges = {show(self.min_edges)} is not positive")
 
 
-Coverage: TypeAlias = Whole | Shard | Sample
+Coverage: TypeAlias = Shard | Sample
 """The part of the worlds of an extent that is tried."""
 
 
@@ -453,14 +432,14 @@ class Scope(Struct, frozen=True):
     @property
     def whole(self) -> bool:
         """Whether every world of a class is tried, so that they can be counted."""
-        return isinstance(self.coverage, Whole) and self.extent.given is None
+        return self.coverage == WHOLE and self.extent.given is None
 
     def like(self, world: World) -> Iterable[World]:
         """The given worlds that are this one in another numbering; none where none are given."""
         return () if self.extent.given is None else self.extent.given.like(world)
 
     @property
-    def portion(self) -> Portion:
+    def portion(self) -> Shard:
         """The whole, or a shard of it."""
         return self.coverage.portion if isinstance(self.coverage, Sample) else self.coverage
 

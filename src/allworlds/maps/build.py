@@ -14,6 +14,7 @@ from typing import Any
 
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, distances
+from allworlds.words import plural
 
 LARGEST = 10_000
 """The largest N of a named family."""
@@ -53,12 +54,11 @@ def from_rotation(
             if w not in count:
                 legal = show([*given])
                 raise InvalidMap(f"vertex {show(v)} lists {show(entry)}; the vertices are {legal}")
-            if count[v][edge] < ends_here:
-                raise InvalidMap(f"vertex {show(v)} lists {show(entry)} once; a loop stands twice")
-            if count[v][edge] > ends_here:
+            if count[v][edge] != ends_here:
+                keys = f"{show([w, 0])} and {show([w, 1])}"
                 raise InvalidMap(
-                    f"vertex {show(v)} lists {show(entry)} too often; parallel edges have keys, as "
-                    f"in {show([w, 0])} and {show([w, 1])}, or names with from_cycles"
+                    f"vertex {show(v)} lists {show(entry)} {plural(count[v][edge], 'time')}; a "
+                    f"loop stands twice, and parallel edges have keys, as in {keys}"
                 )
             if edge not in count[w]:
                 back = show([v, *key] if key else v)

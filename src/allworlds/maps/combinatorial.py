@@ -9,10 +9,10 @@ Codes are compared lexicographically, sigma first.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 from msgspec import Struct
 
@@ -264,22 +264,6 @@ class CombinatorialMap(Pictured, WrittenByFields):
         from allworlds.maps.networks import to_networkx
 
         return to_networkx(self)
-
-    @classmethod
-    def from_networkx(
-        cls, graph: Any, order: Literal["positions", "planar"] | None = None
-    ) -> CombinatorialMap:
-        """The map of a graph of networkx; see :func:`allworlds.maps.networks.from_networkx`."""
-        from allworlds.maps.networks import from_networkx
-
-        return from_networkx(graph, order)
-
-    @classmethod
-    def from_faces(cls, faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
-        """The map glued of polygons; see :func:`allworlds.maps.networks.from_faces`."""
-        from allworlds.maps.networks import from_faces
-
-        return from_faces(faces)
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:

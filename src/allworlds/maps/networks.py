@@ -64,7 +64,8 @@ def from_networkx(
     import networkx as nx
 
     if order is None and _has_pointers(graph):
-        return compared(_from_pointers(graph), list(graph), undirected(graph))
+        rotation = {v: _clockwise(v, around) for v, around in graph.adjacency()}
+        return compared(from_rotation(rotation), list(graph), undirected(graph))
     plain = undirected(graph)
     if order == "positions":
         return from_positions(plain, nx.get_node_attributes(plain, "pos"))
@@ -284,9 +285,8 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
             legal = "an edge has two darts of its own, one at each end"
             raise InvalidMap(f"{edge} has the darts {show(pair)}; {legal}")
         pairs.append(pair)
-    if loose:
-        some = ", nor ".join(f"dart {d} of node {show(v)}" for d, v in [*loose.items()][:2])
-        raise InvalidMap(f"no edge has {some}; each dart belongs to an edge")
+    for dart, v in loose.items():
+        raise InvalidMap(f"no edge has dart {dart} of node {show(v)}; each dart belongs to an edge")
     map_ = CombinatorialMap(permutation(around.values()), permutation(pairs))
     return compared(map_, [owner[first] for first, *_ in map_.vertices], graph)
 
@@ -310,10 +310,11 @@ def permutation(cycles: Iterable[Sequence[int]]) -> list[int]:
     Raises:
         InvalidMap: unless each of 0..N-1 stands in one cycle.
     """
-    image = {a: b for cycle in cycles for a, b in zip(cycle, [*cycle[1:], *cycle[:1]], strict=True)}
-    if sorted(image) != list(range(len(image))):
-        raise InvalidMap(f"the darts {show(sorted(image))} are not 0..{len(image) - 1}")
-    return [image[dart] for dart in range(len(image))]
+    pairs = sorted((a, b) for cycle in cycles for a, b in pairwise([*cycle, *cycle[:1]]))
+    darts = [dart for dart, _ in pairs]
+    if darts != list(range(len(pairs))):
+        raise InvalidMap(f"the darts {show(darts)} are not 0..{len(pairs) - 1}")
+    return [image for _, image in pairs]
 
 
 def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
@@ -335,16 +336,11 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     for face in faces:
         walk = list(zip(face, [*face[1:], *face[:1]], strict=True))
         for way, after in zip(walk, [*walk[1:], *walk[:1]], strict=True):
-            a, b = way
-            if a == b:
+            if way in phi or way[0] == way[1]:
+                ends = f"from {show(way[0])} to {show(way[1])}"
                 raise InvalidMap(
-                    f"vertex {show(a)} has a loop, whose two ends have one name here; from_cycles "
-                    "takes loops"
-                )
-            if way in phi:
-                raise InvalidMap(
-                    f"the edge from {show(a)} to {show(b)} is walked twice; parallel edges have no "
-                    "names here, from_cycles takes them"
+                    f"the edge {ends} is a loop or walked twice; from_cycles takes loops and "
+                    "parallel edges"
                 )
             phi[way] = after
     for a, b in phi:
@@ -360,14 +356,6 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
         if count > 1:
             raise InvalidMap(f"at vertex {show(vertex)} {count} pieces of surface meet; 1 is legal")
     return map_at(sigma, alpha, [vertex for vertex, _ in ways])
-
-
-def _from_pointers(graph: nx.DiGraph) -> CombinatorialMap:
-    """The map of the attributes ``cw`` and ``ccw`` of a ``PlanarEmbedding``; each edge has two.
-
-    Darts are numbered node by node in the order of the embedding, clockwise round each.
-    """
-    return from_rotation({v: _clockwise(v, around) for v, around in graph.adjacency()})
 
 
 def _clockwise(v: Hashable, around: Mapping[Hashable, Mapping[str, Any]]) -> list[Hashable]:

@@ -1,7 +1,7 @@
 """A table of edges, in CSV: two ends, and which one clockwise the edge is at each of them.
 
-The header ``from,to,from_rank,to_rank`` must be there, ``key`` may follow: a word
-for the reader, since every line is an edge.  Ranks are any numbers, and differ at one vertex.
+The header ``from,to,from_rank,to_rank`` must be there; every line is an edge.  Ranks are any
+numbers, and differ at one vertex.
 """
 
 import csv
@@ -12,8 +12,9 @@ from typing import IO
 
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import from_cycles
-from allworlds.notations.entry import Entry, at, text_of
+from allworlds.notations.entry import at, text_of
 from allworlds.world.labels import Labelling
+from allworlds.world.world import Entry
 
 COLUMNS = ["from", "to", "from_rank", "to_rank"]
 
@@ -24,8 +25,8 @@ def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
     ranks = dict[str, dict[float, int]]()
     try:
         header = next(rows, [])
-        if header not in (COLUMNS, [*COLUMNS, "key"]):
-            legal = f"{','.join(COLUMNS)}, and ,key if wanted"
+        if header != COLUMNS:
+            legal = ",".join(COLUMNS)
             raise InputError(f"the header is {show(','.join(header))}; legal is {legal}")
         for row in filter(None, rows):
             with at(f"line {rows.line_num}"):

@@ -1,30 +1,12 @@
-"""One world of a file, as a reader of its notation hands it over."""
+"""Places in files, their texts and lines, and what readers and writers share besides."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import IO, Any
-
-from msgspec import Struct
+from typing import IO
 
 from allworlds.inputs.checks import InputError
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
-from allworlds.world.labels import PLAIN, Labelling
-
-
-class Entry(Struct, frozen=True):
-    """A map of a file, with its labels.
-
-    Attributes:
-        map: its darts are numbered as its notation lists them.
-        labels: the name of the world in the file, and those of its vertices.
-        start: the dart that the robot faces, if the file fixes it.
-        lighthouse: the JSON object of the lighthouse that stands there, if the file fixes it.
-    """
-
-    map: CombinatorialMap
-    labels: Labelling = PLAIN
-    start: Dart | None = None
-    lighthouse: Any = None
+from allworlds.maps.combinatorial import Vertex
+from allworlds.world.world import Entry
 
 
 @contextmanager

@@ -1,6 +1,5 @@
 """Worlds that users give in place of a class: of files, of a graph's embeddings, or made here."""
 
-import hashlib
 import re
 from array import array
 from collections import defaultdict
@@ -21,18 +20,17 @@ from allworlds.maps.combinatorial import (
     Dart,
     inverse,
     numbering,
-    rooted_code,
 )
 from allworlds.maps.networks import embeddings, to_networkx
-from allworlds.notations.entry import Entry
+from allworlds.notations.entry import at
 from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
-from allworlds.protocol.user_code import recorded
+from allworlds.protocol.user_code import digest_of_file, recorded
 from allworlds.words import listed, plural
 from allworlds.world.labels import PLAIN, Labelling
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import LighthouseKind, kind_of, lighthouse_from_json
 from allworlds.world.lighthouses.options import InvalidWorld
-from allworlds.world.world import World
+from allworlds.world.world import Entry, World
 
 PIECE = 50
 """The given maps that one worker does at a time."""
@@ -84,8 +82,8 @@ class GivenMaps:
         noun: of one of them.
         of: where they come from, in words; empty for worlds that were made in this process.
         gate: why nobody counts them.
-        found: the maps, each with the name by which it is refused and the key by which
-            :meth:`_entry` finds it.
+        found: the maps, each with the name by which it is refused, and its key.
+        find: the map of such a key.
         codes: their files.
 
     Attributes:
@@ -104,34 +102,30 @@ class GivenMaps:
         of: str,
         gate: str,
         found: Iterable[tuple[str, tuple[int, int, int], GivenMap]],
+        find: Callable[[int, int, int], GivenMap],
         codes: tuple[Digest, ...] = (),
     ) -> None:
         self.noun, self.of, self.gate, self.codes = noun, of, f"absent: {gate}", codes
-        self.count, self.fixed = 0, True
-        self.lighthouse: LighthouseKind | None = None
+        self.count, self.fixed, self._find = 0, True, find
+        kinds = dict[LighthouseKind, str]()
         self._at: dict[int, array[int]] = defaultdict(lambda: array("Q"))
-        first = ""
         for name, key, given in found:
             self.count += 1
             self._at[given.map.edge_count].extend((*key, len(given.starts)))
             self.fixed &= len(given.starts) == 1 and given.lighthouse is not None
-            kind = given.lighthouse and kind_of(given.lighthouse)
-            if kind and self.lighthouse and kind != self.lighthouse:
-                raise InputError(
-                    f"{name} has the lighthouse {show(str(kind))}, and {first} has "
-                    f"{show(str(self.lighthouse))}; legal is one lighthouse for all"
-                )
-            if kind and not self.lighthouse:
-                self.lighthouse, first = kind, name
+            if given.lighthouse:
+                kinds.setdefault(kind_of(given.lighthouse), name)
+        if len(kinds) > 1:
+            one, other, *_ = (f"{name} has {show(str(kind))}" for kind, name in kinds.items())
+            raise InputError(f"{one}, and {other}; legal is one lighthouse for all")
+        self.lighthouse = next(iter(kinds), None)
         if not self.count:
             empty = f"there is no {noun} of {of}" if of else "worlds = [] is empty"
             raise InputError(f"{empty}; legal is one world or more")
         self.starts = {edges: sum(self._at[edges][3::4]) for edges in sorted(self._at)}
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**vars(self), "_at": None, "_entry": None}
-
-    _entry: Callable[[int, int, int], GivenMap]
+        return {**vars(self), "_at": None, "_find": None}
 
     @property
     def words(self) -> str:
@@ -153,38 +147,26 @@ class GivenMaps:
     def piece(self, edges: int, number: int) -> tuple[GivenMap, ...]:
         """The maps of a piece of a level."""
         keys = self._at[edges][4 * PIECE * number : 4 * PIECE * (number + 1)]
-        return tuple(map(self._entry, keys[::4], keys[1::4], keys[2::4]))
+        return tuple(map(self._find, keys[::4], keys[1::4], keys[2::4]))
 
     def like(self, world: World) -> Iterator[World]:
         """The given worlds that are this one in another numbering, in their order."""
-        code = rooted_code(world.map.sigma, world.map.alpha, world.start)
+        order = numbering(world.map.sigma, world.map.alpha, world.start)
         edges = world.map.edge_count
         pieces = (self.piece(edges, i) for i in range(len(self.weights(edges))))
         for given in chain.from_iterable(pieces):
             for start in given.starts:
-                if rooted_code(given.map.sigma, given.map.alpha, start) != code:
-                    continue
-                order = numbering(world.map.sigma, world.map.alpha, world.start)
                 own = numbering(given.map.sigma, given.map.alpha, start)
-                names = [own[i] for i in inverse(order)]
-                place = world.lighthouse.relabelled(names)
-                if given.lighthouse in (None, place):
-                    yield World(given.map, place, start, labels=given.labels)
-
-
-def given_worlds(worlds: Sequence[World]) -> GivenMaps:
-    """Worlds that were made in this process, each with its own start and lighthouse."""
-    made = [GivenMap(world.map, (world.start,), world.lighthouse, world.labels) for world in worlds]
-    return _held("given world", "", "the worlds were given", made)
+                again = world.relabelled([own[i] for i in inverse(order)])
+                if again.map == given.map and given.lighthouse in (None, again.lighthouse):
+                    yield World(given.map, again.lighthouse, start, labels=given.labels)
 
 
 def _held(
     noun: str, of: str, gate: str, held: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
 ) -> GivenMaps:
     found = ((f"worlds[{i}]", (0, i, i), each) for i, each in enumerate(held))
-    maps = GivenMaps(noun, of, gate, found, codes)
-    maps._entry = lambda _file, _offset, number: held[number]  # noqa: SLF001  # of this module
-    return maps
+    return GivenMaps(noun, of, gate, found, lambda _file, _offset, number: held[number], codes)
 
 
 def files_of(*names: str) -> tuple[Digest, ...]:
@@ -193,7 +175,13 @@ def files_of(*names: str) -> tuple[Digest, ...]:
     Raises:
         InputError: if one cannot be read, or is not as a record says that is being read.
     """
-    return tuple(Digest(name, _digest(name)) for name in dict.fromkeys(names))
+    found = list[Digest]()
+    for name in dict.fromkeys(names):
+        digest = digest_of_file(a_path("worlds", name))
+        if recorded(name) not in (None, digest):
+            raise InputError(f"worlds {show(name)} has another text now than the one recorded")
+        found.append(Digest(name, digest))
+    return tuple(found)
 
 
 @lru_cache(maxsize=4)
@@ -217,9 +205,7 @@ def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | N
         return replace(_given(entry, called), labels=replace(entry.labels, name=called))
 
     of = listed([code.plain for code in codes])
-    maps = GivenMaps("world", of, "worlds of a file", found(), codes)
-    maps._entry = entry_of  # noqa: SLF001  # of this module
-    return maps
+    return GivenMaps("world", of, "worlds of a file", found(), entry_of, codes)
 
 
 @lru_cache(maxsize=4)
@@ -234,8 +220,7 @@ def embeddings_of(
     of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
     if which != "all" and not of_genus:
         raise InputError(f"embeddings {show(which)} is not one of all, genus:G, as in genus:1")
-    named = entry_named(graph, "", order, y) if codes else None
-    entry = named or Entry(named_map(graph))
+    entry = entry_named(graph, "", order, y) if codes else Entry(named_map(graph))
     genus = int(of_genus[1]) if of_genus else None
     labels = Labelling(entry.labels.name, entry.labels.vertices)
     every = embeddings(to_networkx(entry.map), genus=genus)
@@ -252,12 +237,10 @@ def _given(entry: Entry, name: str) -> GivenMap:
     map_, place = entry.map, None
     starts: Sequence[Dart] = map_.darts if entry.start is None else (entry.start,)
     if entry.lighthouse is not None:
-        try:
+        with at(name):
             place = lighthouse_from_json(entry.lighthouse, map_, starts[0])
             starts = [start for start in starts if _stands(place, map_, start)] or starts
             place.check(map_, starts[0])
-        except InputError as error:
-            raise InputError(f"{name}: {error}") from None
     return GivenMap(map_, starts, place, entry.labels)
 
 
@@ -270,18 +253,6 @@ def _stands(place: Lighthouse, map_: CombinatorialMap, start: Dart) -> bool:
     return True
 
 
-def _digest(name: str) -> str:
-    """SHA-256 of a file; the recorded one where a record is read."""
-    try:
-        with a_path("worlds", name).open("rb") as file:
-            digest = hashlib.file_digest(file, "sha256").hexdigest()
-    except OSError as error:
-        raise InputError(f"worlds {show(name)} cannot be read: {error.strerror}") from None
-    if recorded(name) not in (None, digest):
-        raise InputError(f"worlds {show(name)} has another text now than the one recorded")
-    return digest
-
-
 # ---------------------------------------------------------------- options
 
 
@@ -289,17 +260,15 @@ def _worlds(given: object) -> tuple[Any, ...] | None:
     """The names of files, or worlds; each as it is."""
     if given is None:
         return None
-    if isinstance(given, str | Path):
-        return (str(given),)
-    try:
-        every = [*given]  # type: ignore[misc]  # or a refusal
-    except TypeError:
-        raise InputError(f"worlds = {show(given)} is no series of worlds") from None
+    every = [given] if isinstance(given, str | Path) else given
+    if not isinstance(every, Iterable):
+        raise InputError(f"worlds = {show(given)} is no series of worlds")
+    every = [*every]
     made = any(isinstance(world, World) for world in every)
     for number, world in enumerate(every):
         if not isinstance(world, World if made else str | Path):
             raise InputError(f"worlds[{number}] = {show(world)} is no World")
-    return tuple(every) if made else tuple(map(str, every))
+    return tuple(every if made else map(str, every))
 
 
 def _said(meaning: str) -> Any:
@@ -394,9 +363,12 @@ class GivenOptions(FileOptions):
                 "run keeps no worlds that live in this process alone; write them into a file, and "
                 "name that"
             )
-        return None if self.worlds is None else given_worlds(self.worlds)
+        if self.worlds is None:
+            return None
+        made = [GivenMap(it.map, (it.start,), it.lighthouse, it.labels) for it in self.worlds]
+        return _held("given world", "", "the worlds were given", made)
 
-    def lighthouse_of_given(self, named: Any) -> LighthouseKind | None:
+    def lighthouse_of_given(self, named: Any) -> Any:
         """The lighthouse that the given worlds fix, or the one that is named.
 
         Raises:
@@ -404,8 +376,6 @@ class GivenOptions(FileOptions):
         """
         fixed = self.given and self.given.lighthouse
         if named and fixed and named != fixed:
-            raise InputError(
-                f"lighthouse = {show(str(named))}, but {self.given.words} have "  # type: ignore[union-attr]
-                f"{show(str(fixed))}"
-            )
+            words = f"{self.given.words} have {show(str(fixed))}"  # type: ignore[union-attr]
+            raise InputError(f"lighthouse = {show(str(named))}, but {words}")
         return fixed or named

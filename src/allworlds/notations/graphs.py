@@ -3,8 +3,7 @@
 The edges round each vertex follow from straight lines between positions, by
 :func:`allworlds.maps.networks.from_positions`.  A position stands in ``pos`` (two numbers, or a
 text of two), in ``x`` and ``y``, in ``graphics`` of GML, or in the boxes of yEd, of which the
-middle is taken.  If each node has ``rotation``, a JSON list of its neighbours as in a rotation
-(:mod:`~allworlds.notations.objects`), that is the order, and positions are not read.
+middle is taken.
 
 Names are the labels, if each node has one of its own, else the ids.  Of directed edges both
 directions must be there, which are one edge.  yEd calls every edge directed; there an edge leads
@@ -20,11 +19,11 @@ from collections.abc import Callable, Iterator
 from typing import IO, TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
-from allworlds.inputs.checks import InputError, parse_json, show
-from allworlds.maps.networks import compared, from_positions, undirected
-from allworlds.notations.entry import Entry, text_of
-from allworlds.notations.objects import entry_of_rotation
+from allworlds.inputs.checks import InputError, show
+from allworlds.maps.networks import from_positions, undirected
+from allworlds.notations.entry import text_of
 from allworlds.world.labels import Labelling
+from allworlds.world.world import Entry
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -99,17 +98,12 @@ def _label(data: dict[str, Any]) -> str:
 
 
 def _entry(graph: nx.Graph) -> Entry:
-    """The world of a graph whose nodes have positions, or rotations."""
+    """The world of a graph whose nodes have positions."""
     import networkx as nx
 
     labels = [_label(data) for _, data in graph.nodes(data=True)]
     names = labels if all(labels) and len({*labels}) == len(labels) else [*map(str, graph)]
     graph = undirected(nx.relabel_nodes(graph, dict(zip(graph, names, strict=True))))
-    if any("rotation" in data for _, data in graph.nodes(data=True)):
-        texts = (str(graph.nodes[name].get("rotation", "[]")) for name in names)
-        entry = entry_of_rotation(dict(zip(names, map(parse_json, texts), strict=True)))
-        compared(entry.map, names, graph)
-        return entry
     places = {name: _place(name, graph.nodes[name]) for name in names}
     map_ = from_positions(graph, places)
     return Entry(map_, Labelling("", tuple(names), tuple(places.values())))
@@ -124,5 +118,5 @@ def _place(name: str, data: dict[str, Any]) -> Any:
     try:
         return [float(each) for each in pos]
     except (TypeError, ValueError):
-        ways = "pos, x and y, graphics [ x y ], or rotation"
+        ways = "pos, x and y, or graphics [ x y ]"
         raise InputError(f"vertex {show(name)} is at {show(pos)}; legal are {ways}") from None

@@ -5,15 +5,14 @@
                                           ``names`` and ``positions`` of the vertices
 ``{"hall": ["a", ["b", 0], ...], ...}``   a rotation: the neighbours of each vertex; an edge that
                                           is one of several has a key, at both its ends
-``{"vertices": [[0, 1], ...], "edges":``  a fat graph: cycles of darts, also as ``"(0,1)(2,3)"``;
-``..., "faces": ...}``                    two of the three; also as ``vp``, ``ep`` and ``fp``
+``{"vertices": [[0, 1], ...], "edges":``  a fat graph: cycles of darts; two of the three suffice
+``..., "faces": ...}``
 ========================================  ========================================================
 
 In a face a dart is followed by the one before its other half in the order round the vertex, as in
 ``FatGraph`` of the package surface_dynamics for Sage, whose vertices are anticlockwise.
 """
 
-import re
 from collections import Counter
 from collections.abc import Mapping
 from typing import Any
@@ -22,14 +21,13 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import from_rotation
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles, inverse
 from allworlds.maps.networks import permutation
-from allworlds.notations.entry import Entry, at
+from allworlds.notations.entry import at
 from allworlds.world.labels import Labelling
-from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys
-from allworlds.world.world import a_start
+from allworlds.world.lighthouses.options import InvalidWorld
+from allworlds.world.world import Entry, WorldDocument
 
-OWN = ("sigma", "alpha", "start", "lighthouse", "name", "names", "positions")
-CYCLES = {"vp": "vertices", "ep": "edges", "fp": "faces"}
-"""Other names of the keys of a fat graph."""
+FAT = {"vertices", "edges", "faces"}
+"""The keys of a fat graph, of which two at least are there."""
 
 
 def entry_of(given: object, name: str = "") -> Entry:
@@ -44,33 +42,12 @@ def entry_of(given: object, name: str = "") -> Entry:
             f"edges, not {show(given)}"
         )
     if {"sigma", "alpha"} & given.keys():
-        return _own(given, name)
+        return Entry.from_json(given, name)
     rotation = all(isinstance(each, list) for each in given.values())
     if given.keys() & {"findings", "finding", "law"} and not rotation:
         raise InputError("this is a report or a finding, not a world; see replay and explain")
-    fat: dict[str, Any] = {CYCLES.get(str(key), str(key)): value for key, value in given.items()}
-    if 1 < len(fat) == len(given) and fat.keys() <= {*CYCLES.values()}:
-        return Entry(_fat(fat), Labelling(name))
-    return entry_of_rotation(given, name)
-
-
-def _own(given: Mapping[str, Any], name: str) -> Entry:
-    refuse_other_keys("world", given, OWN)
-    if given.get("lighthouse", "") is None:
-        raise InvalidWorld("lighthouse = None is no object; without one any may stand there")
-    map_, start = CombinatorialMap.from_json(given), given.get("start")
-    names, positions = given.get("names", ()), given.get("positions", ())
-    labels = Labelling(given.get("name", name), names, positions)
-    start = None if start is None else a_start(start, map_)
-    return Entry(map_, labels, start, given.get("lighthouse"))
-
-
-def entry_of_rotation(given: Mapping[Any, Any], name: str = "") -> Entry:
-    """The world of a rotation, whose vertices keep their names.
-
-    Raises:
-        InputError: naming the vertex.
-    """
+    if len(given) > 1 and given.keys() <= FAT:
+        return Entry(_fat(given), Labelling(name))
     if all(isinstance(vertex, str) for vertex in given):  # in JSON they are, whatever is meant
         given = {v: [*map(_end, ends)] if type(ends) is list else ends for v, ends in given.items()}
     return Entry(from_rotation(given), Labelling(name, tuple(map(str, given))))
@@ -83,15 +60,13 @@ def _end(given: Any) -> Any:
 def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
     """The rotation of a world, by names; edges that are parallel, and loops, have keys."""
     map_, at_ = entry.map, entry.map.vertex_of
-    ends = {d: (min(at_[d], at_[e]), max(at_[d], at_[e])) for d, e in enumerate(map_.alpha)}
-    seen, keys = Counter[tuple[int, int]](), dict[int, int]()
-    for d, e in map_.edges:
-        keys[d] = keys[e] = seen[ends[d]]
-        seen[ends[d]] += 1
+    edge = {dart: number for number, darts in enumerate(map_.edges) for dart in darts}
+    ends = [frozenset((at_[d], at_[e])) for d, e in map_.edges]
+    count = Counter(ends)
 
     def end(dart: int) -> str | list[str | int]:
         name = entry.labels.vertex(at_[map_.alpha[dart]])
-        return name if seen[ends[dart]] == 1 else [name, keys[dart]]
+        return name if count[ends[edge[dart]]] == 1 else [name, edge[dart]]
 
     return {entry.labels.vertex(v): [*map(end, ds)] for v, ds in enumerate(map_.vertices)}
 
@@ -118,9 +93,7 @@ def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
 
 
 def _cycles(given: object) -> list[list[Any]]:
-    """The cycles of a permutation, of lists or of a text."""
-    if isinstance(given, str) and re.fullmatch(r"(\([0-9]+(, ?[0-9]+)*\) ?)+", given):
-        return [[*map(int, each.split(","))] for each in re.findall(r"\(([^)]*)", given)]
+    """The cycles of a permutation."""
     lists = isinstance(given, list | tuple) and all(
         isinstance(each, list | tuple) for each in given
     )
@@ -139,6 +112,7 @@ def fat_of(entry: Entry) -> dict[str, list[list[int]]]:
 def own_of(entry: Entry) -> dict[str, Any]:
     """The object of a world in our notation."""
     labels, map_ = entry.labels, entry.map
-    values = map_.sigma, map_.alpha, entry.start, entry.lighthouse
-    told = zip(OWN, (*values, labels.name, labels.vertices, labels.positions), strict=True)
+    fixed = map_.sigma, map_.alpha, entry.start, entry.lighthouse
+    values = *fixed, labels.name, labels.vertices, labels.positions
+    told = zip(WorldDocument.__struct_fields__, values, strict=True)
     return {key: value for key, value in told if value not in ("", None, ())}

@@ -16,7 +16,8 @@ from typing import IO, Literal
 
 from allworlds.inputs.checks import InputError
 from allworlds.maps.build import from_cycles
-from allworlds.notations.entry import Entry, at, neighbours
+from allworlds.notations.entry import at, neighbours
+from allworlds.world.world import Entry
 
 PLANAR, EDGE = b">>planar_code", b">>edge_code"
 MOST = 255

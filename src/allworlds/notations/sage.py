@@ -12,8 +12,9 @@ from collections.abc import Iterable, Iterator
 from typing import IO, Any
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.notations.entry import Entry, at, lines_of, neighbours
+from allworlds.notations.entry import at, lines_of, neighbours
 from allworlds.notations.objects import entry_of
+from allworlds.world.world import Entry
 
 
 def read_sage(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:

@@ -1,6 +1,5 @@
 """The notations of embedded graphs that files are read in and written in."""
 
-import io
 from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from pathlib import Path
@@ -8,11 +7,10 @@ from typing import IO, Literal, TypeAlias, get_args
 
 from msgspec import Struct
 
-from allworlds.inputs.checks import InputError, a_path, in_file, one_of, read_text, show
+from allworlds.inputs.checks import InputError, a_path, in_file, one_of, show
 from allworlds.notations.edge_list import read_edge_list, write_edge_list
-from allworlds.notations.entry import Entry
 from allworlds.notations.graphs import read_gml, read_graphml, read_yed
-from allworlds.notations.objects import entry_of, fat_of, own_of
+from allworlds.notations.objects import fat_of, own_of, rotation_of
 from allworlds.notations.plantri import (
     EDGE,
     PLANAR,
@@ -27,9 +25,9 @@ from allworlds.notations.worlds_as_json import (
     read_lines,
     write_json,
     write_lines,
-    write_rotations,
 )
 from allworlds.world.labels import Labelling
+from allworlds.world.world import Entry
 
 Order: TypeAlias = Literal["clockwise", "anticlockwise"]
 """In which order a file lists the edges round a vertex."""
@@ -37,7 +35,7 @@ Order: TypeAlias = Literal["clockwise", "anticlockwise"]
 YAxis: TypeAlias = Literal["up", "down"]
 """Where the second coordinate of a position grows."""
 
-PARTS = ("name", "names", "positions", "start", "lighthouse")
+EVERY = ("name", "names", "positions", "start", "lighthouse")
 """All that a world of a file can have besides its map, by the keys of our JSON."""
 
 
@@ -45,16 +43,15 @@ class Notation(Struct, frozen=True):
     """One notation.
 
     Attributes:
-        name: as ``-o NAME:FILE`` takes it.
+        name: its usual one.
         suffixes: of files in it.
         read: the entries of an open binary file from its position on, clockwise and with the y axis
             upward, each with the offset at which it begins; its number where it does not stream.
         write: the bytes of these entries; None where it is not written.
-        keeps: those of :data:`PARTS` that it can tell.
+        keeps: those of :data:`EVERY` that it can tell.
         mark: bytes that stand near the beginning of such files alone, where it has some.
         streams: whether it holds many entries, of which one at a time is in memory.
-        positions: whether the order follows from positions, so that the y axis matters.
-        y: the usual direction of its y axis.
+        y: the usual direction of its y axis, where the order follows from positions.
     """
 
     name: str
@@ -64,20 +61,17 @@ class Notation(Struct, frozen=True):
     keeps: tuple[str, ...] = ()
     mark: bytes = b""
     streams: bool = False
-    positions: bool = False
-    y: YAxis = "up"
+    y: YAxis | None = None
 
 
 NOTATIONS = (
-    Notation("worlds", (".json",), read_json, write_json(own_of), PARTS),
-    Notation("lines", (".jsonl", ".ndjson"), read_lines, write_lines, PARTS, streams=True),
-    Notation("rotation", (".rot.json",), read_json, write_rotations, ("name", "names")),
+    Notation("worlds", (".json",), read_json, write_json(own_of), EVERY),
+    Notation("lines", (".jsonl", ".ndjson"), read_lines, write_lines, EVERY, streams=True),
+    Notation("rotation", (".rot.json",), read_json, write_json(rotation_of), ("names",)),
     Notation("fat", (".fat.json",), read_json, write_json(fat_of)),
-    Notation("graphml", (".graphml",), read_graphml, positions=True),
-    Notation(
-        "yed", (), read_yed, mark=b"http://www.yworks.com/xml/graphml", positions=True, y="down"
-    ),
-    Notation("gml", (".gml",), read_gml, positions=True, y="down"),
+    Notation("graphml", (".graphml",), read_graphml, y="up"),
+    Notation("yed", (), read_yed, mark=b"http://www.yworks.com/xml/graphml", y="down"),
+    Notation("gml", (".gml",), read_gml, y="down"),
     Notation(
         "planar_code",
         (".pl", ".plc"),
@@ -102,7 +96,7 @@ def by_suffix(file: str) -> Notation | None:
     return max(ends, key=lambda found: len(found[0]), default=("", None))[1]
 
 
-def _notation_in(stream: IO[bytes], file: str) -> Notation:
+def notation_in(stream: IO[bytes], file: str) -> Notation:
     """The notation of an open file, by its mark, its suffix, or how it begins."""
     head = stream.read(HEAD)
     stream.seek(0)
@@ -123,27 +117,11 @@ def legal(*, written: bool = False) -> str:
 
 
 def _opened(file: str | Path) -> IO[bytes]:
-    """The file, at its beginning; what cannot be read from the middle is read as a whole."""
-    if file == "-":
-        return io.BytesIO(read_text("-").encode())
+    """The file, at its beginning."""
     try:
-        stream = a_path("file", file).open("rb")
-        if stream.seekable():
-            return stream
-        with stream:
-            return io.BytesIO(stream.read())
+        return a_path("file", file).open("rb")
     except OSError as error:
         raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
-
-
-def notation_of(file: str | Path) -> Notation:
-    """The notation of a file.
-
-    Raises:
-        InputError: if it is of none, or cannot be read.
-    """
-    with _opened(file) as stream, in_file(str(file)):
-        return _notation_in(stream, str(file))
 
 
 def entries(
@@ -159,7 +137,7 @@ def entries(
     Cost: the memory of one entry at a time, where the notation streams.
     """
     with _opened(file) as stream, in_file(str(file)):
-        notation = _notation_in(stream, str(file))
+        notation = notation_in(stream, str(file))
         _check(notation, order, y)
         found = False
         for offset, entry in notation.read(stream):
@@ -173,14 +151,14 @@ def _check(notation: Notation, order: str | None, y: str | None) -> None:
     for name, given, known in (("order", order, Order), ("y", y, YAxis)):
         if given is not None and given not in get_args(known):
             raise InputError(f"{name} {show(given)} is neither {' nor '.join(get_args(known))}")
-    if y and not notation.positions:
+    if y and not notation.y:
         raise InputError(f"y {y} has no effect on {notation.name}, where positions decide nothing")
 
 
 def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | None) -> Entry:
     """The entry as it is meant, which was read clockwise and with the y axis upward."""
     labels = entry.labels.checked(entry.map)
-    if notation.positions and labels.positions:
+    if notation.y:
         if order == "anticlockwise":
             raise InputError(f"order {order} has no effect on positions; y up or y down has")
         turn = (y or notation.y) == "down"
@@ -201,7 +179,7 @@ def entry_at(
     Cost: that of this world; the file is read as a whole, once, where its notation does not stream.
     """
     with _opened(file) as stream, in_file(str(file)):
-        notation = _notation_in(stream, str(file))
+        notation = notation_in(stream, str(file))
         if notation.streams:
             stream.seek(offset)
             for _, entry in notation.read(stream):
@@ -248,57 +226,32 @@ def entry_named(
     raise InputError(f"file {show(str(file))} has {what}; @FILE:NAME names one of {first}")
 
 
-def by_name(name: str) -> Notation | None:
-    """The notation of that name."""
-    return next((each for each in NOTATIONS if each.name == name), None)
-
-
-def to_write(file: str) -> tuple[Notation, str]:
-    """The notation and the path that ``FILE`` or ``NOTATION:FILE`` means.
+def to_write(file: str) -> Notation:
+    """The notation in which a file of that name is written.
 
     Raises:
         InputError: if it is of none that is written.
     """
-    name, _, path = file.partition(":")
-    found, path = (named, path) if (named := by_name(name)) else (by_suffix(file), file)
-    if not found or not found.write:
-        raise InputError(
-            f"worlds cannot be written as {show(file)}; legal are {legal(written=True)}"
-        )
-    return found, path
+    if (found := by_suffix(file)) and found.write:
+        return found
+    raise InputError(f"worlds cannot be written as {show(file)}; legal are {legal(written=True)}")
 
 
-def written(
-    worlds: Iterable[Entry], notation: Notation, without: Iterable[str] = ()
-) -> Iterator[bytes]:
-    """The bytes of a file in a notation.
-
-    Args:
-        worlds: what it holds.
-        notation: one that is written.
-        without: those of :data:`PARTS` that are left out.
+def written(worlds: Iterable[Entry], notation: Notation) -> Iterator[bytes]:
+    """The bytes of a file in a notation that is written, without what it does not keep.
 
     Raises:
-        InputError: naming the world, and what of it the notation cannot tell.
+        InputError: naming the world whose map the notation cannot tell.
     """
-    left, number = {*without}, 0
-    if wrong := left - {*PARTS}:
-        raise InputError(f"without {show(min(wrong))}: legal are {', '.join(PARTS)}")
+    number = 0
 
-    def kept() -> Iterator[Entry]:
+    def counted() -> Iterator[Entry]:
         nonlocal number
-        for entry in worlds:
-            number += 1
-            told = own_of(entry)
-            for part in PARTS:
-                if part in told and part not in left and part not in notation.keeps:
-                    advice = f"without {part} leaves it out"
-                    raise InputError(f"{notation.name} has no place for its {part}; {advice}")
-            rest = {key: value for key, value in told.items() if key not in left}
-            yield entry_of(rest) if left else entry
+        for number, entry in enumerate(worlds, 1):  # noqa: B007  # nonlocal
+            yield entry
 
     assert notation.write
     try:
-        yield from notation.write(kept())
+        yield from notation.write(counted())
     except InputError as error:
         raise type(error)(f"world {number} is not written: {error}") from None

@@ -5,9 +5,10 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import nullcontext
 from typing import IO, Any
 
-from allworlds.inputs.checks import InputError, parse_json, show
-from allworlds.notations.entry import Entry, at, lines_of, text_of
-from allworlds.notations.objects import entry_of, own_of, rotation_of
+from allworlds.inputs.checks import parse_json, show
+from allworlds.notations.entry import at, lines_of, text_of
+from allworlds.notations.objects import entry_of, own_of
+from allworlds.world.world import Entry
 
 Objects = Iterator[tuple[int, Entry]]
 
@@ -23,8 +24,6 @@ def read_json(file: IO[bytes]) -> Objects:
 
 
 def _worlds(document: Any) -> list[tuple[str, Any]]:
-    if isinstance(document, dict) and document.keys() == {"worlds"}:
-        document = document["worlds"]
     if isinstance(document, list):
         return [("", each) for each in document]
     if isinstance(document, dict) and all(isinstance(each, dict) for each in document.values()):
@@ -59,15 +58,3 @@ def write_lines(entries: Iterable[Entry]) -> Iterator[bytes]:
     """Worlds, one a line."""
     for entry in entries:
         yield f"{_text(own_of(entry))}\n".encode()
-
-
-def write_rotations(entries: Iterable[Entry]) -> Iterator[bytes]:
-    """Rotations: one, a list of them, or an object of them if they have names."""
-    every = [*entries]
-    rotations = {entry.labels.name: rotation_of(entry) for entry in every}
-    if "" in rotations:
-        yield from write_json(rotation_of)(every)
-        return
-    if len(rotations) < len(every):
-        raise InputError("two worlds have one name")
-    yield f"{_text(rotations)}\n".encode()

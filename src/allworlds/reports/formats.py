@@ -24,7 +24,7 @@ from allworlds.explorers.sources import SourceLine, place_of_explorer
 from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import ASKED
-from allworlds.notations.table import by_name, by_suffix, legal, to_write
+from allworlds.notations.table import by_suffix, legal, to_write
 from allworlds.outcome import Verdict
 from allworlds.reports import parts, plain_text
 from allworlds.version import __version__
@@ -413,9 +413,8 @@ def names_world_file(verb: str, name: str) -> bool:
 
     A suffix that both have means worlds.
     """
-    form = name.partition(":")[0]
-    worlds = by_name(form) or (form not in FORMATS and by_suffix(name))
-    return verbs.WORLD_FILE in verbs.BY_NAME[verb].has and bool(worlds)
+    writes = verbs.WORLD_FILE in verbs.BY_NAME[verb].has
+    return writes and name.partition(":")[0] not in FORMATS and by_suffix(name) is not None
 
 
 def form_and_path(verb: str, name: str) -> tuple[str, str]:
@@ -425,7 +424,7 @@ def form_and_path(verb: str, name: str) -> tuple[str, str]:
         InputError: if this verb writes no such file, or a library is not installed.
     """
     if names_world_file(verb, name):
-        return to_write(name)[0].name, to_write(name)[1]
+        return to_write(name).name, name
     forms = formats_of(verb)
     form, colon, path = name.partition(":")
     if not colon or not form.isalpha():

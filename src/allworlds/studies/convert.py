@@ -1,43 +1,31 @@
 """Worlds of a file: told of, and written in another notation."""
 
+from collections import deque
 from collections.abc import Iterable, Iterator
 from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document import Document, Edges, Natural, Positive, Report, Vertices, about
+from allworlds.document import Document, Edges, Natural, Positive, Report, Text, Vertices, about
 from allworlds.inputs.checks import InputError, a_path, show
-from allworlds.inputs.requests import OUTPUT, Argument, Option, answers
+from allworlds.inputs.requests import Argument, answers
 from allworlds.maps.combinatorial import automorphisms
-from allworlds.notations.entry import Entry
 from allworlds.notations.given import FileOptions
-from allworlds.notations.table import (
-    PARTS,
-    entries,
-    legal,
-    to_write,
-    written,
-)
+from allworlds.notations.objects import own_of
+from allworlds.notations.table import entries, legal, to_write, written
+from allworlds.world.world import Entry
 
 
 class ConvertRequest(FileOptions, kw_only=False):
     """Request of ``convert``: a file of worlds, and where they are written."""
 
     file: Annotated[
-        str | Path, Argument("", "FILE", f"A file of worlds, by its suffix: {legal()}; or - .")
+        str | Path, Argument("", "FILE", f"A file of worlds, by its suffix: {legal()}.")
     ]
     _: KW_ONLY
     output: Annotated[
         str | Path | None,
-        f"where the worlds are written, by its suffix: {legal(written=True)}, or NOTATION:FILE",
-    ] = None
-    without: Annotated[
-        str | None,
-        Option(
-            OUTPUT,
-            "WHAT",
-            f"Leave out of the worlds that are written any of {', '.join(PARTS)}, with commas.",
-        ),
+        f"where the worlds are written, by its suffix: {legal(written=True)}",
     ] = None
 
 
@@ -60,6 +48,9 @@ class Convert(Report, kw_only=True):
     """
 
     written: Annotated[str | None, about("the file in which the worlds were written")] = None
+    left_out: Annotated[
+        tuple[Text, ...] | None, about("what of the worlds it has no place for; null: all is there")
+    ] = None
     rows: Annotated[tuple[ConvertRow, ...], about("one a world, in the order of the file")]
 
 
@@ -68,11 +59,11 @@ def convert(request: ConvertRequest) -> Convert:
     """Tell of the worlds of a file, and write them in another notation if ``output`` is given.
 
     Raises:
-        InputError: naming what cannot be read, or what the other notation cannot tell.
+        InputError: naming what cannot be read, or which map the other notation cannot tell.
 
     Cost: of a world O(m^2) at worst, for its automorphisms.
     """
-    rows = list[ConvertRow]()
+    rows, has = list[ConvertRow](), set[str]()
 
     def told() -> Iterator[Entry]:
         for number, (_, entry) in enumerate(entries(request.file, request.order, request.y), 1):
@@ -88,19 +79,17 @@ def convert(request: ConvertRequest) -> Convert:
                     automorphisms=automorphisms(map_),
                 )
             )
+            has.update(own_of(entry))
             yield entry
 
     if request.output is None:
-        if request.without is not None:
-            raise InputError(f"without {request.without} has no effect where nothing is written")
-        path = None
-        for _ in told():
-            pass
-    else:
-        notation, path = to_write(str(request.output))
-        without = () if request.without is None else request.without.split(",")
-        _write(a_path("output", path), written(told(), notation, without))
-    return Convert(written=path, rows=tuple(rows))
+        deque(told(), 0)
+        return Convert(rows=tuple(rows))
+    path = a_path("output", request.output)
+    notation = to_write(str(path))
+    _write(path, written(told(), notation))
+    left_out = tuple(sorted(has - {"sigma", "alpha", *notation.keeps}))
+    return Convert(written=str(path), rows=tuple(rows), left_out=left_out or None)
 
 
 def _write(path: Path, content: Iterable[bytes]) -> None:

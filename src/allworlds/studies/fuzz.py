@@ -15,15 +15,14 @@ from allworlds.engines.job_records import Identity
 from allworlds.engines.limits import ClusterOptions, Listener, RunDirectoryOptions, Silent, TimeIsUp
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
+    WHOLE,
     GivenWorlds,
-    Portion,
     Sample,
     Scope,
     Shard,
     ShardOptions,
     SweptLevel,
     Transport,
-    shards_of,
 )
 from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
@@ -118,12 +117,12 @@ class FuzzSweep(TallySweep[CheckReport]):
         self, request: FuzzRequest, scope: Scope, subject: loading.Subject, shards: int = 1
     ) -> None:
         super().__init__(request, scope, subject)
-        self._shards = max(shards, shards_of(self.portion))
+        self._shards = max(shards, self.portion.count)
         self._tally = self.empty()
 
     @override
     @classmethod
-    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> "FuzzSweep":
+    def known(cls, identity: Identity, portion: Shard, listener: Listener) -> "FuzzSweep":
         request = cls.asked_then(identity, portion, listener)
         rules = rules_known(request, identity.parameters)
         subject = subject_of_record(identity.explorer)
@@ -326,7 +325,7 @@ def batches(sample: Sample, shards: int) -> "Iterator[Batch]":
         sample: the whole, or the part of a shard.
         shards: the number of parts, each of which is cut by itself.
     """
-    parts = [sample.portion.index] if isinstance(sample.portion, Shard) else range(shards)
+    parts = [sample.portion.index] if sample.portion != WHOLE else range(shards)
     for part in parts:
         first, end = (at * sample.runs // shards for at in (part, part + 1))
         for begin in range(first, end, BATCH):

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds import document as doc
 from allworlds.engines import job_records, limits, run_directory, sweep
-from allworlds.engines.units import WHOLE, is_counted, shards_of
+from allworlds.engines.units import WHOLE, is_counted
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import Argument, Request, answers, given_again, takes_fields
 from allworlds.protocol.user_code import as_recorded
@@ -183,7 +183,7 @@ def status(request: StatusRequest) -> Standing:
     worst = min(costs, key=lambda d: (-d.cost, d.edges, d.vertices), default=None)
     state: State = "running" if running and not ended else "finished" if ended else "unfinished"
     levels = [(level.worlds, sum(1 for _ in level.units)) for level in sweep.levels()]
-    all_worlds = sum(size for size, _ in levels) // shards_of(identity.portion)
+    all_worlds = sum(size for size, _ in levels) // identity.portion.count
     rate = recent / (until - began) if recent and until > began and not ended else None
     left = 0.0 if ended else max(0, all_worlds - worlds) / rate if rate else None
     return Standing(

@@ -27,7 +27,6 @@ from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Converted, Op
 from allworlds.maps.build import NoSuchMap, named_map, named_maps
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, rooted_code
 from allworlds.maps.families import FORMS, family
-from allworlds.notations.entry import Entry
 from allworlds.notations.objects import entry_of
 from allworlds.notations.table import entry_named
 from allworlds.world.lighthouses.kinds import (
@@ -36,7 +35,6 @@ from allworlds.world.lighthouses.kinds import (
     GivenLighthouse,
     LighthouseKind,
     kind_of,
-    lighthouse_from_json,
     lighthouse_kind,
 )
 from allworlds.world.lighthouses.marked import Directional
@@ -149,12 +147,14 @@ def world_named(
 
 def _world_of_text(text: str, kind: LighthouseKind, seed: int | None, holes: str | None) -> World:
     if text.startswith("@"):
-        file, name = _file_and_name(text[1:])
+        file, _, name = text[1:].partition(":")
+        if Path(text[1:]).exists():  # with colons of its own
+            file, name = text[1:], ""
         entry = entry_named(file, name)
         with in_file(file):
-            return world_of_entry(entry, kind)
+            return entry.world(kind)
     if _is_json(text):
-        return world_of_entry(entry_of(parse_json(text)), kind)
+        return entry_of(parse_json(text)).world(kind)
     if _CODE.fullmatch(text):
         return World(map_of_code(text), kind)
     if ":" in text:
@@ -226,22 +226,6 @@ def _world_of_corpus(name: str, kind: LighthouseKind, no_map: NoSuchMap) -> Worl
 
 def _is_json(text: str) -> bool:
     return text.lstrip().startswith(("{", "["))
-
-
-def _file_and_name(text: str) -> tuple[str, str]:
-    """The file and the name of ``FILE:NAME``; each may have colons of its own."""
-    parts = text.split(":")
-    for count in range(len(parts), 0, -1):
-        if Path(file := ":".join(parts[:count])).exists():
-            return file, ":".join(parts[count:])
-    return text, ""
-
-
-def world_of_entry(entry: Entry, kind: GivenLighthouse = Directional.kind) -> World:
-    """The world of a file, with a lighthouse of this kind if the file has none for it."""
-    start = entry.start or 0
-    lighthouse = lighthouse_from_json(entry.lighthouse, entry.map, start, kind)
-    return World(entry.map, lighthouse, start, labels=entry.labels)
 
 
 def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Annotated, Any, Literal
 
+from msgspec import Struct
+
 from allworlds.document import Document, IfAny, Pair, Pictured, about
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
@@ -39,6 +41,48 @@ class WorldDocument(Document):
         IfAny[tuple[Pair[float], ...]],
         about("of the same vertices in pictures: to the right, and up"),
     ] = ()
+
+
+class Entry(Struct, frozen=True):
+    """A map with what a file fixes in it.
+
+    Attributes:
+        map: its darts are numbered as its notation lists them.
+        labels: the name of the world in the file, and those of its vertices.
+        start: the dart that the robot faces, if the file fixes it.
+        lighthouse: the JSON object of the lighthouse that stands there, if the file fixes it.
+    """
+
+    map: CombinatorialMap
+    labels: Labelling = PLAIN
+    start: Dart | None = None
+    lighthouse: Any = None
+
+    @classmethod
+    def from_json(cls, document: object, name: str = "") -> "Entry":
+        """The entry of a :class:`WorldDocument`, in which all but the map may be missing.
+
+        Raises:
+            InvalidMap, InvalidWorld: naming the offending value and what would be legal.
+        """
+        if not isinstance(document, Mapping):
+            raise InvalidWorld(
+                f"a world is an object with 'sigma' and 'alpha', not {show(document)}"
+            )
+        refuse_other_keys("world", document, WorldDocument.__struct_fields__)
+        if document.get("lighthouse", "") is None:
+            raise InvalidWorld("lighthouse = None is no object; without one any may stand there")
+        map_ = CombinatorialMap.from_json(document)
+        start = a_start(document["start"], map_) if "start" in document else None
+        names, positions = document.get("names", ()), document.get("positions", ())
+        labels = Labelling(document.get("name", name), names, positions)
+        return cls(map_, labels, start, document.get("lighthouse"))
+
+    def world(self, kind: GivenLighthouse = Directional.kind) -> "World":
+        """The world, with a lighthouse of this kind at its default place if none is fixed."""
+        start = self.start or 0
+        lighthouse = lighthouse_from_json(self.lighthouse, self.map, start, kind)
+        return World(self.map, lighthouse, start, labels=self.labels)
 
 
 @dataclass(frozen=True, init=False)
@@ -225,19 +269,7 @@ class World(Pictured):
         """
         if isinstance(document, str):
             document = parse_json(document, InvalidWorld)
-        if not isinstance(document, Mapping):
-            raise InvalidWorld(
-                f"a world is an object with 'sigma' and 'alpha', not {show(document)}"
-            )
-        refuse_other_keys("world", document, WorldDocument.__struct_fields__)
-        if document.get("lighthouse", "") is None:
-            raise InvalidWorld(f"lighthouse = None is no object; without one it is {missing}")
-        map_ = CombinatorialMap.from_json(document)
-        # A lighthouse looks for its place from the start, which must be one then.
-        start = a_start(document.get("start", 0), map_)
-        lighthouse = lighthouse_from_json(document.get("lighthouse"), map_, start, missing)
-        given = (document.get("name", ""), document.get("names", ()), document.get("positions", ()))
-        return cls(map_, lighthouse, start, labels=Labelling(*given))
+        return Entry.from_json(document).world(missing)
 
 
 def at_place(world: World, number: int) -> World:

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds.maps import MapClass, automorphisms, rooted_maps, unrooted_code
-from allworlds.notations.entry import Entry
+from allworlds.world.world import Entry
 from world.test_notations import (
     GRAPHS,
     STREAMS,

@@ -118,7 +118,7 @@ def verdict_of(report: CheckReport) -> parts.Headline:
     match report.verdict:
         case Verdict.HOLDS | Verdict.NOT_REFUTED:
             text = f"{done}: no law is broken"
-            if isinstance(shard := report.asked.portion, units.Shard):
+            if (shard := report.asked.portion) != units.WHOLE:
                 whole = "the verdict on the whole needs the merge of all shards"
                 text = f"{text} in shard {shard}; {whole}"
         case Verdict.REFUTED:
@@ -137,7 +137,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts. A text without a name continues the one before."""
     scope, rules = report.asked, report.asked.rules
     least = scope.coverage.min_edges if isinstance(scope.coverage, units.Sample) else 1
-    shard = f", shard {scope.portion}" if isinstance(scope.portion, units.Shard) else ""
+    shard = f", shard {scope.portion}" if scope.portion != units.WHOLE else ""
     what = (
         f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
         f"{of_the_class(scope.extent, least)}{shard}; {_schedules(report)}"
@@ -228,10 +228,10 @@ def _laws(report: CheckReport) -> str:
 def _gate(report: CheckReport) -> str:
     if (given := report.asked.extent.given) is not None:
         return given.gate
-    if isinstance(report.asked.coverage, units.Shard):
-        return "deferred to the merge of all shards"
     if isinstance(report.asked.coverage, units.Sample):
         return "absent: a sample is not to be counted"
+    if report.asked.coverage != units.WHOLE:
+        return "deferred to the merge of all shards"
     extent = report.asked.extent
     if extent.where is not None and source_of(extent) is None:
         return f"absent: no source counts the maps that are {extent.where.name}"

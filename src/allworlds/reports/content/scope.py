@@ -46,7 +46,7 @@ def each_of(given: MapSource) -> str:
 
 def maps_in_words(report: OfWorlds) -> str:
     """The maps that a report is about, or the shard of them."""
-    shard = f", shard {report.portion}" if isinstance(report.portion, units.Shard) else ""
+    shard = f", shard {report.portion}" if report.portion != units.WHOLE else ""
     given = report.extent.given
     maps = "every rooted map" if given is None else f"every start in {each_of(given)}"
     return f"{maps} {of_the_class(report.extent)}{shard}"

@@ -357,9 +357,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         super().__init__(request, request.extent)
         self._levels: list[tuple[units.SweptLevel, int]] = []
         self._met = SensedParts()
-        self.kind: kinds.LighthouseKind = (
-            request.lighthouse_of_given(request.lighthouse) or request.lighthouse
-        )
+        self.kind: kinds.LighthouseKind = request.lighthouse_of_given(request.lighthouse)
         if self.kind.as_class.leaves_marks:
             raise checks.InputError(
                 f"under the lighthouse {self.kind} the robot leaves marks itself, and a census is "

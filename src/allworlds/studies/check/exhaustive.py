@@ -115,7 +115,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     @override
     @classmethod
     def known(
-        cls, identity: Identity, portion: units.Portion, listener: limits.Listener
+        cls, identity: Identity, portion: units.Shard, listener: limits.Listener
     ) -> "CheckSweep":
         request = cls.asked_then(identity, portion, listener)
         rules = tally_sweep.rules_known(request, identity.parameters)
@@ -307,7 +307,7 @@ def worlds_of(job: Job) -> int:
     """The number of worlds to be tried; for a shard an estimate."""
     extent = job.scope.extent
     worlds = sum(units.level_size(extent, edges) for edges in extent.levels)
-    return worlds // units.shards_of(job.scope.coverage)
+    return worlds // job.scope.portion.count
 
 
 def is_worth_a_guess(job: Job, engine: EngineKind) -> bool:

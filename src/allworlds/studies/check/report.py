@@ -43,7 +43,7 @@ from allworlds.engines.sweep import (
     tried_places,
 )
 from allworlds.engines.tally import Tally
-from allworlds.engines.units import WHOLE, Portion, Sample, Scope, Shard, ShardOptions
+from allworlds.engines.units import WHOLE, Sample, Scope, Shard, ShardOptions
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import Finding, labelled
@@ -320,7 +320,7 @@ class CheckReport(EndedReport):
         gate: Gated = self.cells
         if count_source.source_of(extent) is None or isinstance(coverage, Sample):
             gate = "absent"
-        elif isinstance(coverage, Shard):
+        elif coverage != WHOLE:
             gate = "deferred to the merge of all shards"
         return told_scope(
             CheckedScope,
@@ -399,7 +399,7 @@ class CheckReport(EndedReport):
         return tuple(self.tally.findings)
 
     @property
-    def portion(self) -> Portion:
+    def portion(self) -> Shard:
         """The part of the job that was to be done."""
         return self.asked.portion
 

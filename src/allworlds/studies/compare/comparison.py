@@ -185,7 +185,7 @@ class SameWorlds(Contest[Comparison]):
     @override
     @classmethod
     def known(
-        cls, identity: job_records.Identity, portion: units.Portion, listener: limits.Listener
+        cls, identity: job_records.Identity, portion: units.Shard, listener: limits.Listener
     ) -> "SameWorlds | GrowingWorlds":
         request = cls.asked_then(identity, portion, listener)
         entrants = tuple(
@@ -208,7 +208,7 @@ class SameWorlds(Contest[Comparison]):
             mine: Iterable[units.UnitOfRuns] = ()
             if self._map is None:
                 mine = one.scope(self.bounds, self.portion).units(edges)
-            elif not isinstance(self.portion, units.Shard) or self.portion.index == 0:
+            elif self.portion.index == 0:
                 given = self._placed(one, self._map)
                 mine = [units.GivenWorlds(given)] if given else ()
             for unit in mine:

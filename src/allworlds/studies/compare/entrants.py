@@ -31,8 +31,8 @@ from allworlds.engines.tally import Outcome, RunCounter, Tally
 from allworlds.engines.units import (
     WHOLE,
     PartialResult,
-    Portion,
     Scope,
+    Shard,
     ShardOptions,
     SweptLevel,
     Transport,
@@ -295,7 +295,7 @@ class Entrant(Struct, frozen=True):
         """The explorer's name."""
         return self.subject.name
 
-    def scope(self, extent: classes.Extent, portion: Portion = WHOLE) -> Scope:
+    def scope(self, extent: classes.Extent, portion: Shard = WHOLE) -> Scope:
         """The scope of its runs in the worlds of an extent, or in a shard of them."""
         return Scope(extent, self.rules, coverage=portion)
 

@@ -11,7 +11,7 @@ from msgspec import Struct
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
-from allworlds.engines.units import GivenWorlds, Shard, SweptLevel, dealt
+from allworlds.engines.units import GivenWorlds, SweptLevel, dealt
 from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.maps import classes, families
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
@@ -363,9 +363,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
         edges = [families.edges_of(member.text) for size in self._sizes for member in size.maps]
         extent = classes.Extent(classes.MapClass.MAPS, max(edges))
         super().__init__(entrants, doc.replace(request, **numbers), extent)
-        self._mine = set(range(len(edges)))
-        if isinstance(self.portion, Shard):
-            self._mine = set(dealt([m * m for m in edges], self.portion))
+        self._mine = {*dealt([m * m for m in edges], self.portion)}
         self._rows: list[GrowRow] = []
         self._left_out = 0
 
