@@ -21,7 +21,7 @@ class Size(NamedTuple):
 
 
 MOST = {
-    "": Size(code=25_400, lines=43_400, files=173),
+    "": Size(code=25_250, lines=43_200, files=173),
     "engines": Size(code=6_060, lines=9_960, files=32),
     "engines/kernel": Size(code=2_350, lines=3_650, files=13),
 }

@@ -13,27 +13,8 @@ from allworlds import log as entries
 from allworlds.inputs.checks import show
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, numbering
-from allworlds.protocol.actions import (
-    Action,
-    Ambiguous,
-    Checkpoint,
-    Estimate,
-    IllegalAction,
-    Percept,
-    Player,
-    Transcript,
-    Write,
-    action_numbered,
-)
+from allworlds.protocol import actions, playing
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.playing import (
-    A_QUOTIENT,
-    A_VALUE,
-    AN_ESTIMATE,
-    FREE,
-    NO_MAP,
-    play_run,
-)
 from allworlds.world.world import World
 
 RECORD_ENDS = "nothing: the record ends here"
@@ -85,8 +66,8 @@ class Episode(Struct, frozen=True):
         ending: the answer, or the fault.
     """
 
-    transcript: Transcript
-    checkpoints: tuple[tuple[int, Checkpoint], ...]
+    transcript: actions.Transcript
+    checkpoints: tuple[tuple[int, actions.Checkpoint], ...]
     ending: Ending
 
 
@@ -106,23 +87,23 @@ class AroundExplorer:
         """Whether the task of the run is done."""
         return self._world.over
 
-    def move(self, k: int) -> Percept:
+    def move(self, k: int) -> actions.Percept:
         """The percept behind a motion."""
-        return self.act(action_numbered(k))
+        return self.act(actions.action_numbered(k))
 
-    def act(self, action: Action) -> Percept:
+    def act(self, action: actions.Action) -> actions.Percept:
         """The percept after an action; raises IllegalAction for one that is illegal."""
         self._state, percept = self._world.step(self._state, action)
         return _copy(percept)
 
 
-def _copy(percept: Percept) -> Percept:
-    return Percept(percept.degree, percept.marks, percept.bearing)
+def _copy(percept: actions.Percept) -> actions.Percept:
+    return actions.Percept(percept.degree, percept.marks, percept.bearing)
 
 
 def play(
     world: World,
-    player: Player,
+    player: actions.Player,
     choices: Choices,
     budget: int,
     beat: MutableSequence[int] | None = None,
@@ -142,7 +123,9 @@ def play(
     Cost: linear in the steps, besides the explorer's own.
     """
     beat = [0, 0] if beat is None else beat
-    log = play_run(AroundExplorer(world), player, choices, budget, beat, any_answer=not maps)
+    log = playing.play_run(
+        AroundExplorer(world), player, choices, budget, beat, any_answer=not maps
+    )
     return followed(Log(log), world, budget, maps=maps)
 
 
@@ -165,15 +148,15 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
 
     Cost: linear in the steps.
     """
-    state, steps, step = world.initial, list[tuple[Action, Percept]](), world.step
+    state, steps, step = world.initial, list[tuple[actions.Action, actions.Percept]](), world.step
     refused: Fault | None = None
     for number in log.actions:
         if refused:
-            raise IllegalAction(refused.expected)
-        action = action_numbered(number)
+            raise actions.IllegalAction(refused.expected)
+        action = actions.action_numbered(number)
         try:
             state, percept = step(state, action)
-        except IllegalAction as error:
+        except actions.IllegalAction as error:
             refused = Fault("illegal-action", str(error), show(action))
             continue
         steps.append((action, percept))
@@ -183,9 +166,9 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
     known = None if too_often else refused
     ending = known or ending_of(log, budget, maps=maps)
     shown = tuple(
-        [(at, Checkpoint(sigma, alpha, here)) for at, sigma, alpha, here in log.checkpoints]
+        [(at, actions.Checkpoint(sigma, alpha, here)) for at, sigma, alpha, here in log.checkpoints]
     )
-    return Episode(Transcript(world.first, tuple(steps)), shown, ending)
+    return Episode(actions.Transcript(world.first, tuple(steps)), shown, ending)
 
 
 def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
@@ -202,15 +185,15 @@ def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
             count = len(log.checkpoints)
             return Fault("budget", f"at most {budget + 1} checkpoints", f"checkpoint {count + 1}")
         case entries.REFUSED | entries.BEYOND | entries.FREE_TOO_OFTEN:
-            action = action_numbered(log.actions[-1])
+            action = actions.action_numbered(log.actions[-1])
         case _:
             return None
     if code != entries.FREE_TOO_OFTEN:
         # Of a play against a record it is not known why the action is refused.
         legal = RECORD_ENDS if code == entries.BEYOND else "a legal action"
         return Fault("illegal-action", legal, show(action))
-    free = "numbers written" if type(action) is Write else "markers dropped and picked up"
-    most = FREE * (budget + 1)
+    free = "numbers written" if type(action) is actions.Write else "markers dropped and picked up"
+    most = playing.FREE * (budget + 1)
     return Fault("budget", f"at most {most} {free}", f"{show(action)} as number {most + 1}")
 
 
@@ -221,15 +204,15 @@ def ending_of(log: Log, budget: int = 0, *, maps: bool = True) -> Ending:
         case entries.ANSWERED | entries.LONG_ANSWER:
             return _estimate(*parts)
         case entries.QUOTIENT:
-            quotient = Ambiguous(*parts)
+            quotient = actions.Ambiguous(*parts)
             flaw = _flaw(quotient)
-            return Fault("no-estimate", A_QUOTIENT, flaw) if flaw else Answered(quotient)
+            return Fault("no-estimate", playing.A_QUOTIENT, flaw) if flaw else Answered(quotient)
         case entries.VALUE:
             (text,) = parts
             try:
                 return Answered(json.loads(text))
             except (ValueError, RecursionError):
-                return Fault("no-estimate", A_VALUE, show(text))
+                return Fault("no-estimate", playing.A_VALUE, show(text))
     return fault_of(log, budget, maps=maps) or Over()
 
 
@@ -237,16 +220,16 @@ def _estimate(sigma: tuple[int, ...], alpha: tuple[int, ...], here: int) -> Answ
     try:
         map_ = CombinatorialMap(sigma, alpha)
     except InvalidMap as error:
-        return Fault("no-estimate", AN_ESTIMATE, f"{NO_MAP}{error}", error.tried)
+        return Fault("no-estimate", playing.AN_ESTIMATE, f"{playing.NO_MAP}{error}", error.tried)
     if here not in map_.darts:
         last = len(map_.sigma) - 1
         return Fault(
-            "no-estimate", AN_ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}"
+            "no-estimate", playing.AN_ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}"
         )
-    return Answered(Estimate(map_, here))
+    return Answered(actions.Estimate(map_, here))
 
 
-def _flaw(said: Ambiguous) -> str:
+def _flaw(said: actions.Ambiguous) -> str:
     """The reason why the answer is no rooted quotient; empty if it is one."""
     size = len(said.sigma)
     for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):

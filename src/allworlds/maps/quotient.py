@@ -9,15 +9,7 @@ from typing import NamedTuple, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.maps.combinatorial import (
-    CombinatorialMap,
-    Dart,
-    cycles,
-    inverse,
-    numbering,
-    places,
-    rooted_code,
-)
+from allworlds.maps import combinatorial
 
 
 def coarsest_partition(
@@ -36,7 +28,7 @@ def coarsest_partition(
     half').
     """
     parts = _Partition(labels)
-    inverses = [inverse(permutation) for permutation in permutations]
+    inverses = [combinatorial.inverse(permutation) for permutation in permutations]
     # What splits by the largest block splits by the others too.
     sizes = [past - first for first, past in zip(parts.first, parts.past, strict=True)]
     largest = sizes.index(max(sizes))
@@ -56,7 +48,7 @@ class _Partition:
         number: dict[Hashable, int] = {}
         self.block = [number.setdefault(label, len(number)) for label in labels]
         self.elements = sorted(range(len(labels)), key=self.block.__getitem__)
-        self.place = inverse(self.elements)
+        self.place = combinatorial.inverse(self.elements)
         sizes = Counter(self.block)
         self.past = [*accumulate(sizes[block] for block in range(len(sizes)))]
         self.first = [0, *self.past[:-1]]
@@ -114,12 +106,12 @@ class Quotient(Struct, frozen=True, dict=True):
 
         The first is the vertex of the root.
         """
-        return cycles(self.sigma)
+        return combinatorial.cycles(self.sigma)
 
     @cached_property
     def vertex_of(self) -> tuple[int, ...]:
         """For each class the index of its vertex in :attr:`vertices`."""
-        return places(self.vertices)[0]
+        return combinatorial.places(self.vertices)[0]
 
     @cached_property
     def cone_indices(self) -> tuple[int, ...]:
@@ -157,9 +149,9 @@ class Quotient(Struct, frozen=True, dict=True):
 
     def rerooted(self, root: int) -> "Quotient":
         """Return the quotient rooted at another class."""
-        order = numbering(self.sigma, self.alpha, root)
+        order = combinatorial.numbering(self.sigma, self.alpha, root)
         return Quotient(
-            *rooted_code(self.sigma, self.alpha, root),
+            *combinatorial.rooted_code(self.sigma, self.alpha, root),
             tuple(self.degree[q] for q in order),
             tuple(self.labels[q] for q in order),
             self.sheets,
@@ -173,7 +165,7 @@ class Projection(NamedTuple):
     classes: tuple[int, ...]
 
 
-Labelled: TypeAlias = tuple[CombinatorialMap, Sequence[Hashable], Dart]
+Labelled: TypeAlias = tuple[combinatorial.CombinatorialMap, Sequence[Hashable], combinatorial.Dart]
 """A rooted map with a label at every dart: map, labels by dart, root."""
 
 

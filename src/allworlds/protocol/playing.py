@@ -11,31 +11,9 @@ from itertools import islice
 from typing import Any, Protocol
 
 from allworlds import log as entries
-from allworlds.inputs.checks import (
-    LARGEST_SIZE,
-    SHOWN,
-    InputError,
-    are_plain,
-    integer,
-    let_users_interrupt,
-    show,
-)
+from allworlds.inputs import checks
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol.actions import (
-    Ambiguous,
-    BeyondRecord,
-    Checkpoint,
-    Drop,
-    Estimate,
-    ExplorerFault,
-    IllegalAction,
-    Move,
-    Percept,
-    Pick,
-    Player,
-    Told,
-    Write,
-)
+from allworlds.protocol import actions
 from allworlds.protocol.choices import Choices
 
 FREE = 10
@@ -45,7 +23,7 @@ free, and without a limit an explorer could go on so for ever."""
 LONGEST = 20_000
 """The number of characters that are kept of a traceback."""
 
-MOST_DARTS = 2 * LARGEST_SIZE
+MOST_DARTS = 2 * checks.LARGEST_SIZE
 """The largest number of darts in an answer, unless twice the step budget is more."""
 
 AN_ESTIMATE = "Estimate(map, here) with a dart of the map"
@@ -76,27 +54,27 @@ class Surroundings(Protocol):
     """
 
     @property
-    def first(self) -> Percept:
+    def first(self) -> actions.Percept:
         """Return the percept before any action."""
 
     @property
-    def told(self) -> Told:
+    def told(self) -> actions.Told:
         """Return the value that the lighthouse tells before the start."""
 
     @property
     def over(self) -> bool:
         """Return whether the run ends here."""
 
-    def move(self, k: int) -> Percept:
+    def move(self, k: int) -> actions.Percept:
         """Return the percept behind a motion below the degree, a copy for the explorer alone."""
 
-    def act(self, action: Drop | Pick | Write) -> Percept:
+    def act(self, action: actions.Drop | actions.Pick | actions.Write) -> actions.Percept:
         """Return the percept after an action; raise IllegalAction for one that is illegal."""
 
 
 def play_run(
     around: Surroundings,
-    player: Player,
+    player: actions.Player,
     choices: Choices,
     budget: int,
     beat: MutableSequence[int],
@@ -135,7 +113,9 @@ def play_run(
         most = max(MOST_DARTS, 2 * budget)
         log += any_answer_entry(stop.value, most) if any_answer else answer_entry(stop.value, most)
     except BaseException as error:
-        if isinstance(error, InputError) and error is not turns.own:  # of a model of the user's
+        if (
+            isinstance(error, checks.InputError) and error is not turns.own
+        ):  # of a model of the user's
             raise
         turns.note_choices()
         log += _raised(error)
@@ -159,7 +139,7 @@ class _Turns:
     ) -> None:
         self.log, self.around, self.choices = log, around, choices
         self.budget, self.beat, self.hear = budget, beat, hear
-        self.own: InputError | None = None  # the explorer's
+        self.own: checks.InputError | None = None  # the explorer's
         self._noted = self._shown = 0
 
     def note_choices(self) -> None:
@@ -180,14 +160,14 @@ class _Turns:
                 hear(log)
             try:
                 message = send(reply)
-            except InputError as error:
+            except checks.InputError as error:
                 self.own = error
                 raise
             turn += 1
             beat[1] = turn
             if len(record) != self._noted:
                 self.note_choices()
-            if type(message) is Move:
+            if type(message) is actions.Move:
                 k = getattr(message, "k", None)  # it may lack its parts
                 if type(k) is not int and (k := self._integer(message)) is None:
                     return None
@@ -201,14 +181,14 @@ class _Turns:
                     log += entries.motion(k)
                 try:
                     reply = around.move(k)
-                except BeyondRecord:
+                except actions.BeyondRecord:
                     return add(entries.BEYOND)
                 degree = reply.degree
-            elif type(message) is Checkpoint:
+            elif type(message) is actions.Checkpoint:
                 if not self._publish(message):
                     return None
                 reply = None
-            elif type(message) in (Drop, Pick, Write):
+            elif type(message) in (actions.Drop, actions.Pick, actions.Write):
                 reply = self._act(message, free)
                 if reply is None:
                     return None
@@ -220,42 +200,44 @@ class _Turns:
         add(entries.OVER)
         return None
 
-    def _integer(self, message: Move | Write) -> int | None:
+    def _integer(self, message: actions.Move | actions.Write) -> int | None:
         """The number of an action; None if it is none, which the log says then."""
         try:
-            return integer(message.k)
+            return checks.integer(message.k)
         except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
-            let_users_interrupt(error)
+            checks.let_users_interrupt(error)
             name = type(message).__name__
             self.log += _illegal(f"{name}(k) with an integer k", message)
             return None
 
-    def _act(self, action: Drop | Pick | Write, free: int) -> Percept | None:
+    def _act(
+        self, action: actions.Drop | actions.Pick | actions.Write, free: int
+    ) -> actions.Percept | None:
         """The percept after an action that is no motion; None if the run ends with it."""
         log = self.log
-        if type(action) is Write:
+        if type(action) is actions.Write:
             number = self._integer(action)
             if number is None:
                 return None
             if number < 0:
                 log += _illegal("Write(k) with k from 0 on", action)
                 return None
-            action = Write(number)
+            action = actions.Write(number)
             log += entries.written(number)
         else:
-            log.append(entries.DROP if type(action) is Drop else entries.PICK)
+            log.append(entries.DROP if type(action) is actions.Drop else entries.PICK)
         if not free:
             log.append(entries.FREE_TOO_OFTEN)
             return None
         try:
             return self.around.act(action)
-        except IllegalAction:
+        except actions.IllegalAction:
             log.append(entries.REFUSED)
-        except BeyondRecord:
+        except actions.BeyondRecord:
             log.append(entries.BEYOND)
         return None
 
-    def _publish(self, message: Checkpoint) -> bool:
+    def _publish(self, message: actions.Checkpoint) -> bool:
         """Write a checkpoint into the log; return whether the run goes on."""
         if self._shown > self.budget:
             self.log.append(entries.SHOWN_TOO_OFTEN)
@@ -264,13 +246,13 @@ class _Turns:
         most = max(MOST_DARTS, 2 * self.budget)
         try:
             sigma, alpha = integers(message.sigma, most), integers(message.alpha, most)
-            self.log += entries.shown(sigma, alpha, integer(message.here))
+            self.log += entries.shown(sigma, alpha, checks.integer(message.here))
         except TooManyDarts as error:
             walked = "a checkpoint of what has been walked along"
             self.log += entries.fault("illegal-action", walked, str(error))
             return False
         except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
-            let_users_interrupt(error)
+            checks.let_users_interrupt(error)
             self.log += _illegal(
                 "a checkpoint of two sequences of integers and an integer", message
             )
@@ -279,7 +261,7 @@ class _Turns:
 
 
 def _illegal(expected: str, message: object) -> bytes:
-    return entries.fault("illegal-action", expected, show(message))
+    return entries.fault("illegal-action", expected, checks.show(message))
 
 
 # ---------------------------------------------------------------- answers
@@ -296,37 +278,37 @@ def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
         answer: anything.
         most: the largest number of darts that is looked at.
     """
-    quotient = type(answer) is Ambiguous
+    quotient = type(answer) is actions.Ambiguous
     expected = A_QUOTIENT if quotient else AN_ESTIMATE
-    if not quotient and type(answer) is not Estimate:
-        return entries.fault("no-estimate", expected, show(answer))
+    if not quotient and type(answer) is not actions.Estimate:
+        return entries.fault("no-estimate", expected, checks.show(answer))
     try:
-        if type(answer) is Ambiguous:
+        if type(answer) is actions.Ambiguous:
             lists = answer.sigma, answer.alpha, answer.degree, answer.marks
             sequences = [integers(each, most) for each in lists]
-            return entries.quotient(sequences, integer(answer.here))
-        assert type(answer) is Estimate
+            return entries.quotient(sequences, checks.integer(answer.here))
+        assert type(answer) is actions.Estimate
         claimed: object = answer.map
         if not isinstance(claimed, CombinatorialMap):
-            return entries.fault("no-estimate", expected, f"a map that is {show(claimed)}")
+            return entries.fault("no-estimate", expected, f"a map that is {checks.show(claimed)}")
         sigma, alpha = integers(claimed.sigma, most), integers(claimed.alpha, most)
-        return entries.answer(sigma, alpha, integer(answer.here))
+        return entries.answer(sigma, alpha, checks.integer(answer.here))
     except TooManyDarts as error:
         return entries.fault("no-estimate", expected, str(error))
     except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
-        let_users_interrupt(error)
-        return entries.fault("no-estimate", expected, show(answer))
+        checks.let_users_interrupt(error)
+        return entries.fault("no-estimate", expected, checks.show(answer))
 
 
 def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
     """The entry of an answer for a task with any: an estimate, or a value that JSON has."""
-    if type(answer) in (Estimate, Ambiguous):
+    if type(answer) in (actions.Estimate, actions.Ambiguous):
         return answer_entry(answer, most)
     try:
         text = json.dumps(answer, allow_nan=False)
     except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
-        let_users_interrupt(error)
-        return entries.fault("no-estimate", A_VALUE, show(answer))
+        checks.let_users_interrupt(error)
+        return entries.fault("no-estimate", A_VALUE, checks.show(answer))
     return entries.value(text)
 
 
@@ -340,9 +322,9 @@ def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...
     kept = values if type(values) is tuple else tuple(islice(values, most + 1))
     if len(kept) > most:
         raise TooManyDarts(f"more than {most:,} darts")
-    if are_plain(kept):
+    if checks.are_plain(kept):
         return kept  # type: ignore[return-value]
-    return tuple([integer(value) for value in kept])
+    return tuple([checks.integer(value) for value in kept])
 
 
 # ---------------------------------------------------------------- faults
@@ -350,8 +332,8 @@ def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...
 
 def _raised(error: BaseException) -> bytes:
     """The entry of an explorer that has raised."""
-    let_users_interrupt(error)
-    if type(error) is ExplorerFault and error.law in entries.LAWS:
+    checks.let_users_interrupt(error)
+    if type(error) is actions.ExplorerFault and error.law in entries.LAWS:
         words = AN_ACTION, error.seen, error.detail
         return entries.fault(error.law, *words, machine=error.machine)
     name = type(error).__name__
@@ -361,10 +343,10 @@ def _raised(error: BaseException) -> bytes:
         frames = error.__traceback__
         for _ in range(2):  # those of this module
             frames = frames and frames.tb_next
-        message = str.__str__(str(error))[:SHOWN]
+        message = str.__str__(str(error))[: checks.SHOWN]
         detail = "".join(traceback.format_exception(type(error), error, frames))
     except BaseException as another:  # noqa: BLE001  # an exception may not even be printable
-        let_users_interrupt(another)
+        checks.let_users_interrupt(another)
         return entries.fault("crash", AN_ACTION, f"{name}, which cannot be shown")
     seen = f"{name}: {message}" if message else name
     machine = isinstance(error, MemoryError)
@@ -379,7 +361,7 @@ def _no_map(error: InvalidMap) -> bytes:
         if not frame.filename.startswith(_OF_MAPS)
     ]
     detail = "\n\n".join(filter(None, (error.tried, *built[-1:])))
-    said = f"{NO_MAP}{str.__str__(str(error))[:SHOWN]}"
+    said = f"{NO_MAP}{str.__str__(str(error))[: checks.SHOWN]}"
     return entries.fault("no-estimate", AN_ESTIMATE, said, detail[:LONGEST])
 
 
@@ -389,7 +371,7 @@ def closed(generator: Generator[Any, Any, Any] | None) -> None:
         if generator is not None:
             generator.close()
     except BaseException as error:  # noqa: BLE001  # the run has been decided all the same
-        let_users_interrupt(error)
+        checks.let_users_interrupt(error)
 
 
 # ---------------------------------------------------------------- what an explorer walks in
@@ -408,11 +390,11 @@ class TableWorld:
 
     over = False
 
-    def __init__(self, table: bytes | tuple[int, ...], told: Told) -> None:
+    def __init__(self, table: bytes | tuple[int, ...], told: actions.Told) -> None:
         self._table, self._dart, self.told = table, 0, told
         self.first = percept_of(*table[2:5])
 
-    def move(self, k: int) -> Percept:
+    def move(self, k: int) -> actions.Percept:
         """The percept behind a motion."""
         table, at = self._table, 5 * self._dart
         leaving = self._dart + k
@@ -421,11 +403,11 @@ class TableWorld:
         self._dart = table[5 * leaving + 1]
         at = 5 * self._dart
         bearing = table[at + 4]
-        return Percept(table[at + 2], table[at + 3], bearing - 1 if bearing else None)
+        return actions.Percept(table[at + 2], table[at + 3], bearing - 1 if bearing else None)
 
-    def act(self, _action: object) -> Percept:
+    def act(self, _action: object) -> actions.Percept:
         """Raise IllegalAction: such a world takes motions alone."""
-        raise IllegalAction
+        raise actions.IllegalAction
 
 
 class Record:
@@ -437,7 +419,9 @@ class Record:
         over: whether the run is ended where they end.
     """
 
-    def __init__(self, sensed: bytes | tuple[int, ...], told: Told, over: bool = False) -> None:
+    def __init__(
+        self, sensed: bytes | tuple[int, ...], told: actions.Told, over: bool = False
+    ) -> None:
         self._sensed, self._at, self._ends, self.told = sensed, 3, over, told
         self.first = percept_of(*sensed[:3])
 
@@ -446,7 +430,7 @@ class Record:
         """Whether all was done here."""
         return self._ends and self._at == len(self._sensed)
 
-    def move(self, _action: object) -> Percept:
+    def move(self, _action: object) -> actions.Percept:
         """The next percept.
 
         Raises:
@@ -454,20 +438,20 @@ class Record:
         """
         at, sensed = self._at, self._sensed
         if at == len(sensed):
-            raise BeyondRecord
+            raise actions.BeyondRecord
         self._at = at + 3
         bearing = sensed[at + 2]
-        return Percept(sensed[at], sensed[at + 1], bearing - 1 if bearing else None)
+        return actions.Percept(sensed[at], sensed[at + 1], bearing - 1 if bearing else None)
 
     act = move
 
 
-def percept_of(degree: int, marks: int, bearing: int) -> Percept:
+def percept_of(degree: int, marks: int, bearing: int) -> actions.Percept:
     """The percept of three numbers, in which a bearing has 1 added, and 0 stands for none."""
-    return Percept(degree, marks, bearing - 1 if bearing else None)
+    return actions.Percept(degree, marks, bearing - 1 if bearing else None)
 
 
-def numbers_of(percepts: Iterable[Percept]) -> bytes | tuple[int, ...]:
+def numbers_of(percepts: Iterable[actions.Percept]) -> bytes | tuple[int, ...]:
     """The numbers of percepts."""
     numbers = [
         number

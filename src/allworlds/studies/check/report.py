@@ -27,20 +27,13 @@ from allworlds.document import (
     replace,
     with_options,
 )
-from allworlds.engines import engine_table, lane, single
+from allworlds.engines import engine_table, lane, single, sweep
 from allworlds.engines.limits import (
     ClusterOptions,
     EndedReport,
     Limits,
     ListenerOptions,
     RunDirectoryOptions,
-)
-from allworlds.engines.sweep import (
-    FileDigests,
-    GivenCount,
-    TriedPlaces,
-    told_scope,
-    tried_places,
 )
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import WHOLE, Sample, Scope, Shard, ShardOptions
@@ -249,12 +242,12 @@ Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the mer
 class CheckedScope(Document):
     """The scope of a check: every option that its counts and its verdict depend on."""
 
-    places: TriedPlaces
+    places: sweep.TriedPlaces
     shared_file: SharedFile
     shard: WhichShard
     sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
-    given: GivenCount
-    sha256: FileDigests
+    given: sweep.GivenCount
+    sha256: sweep.FileDigests
     symmetry: Annotated[str | None, about("why one run was counted for several, if it was")]
     gate: Annotated[
         Gated,
@@ -322,15 +315,17 @@ class CheckReport(EndedReport):
             gate = "absent"
         elif coverage != WHOLE:
             gate = "deferred to the merge of all shards"
-        return told_scope(
+        return sweep.told_scope(
             CheckedScope,
             self.request,
             rules,
             edges=extent.edges,
-            places=tried_places(rules.lighthouse, extent),
+            places=sweep.tried_places(rules.lighthouse, extent),
             shared_file=rules.shared_file,
             shard=str(self.portion),
-            sample=told_scope(SampleReport, self.request) if isinstance(coverage, Sample) else None,
+            sample=sweep.told_scope(SampleReport, self.request)
+            if isinstance(coverage, Sample)
+            else None,
             symmetry=self.symmetry or None,
             gate=gate,
             complete=self.complete,
