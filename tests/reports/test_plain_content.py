@@ -29,7 +29,7 @@ class Judged(Leaves):
 
 ROWS_OF_TWO = (Row(edges=1, leaves=2), Row(edges=1200))
 TEXT = """\
-rows
+2 rows
 edges  leaves
     1       2
 1,200       -
@@ -42,7 +42,7 @@ share      0.5
 def test_keys_are_facts_and_lists_of_objects_are_tables():
     told = plain_content(Leaves(kind="maps", rows=ROWS_OF_TWO))
     assert content_text(told, 80).strip() == TEXT.strip()
-    assert content_line(told, 80) == "rows"
+    assert content_line(told, 80) == "2 rows"
 
 
 def test_a_verdict_stands_first_and_alone_if_asked_for():

@@ -8,26 +8,13 @@ from allworlds import check
 from allworlds.engines.kernel.capabilities import MOST_EDGES
 from allworlds.engines.limits import Silent
 from allworlds.engines.tally import EnginesDisagree
-from allworlds.engines.units import drawn_units, level_size
+from allworlds.engines.units import drawn_units
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.check.exhaustive import Guess, estimate, worlds_of
 
 pytestmark = pytest.mark.usefixtures("compiled")
-
-
-@pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("engine", ["kernel"])
-def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.SECONDS", 0.05)
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.one_larger", lambda _: None)
-    guess = estimate(edges=4, engine=engine)
-    assert guess.worlds == sum(level_size(Extent(MapClass.MAPS, 4), m) for m in range(1, 5))
-    assert guess.sampled > 0
-    assert guess.seconds == round(guess.worlds / guess.rate, 1)
-    assert "for 792 worlds: a guess" in text_of(guess, 100)
-    assert estimate(edges=4, engine=engine, shard=(0, 4)).worlds == guess.worlds // 4
 
 
 def measured(*rates):

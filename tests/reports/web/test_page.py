@@ -11,7 +11,6 @@ import pytest
 from allworlds import Estimate, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
-from allworlds.judging.findings.finding import Finding
 from allworlds.maps import named_map
 from allworlds.reports.drawing.svg import legal
 from allworlds.reports.formats import file_of
@@ -44,15 +43,6 @@ def refuted():
 @pytest.fixture(scope="module")
 def root(refuted):
     return read(page(refuted))
-
-
-def test_a_finding_reads_back_from_the_page_and_is_equal(refuted, root):
-    records = [json.loads(block.text) for block in root.all("script", class_="finding")]
-    assert len(records) > 1
-    assert records == [finding.to_json() for finding in refuted.findings]
-    assert Finding.from_json(records[0]).key == refuted.findings[0].key
-    summary = json.loads(root.one(id="report-json").text)
-    assert {**summary, "findings": records} == refuted.to_json()
 
 
 def test_the_list_of_the_walk_has_one_item_a_step(refuted, root):

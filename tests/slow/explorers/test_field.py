@@ -4,7 +4,17 @@ import pytest
 
 import allworlds
 from explorers import test_field as quick
-from explorers.test_field import HOMING, PEBBLE, ROTOR, TREMAUX, UNIVERSAL, VIEWS, checked, loaded
+from explorers.test_field import (
+    HOLD,
+    HOMING,
+    PEBBLE,
+    ROTOR,
+    TREMAUX,
+    UNIVERSAL,
+    VIEWS,
+    checked,
+    loaded,
+)
 
 in_their_folder = quick.in_their_folder
 
@@ -69,3 +79,8 @@ def test_13_offsets_visit_every_cubic_map_with_at_most_6_edges(monkeypatch):
     maps = [world.map for world in allworlds.worlds(edges=6, lighthouse="none", where="cubic")]
     assert not has_word(maps, 12)
     assert has_word(maps, 13)
+
+
+@pytest.mark.parametrize(("asked", "options"), HOLD.items(), ids=lambda each: str(each)[:40])
+def test_an_explorer_of_the_field_holds(asked, options):
+    assert checked(*asked, options).verdict.value == "holds"

@@ -2,18 +2,14 @@
 
 import pytest
 
+from allworlds.engines.units import level_size
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.check.exhaustive import estimate
-from studies import test_time_estimate as quick
 from studies.test_time_estimate import measured
 
 pytestmark = pytest.mark.usefixtures("compiled")
-
-
-@pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("engine", ["python"])
-def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
-    quick.test_an_estimate_is_about_all_worlds(engine, monkeypatch)
 
 
 @pytest.mark.long
@@ -71,3 +67,16 @@ def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch
     assert len(table) == (1 + len(known) if said.larger else 0)
     for line, guess in zip(table[1:], known, strict=bool(said.larger)):
         assert line.split()[:2] == [str(guess.edges), f"{guess.worlds:,}"]
+
+
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("engine", ["kernel", "python"])
+def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
+    monkeypatch.setattr("allworlds.studies.check.exhaustive.SECONDS", 0.05)
+    monkeypatch.setattr("allworlds.studies.check.exhaustive.one_larger", lambda _: None)
+    guess = estimate(edges=4, engine=engine)
+    assert guess.worlds == sum(level_size(Extent(MapClass.MAPS, 4), m) for m in range(1, 5))
+    assert guess.sampled > 0
+    assert guess.seconds == round(guess.worlds / guess.rate, 1)
+    assert "for 792 worlds: a guess" in text_of(guess, 100)
+    assert estimate(edges=4, engine=engine, shard=(0, 4)).worlds == guess.worlds // 4

@@ -197,9 +197,9 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
             raise InputError(
                 f"finding of version {show(document['version'])}; this program reads {VERSION}"
             )
+        if (law := document.get("law")) not in PRECEDENCE:
+            raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
         found = doc.parse(document, cls, "finding")
-        if found.law not in PRECEDENCE:
-            raise InputError(f"law {show(found.law)} is not one of {', '.join(PRECEDENCE)}")
         found.rules  # noqa: B018  # wrong options are refused here, and not where they are used
         return found
 

@@ -1,5 +1,6 @@
 """The page: complete, self-contained, and the same every time."""
 
+import json
 import os
 import subprocess
 import sys
@@ -7,6 +8,7 @@ import sys
 import pytest
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
+from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
 from html_tree import read
 from reports.web import test_page as quick
@@ -72,3 +74,12 @@ def test_the_page_shows_the_verdict_and_everything_that_check_prints(refuted, ro
     ]
     terms = [term.text for term in root.one(class_="scope").all("dt")]
     assert terms == ["explorer", "scope", "laws", "gate", "witnesses"]
+
+
+def test_a_finding_reads_back_from_the_page_and_is_equal(refuted, root):
+    records = [json.loads(block.text) for block in root.all("script", class_="finding")]
+    assert len(records) > 1
+    assert records == [finding.to_json() for finding in refuted.findings]
+    assert Finding.from_json(records[0]).key == refuted.findings[0].key
+    summary = json.loads(root.one(id="report-json").text)
+    assert {**summary, "findings": records} == refuted.to_json()
