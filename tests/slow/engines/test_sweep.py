@@ -11,7 +11,7 @@ from allworlds.engines.limits import Silent, TimeIsUp
 from allworlds.engines.players import Unsettled
 from clusters import cluster_here
 from engines import test_sweep as quick
-from engines.test_sweep import KINDS, SWEEPS, WRONG
+from engines.test_sweep import SWEEPS, WRONG
 
 pytestmark = pytest.mark.usefixtures("compiled", "without_workers")
 
