@@ -85,7 +85,7 @@ class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentO
     seed: Annotated[
         int | None,
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "S",
             "The seed for worlds drawn from a family; with --to of the first world of a size, the "
             "others have the next ones [default: 0; with --to 1].",
