@@ -156,3 +156,18 @@ def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monke
     }.items():
         with pytest.raises(InputError, match=reason):
             Program(command, 1.0)
+
+
+def test_last_words_that_come_before_the_first_percept_are_kept(monkeypatch):
+    start = Program._start
+
+    def start_and_wait(program):
+        start(program)
+        program._process.wait()
+
+    monkeypatch.setattr(Program, "_start", start_and_wait)
+    program = Program(f"{sys.executable} -c 'raise SystemExit(\"last words\")'", PATIENCE)
+    with pytest.raises(ExplorerFault) as fault:
+        next(program.explore(Percept(1)))
+    program.close()
+    assert "last words" in fault.value.detail

@@ -241,8 +241,10 @@ class Program:
     def _begin(self, first: actions.Percept, told: actions.Told) -> None:
         if self._process is None:
             self._start()
-        self._read(0)
-        self._err.clear()
+            self._read(0)  # it may have ended already, and its last words are of this episode
+        else:
+            self._read(0)
+            self._err.clear()
         if self._out:
             raise self._fault("illegal-action", f"a line before it was asked: {shown(self._out)}")
         self._heard = False
@@ -269,6 +271,7 @@ class Program:
         self._said.register(self._out_of, select.POLLIN)
         self._said.register(err_of, select.POLLIN)
         self._out.clear()
+        self._err.clear()
 
     def _kill(self) -> None:
         process, self._process = self._process, None
