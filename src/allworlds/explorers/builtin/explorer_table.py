@@ -116,7 +116,15 @@ BUILT_IN: dict[str, BuiltIn] = {
     "algorithm1-door": BuiltIn(
         algorithm1_door,
         "door",
-        {},
+        {
+            "case-1": ((5, 5), (8, 8)),
+            "case-2": ((3, 2), (5, 4)),
+            "case-3": ((1, 1), (3, 3)),
+            "empty-H": ((1, 2), (1, 2)),
+            "loop": ((1, 1), (3, 3)),
+            "non-loop": ((1, 2), (1, 2)),
+            "v0-hypothesis": ((1, 1), (6, 4)),
+        },
         "paper + 2*m*(m+1) + 2*(d0-1)",
         about="first it tries the darts of v0, there and back, until one is the door; a test that "
         "has come to v0 ends with a query: out by the door and back",
