@@ -36,6 +36,7 @@ def events(map_, choices, place):
 def test_a_door_is_enough_within_its_bound():
     report = allworlds.check(DOOR, edges=3, workers=1)
     assert (report.verdict.value, report.worlds, report.runs) == ("holds", 86, 309)
+    assert report.traversals == 3_787  # the search ends at the door
     assert {"bound", "invariant-1", "invariant-2", "variant"} <= set(report.scope.laws)
     assert report.scope.lighthouse == "door"
 
