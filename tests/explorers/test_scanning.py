@@ -20,7 +20,7 @@ DOOR, WORD = "algorithm1-door", "algorithm1-word"
 
 
 def events(map_, choices, place):
-    """What is noticed in a run from dart 0."""
+    """The events of a run from dart 0."""
     met, percepts = set(), place.percepts(map_)
     run, here, answer = algorithm1_door(percepts[0], choices=choices, notice=met.add), 0, None
     try:

@@ -305,7 +305,7 @@ class Entrant(Struct, frozen=True):
         return self.named(self.subject.name)
 
     def named(self, explorer: str) -> str:
-        """The same with another name of the explorer."""
+        """Another name of the explorer, with the lighthouse behind it."""
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: Shard = WHOLE) -> Scope:
