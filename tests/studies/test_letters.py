@@ -14,7 +14,7 @@ from allworlds.studies.ambiguity.solvers import solve_with_z3
 
 
 def sizes(pair):
-    return sorted((world.map.edge_count, world.map.vertex_count) for world in pair)
+    return sorted((world.map.edge_count, world.map.vertex_count) for world in pair or ())
 
 
 @pytest.mark.parametrize(
