@@ -5,12 +5,14 @@ import re
 import pytest
 
 from allworlds.inputs.checks import InputError
-from allworlds.maps import MapClass
+from allworlds.maps import CombinatorialMap, MapClass
 from allworlds.maps.combinatorial import numbering
-from allworlds.studies.ambiguity import census, search
+from allworlds.reports.formats import text
+from allworlds.studies.ambiguity import census, search, twins
 from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
 from allworlds.studies.ambiguity.question import Question, Size, Sizes
 from allworlds.studies.ambiguity.solvers import solve_with_z3
+from allworlds.world import Word, World
 
 
 def sizes(pair):
@@ -72,3 +74,11 @@ def test_one_map_started_twice_is_two_worlds_only_if_the_letters_differ(tmp_path
         forbid_other_start(formula, pair, start)
     formula.write(tmp_path / "pair.cnf")
     assert solve_with_z3(tmp_path / "pair.cnf", None).status == status
+
+
+def test_of_a_quotient_the_letters_of_all_darts_are_told():
+    plane, turned = (
+        World(CombinatorialMap((1, 2, 3, 0), alpha), Word(0, "12"))
+        for alpha in ((1, 0, 3, 2), (3, 2, 1, 0))
+    )
+    assert "degree 4, marked; degree 4, marks 2" in text(twins(plane, turned), 100)
