@@ -142,3 +142,4 @@ def full(session: nox.Session) -> None:
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
     session.run("python", "proofs/certified.py", "--edges", "5", *limits)
     session.run("proofs/coq/minimality", external=True)
+    session.run("python", "tests/support/mutants/matrix.py")

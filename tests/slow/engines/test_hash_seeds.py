@@ -106,6 +106,7 @@ def explore(first):
 """
 
 
+@pytest.mark.long
 def test_the_finding_of_a_play_that_another_does_not_repeat_has_both(tmp_path):
     module = tmp_path / "chance.py"
     module.write_text(EVERY_OTHER_TIME)

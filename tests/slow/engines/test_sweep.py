@@ -48,6 +48,7 @@ def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_p
         assert standing.units.done == standing.units.all
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
@@ -142,6 +143,7 @@ def cluster():
         yield address
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize("name", SWEEPS)
@@ -156,6 +158,7 @@ def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
     assert text(job(run=tmp_path)) == undisturbed(name)
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_was_finished_when_it_was_ended_is_reported(name, undisturbed, monkeypatch):

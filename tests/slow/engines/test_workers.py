@@ -73,6 +73,7 @@ def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, n
     assert "walk differs" in finding.seen or "in some plays only" in finding.seen
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("kind", "law", "seen"),
     [

@@ -69,6 +69,7 @@ def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch
         assert line.split()[:2] == [str(guess.edges), f"{guess.worlds:,}"]
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("engine", ["kernel", "python"])
 def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
