@@ -138,12 +138,6 @@ def test_a_wrong_explorer_fails_each_part_that_goes_far_enough(part):
         parts[part]()
 
 
-@pytest.mark.no_cover
-def test_what_conforms_no_longer_is_told_with_the_part():
-    with pytest.raises(AssertionError, match=r"^known-hard-maps: \nFinding 1: "):
-        assert_conforms(wrong(), corpus=None)
-
-
 def test_a_drawn_finding_is_shrunk_to_the_smallest_of_all():
     part = conformance(wrong(), drawn=5, drawn_edges=7)[-1]
     with pytest.raises(AssertionError, match="'pose' in a world with 2 edges and 1 vertex"):

@@ -86,15 +86,6 @@ def test_another_cyclic_order_would_be_seen():
     assert any(GENUS_2.sigma[a] != b for a, b in pairwise(around))
 
 
-@pytest.mark.no_cover
-@pytest.mark.parametrize("map_", MAPS, ids=str)
-def test_every_dart_and_every_vertex_is_named_once(map_):
-    svg = drawn(map_)
-    texts = [text.text for text in svg.iter(f"{NS}text")]
-    names = [*map(str, map_.darts), *(f"v{v}" for v in range(map_.vertex_count))]
-    assert sorted(texts) == sorted(names)
-
-
 def meet(a, b, c, d):
     """The segments ab and cd cross."""
 
