@@ -278,6 +278,12 @@ def test_a_count_that_its_source_contradicts_is_an_internal_error(cli, monkeypat
     assert "MISMATCH" in out
 
 
+def test_the_help_has_the_verbs_in_panels(cli):
+    _, out, _ = cli("--help")
+    everyday, worlds = (out.index(f"─ {name} ─") for name in ("Everyday", "Worlds"))
+    assert everyday < out.index("│ check ") < worlds < out.index("│ count ")
+
+
 @pytest.mark.parametrize("verb", ["check", "count", "run", "replay"])
 def test_help_begins_with_an_example(cli, verb):
     code, out, _ = cli(verb, "--help")

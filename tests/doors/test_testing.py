@@ -180,6 +180,14 @@ def cubic_alone(tmp_path, monkeypatch):
     return "cubic.py:explore"
 
 
+def test_the_drawn_maps_of_the_kit_keep_a_condition(cubic_alone):
+    *_, last = conformance(cubic_alone, edges=3, drawn=2, drawn_edges=6, where="cubic")
+    last()
+    *_, last = conformance(cubic_alone, edges=3, drawn=2, drawn_edges=6, where="eulerian")
+    with pytest.raises(AssertionError, match="crash"):
+        last()
+
+
 def test_given_worlds_are_tried_in_place_of_all(cubic_alone):
     given = worlds(edges=3, where="cubic")
     assert assert_explores(cubic_alone, worlds=given).worlds == 5

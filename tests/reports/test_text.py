@@ -133,6 +133,7 @@ def test_the_legend_explains_the_signs_used_and_no_other():
     assert not set("┼▲●R") & set(legend(Scene(theta, labels=["R", "●", "▲", "┼", "→", ""])))
     full = Scene(torus, robot=2, marks={0: 1, 1: 0}, pointed=[1, 3])
     assert set("┼▲●SR(╭") <= set(legend(full))
+    assert "look alike" in legend(Scene(theta, labels="abcdef"))
     table = legend(Scene(theta, pointed=[1]), rotation_table)
     assert "▲" in table
     assert "( )" not in table

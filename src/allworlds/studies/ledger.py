@@ -77,7 +77,7 @@ class Means(Struct, frozen=True):
         budget: how much may be done.
     """
 
-    workers: int = 1
+    workers: int
     budget: Budget = "quick"
 
 
