@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds import merge
+from allworlds import Move, merge
 from allworlds.engines.limits import Silent
 from allworlds.inputs.checks import InputError
 from allworlds.reports.content.check import scope_words, size_table
@@ -42,6 +42,14 @@ def test_a_sample_without_any_place_of_the_lighthouse_is_vacuous():
     report = fuzz("algorithm1-natural", edges=1, runs=5, map_class="simple")
     assert (report.verdict, report.exit_code, report.left_out) == ("vacuous", 4, 5)
     assert text_of(report, 100).startswith("VACUOUS    the scope holds no run\n")
+
+
+def test_a_finding_is_confirmed_by_a_second_play():
+    def gives_up(first):
+        yield Move(0)
+
+    found, *_ = fuzz(gives_up, edges=4, runs=2).findings
+    assert (found.law, found.confirmed) == ("no-estimate", True)
 
 
 def test_a_shard_without_a_run_says_so(tmp_path):
