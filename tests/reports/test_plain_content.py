@@ -61,5 +61,5 @@ def test_every_form_of_rows_shows_it(form):
 
 
 def test_an_option_is_not_broken_at_its_hyphens():
-    lines = entry("scope", "all were tried with --time-limit", 36)
+    lines = entry("scope", "all were tried with --time-limit", 40)
     assert lines == ["scope      all were tried with", "           --time-limit"]

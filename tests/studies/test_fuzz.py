@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds import Move, merge
+from allworlds import merge
 from allworlds.engines.limits import Silent
 from allworlds.inputs.checks import InputError
 from allworlds.reports.content.check import scope_words, size_table
@@ -44,11 +44,10 @@ def test_a_sample_without_any_place_of_the_lighthouse_is_vacuous():
     assert text_of(report, 100).startswith("VACUOUS    the scope holds no run\n")
 
 
-def test_a_finding_is_confirmed_by_a_second_play():
-    def gives_up(first):
-        yield Move(0)
-
-    found, *_ = fuzz(gives_up, edges=4, runs=2).findings
+@pytest.mark.processes
+def test_a_finding_is_confirmed_by_a_second_play(tmp_path):
+    (tmp_path / "gives_up.py").write_text("def explore(first):\n    return\n    yield")
+    found, *_ = fuzz(f"{tmp_path / 'gives_up.py'}:explore", edges=4, runs=2).findings
     assert (found.law, found.confirmed) == ("no-estimate", True)
 
 
