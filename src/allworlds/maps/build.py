@@ -13,7 +13,7 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import Any
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, distances
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, distances, unreached
 from allworlds.words import plural
 
 LARGEST = 10_000
@@ -144,16 +144,12 @@ def map_at(
     Raises:
         InvalidMap: naming a vertex that cannot be reached, or if there is no dart.
     """
-    try:
-        return CombinatorialMap(sigma, alpha)
-    except InvalidMap as error:
-        if not error.clash:
-            raise
-        lost = min(dart for _, dart in error.clash)
+    if lost := sigma and unreached(sigma, alpha):
         raise InvalidMap(
-            f"vertex {show(vertex_at[lost])} cannot be reached from vertex {show(vertex_at[0])}; "
-            "a map is connected"
-        ) from None
+            f"vertex {show(vertex_at[lost[0]])} cannot be reached from vertex "
+            f"{show(vertex_at[0])}; a map is connected"
+        )
+    return CombinatorialMap(sigma, alpha)
 
 
 def cycle(n: int) -> CombinatorialMap:
