@@ -283,7 +283,10 @@ def test_a_fat_graph_is_told_by_any_two_of_its_permutations(tmp_path):
             '{"vertices": [[0], [0]], "edges": [[0, 1]]}',
             "vertices: the darts \\[0, 0\\] are not 0..1",
         ),
-        ('{"vertices": [[0], [1]], "edges": "(0 1)"}', "edges: '\\(0 1\\)' is no list of cycles"),
+        (
+            '{"vertices": [[0], [1]], "edges": "(0 1)"}',
+            "edges: '\\(0 1\\)': expected array",
+        ),
         ("[]", "there is no world in it"),
         ("[3]", "a world is an object .*, not 3"),
         ('{"plan": {"a": ["b"]}}', "world 'plan': vertex 'a' lists 'b'"),
