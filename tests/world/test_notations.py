@@ -207,7 +207,7 @@ def test_a_file_is_known_by_its_mark_its_suffix_or_its_beginning(tmp_path):
 
 
 def test_two_worlds_in_a_table_are_refused():
-    with pytest.raises(InputError, match="world 2 is not written: a table of edges tells one"):
+    with pytest.raises(InputError, match="a file of edges holds one world; name one of another"):
         list(written([Entry(NAMED.map)] * 2, by_name("edges")))
 
 
