@@ -337,30 +337,24 @@ CONDITIONS: dict[str, ConditionKind] = {
 
 
 class MapSource(Protocol):
-    """Maps that are given one by one, in place of every map of a class."""
+    """Maps that are given one by one, in place of every map of a class.
 
-    @property
-    def starts(self) -> Mapping[int, int]:
-        """By the number of edges, ascending, how many rooted maps there are."""
+    Attributes:
+        starts: by the number of edges, ascending, how many rooted maps there are.
+        count: how many there are.
+        fixed: whether the start and the lighthouse of each are.
+        words: how many there are, and where they come from.
+        gate: why nobody counts them.
+    """
 
-    @property
-    def count(self) -> int:
-        """How many there are."""
-
-    @property
-    def fixed(self) -> bool:
-        """Whether the start and the lighthouse of each are."""
+    starts: Mapping[int, int]
+    count: int
+    fixed: bool
+    words: str
+    gate: str
 
     def like(self, world: Any) -> Iterable[Any]:
         """The given worlds that are this one in another numbering, in their order."""
-
-    @property
-    def words(self) -> str:
-        """How many there are, and where they come from."""
-
-    @property
-    def gate(self) -> str:
-        """Why nobody counts them."""
 
 
 class Extent(Struct, frozen=True):

@@ -6,7 +6,6 @@ counts, and checks, with their provenance and what is expected of them.
 """
 
 import re
-from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
@@ -265,16 +264,6 @@ class WorldOptions(Request):
         ),
     ] = None
 
-    def refuse(self, names: Iterable[str], what: str) -> None:
-        """Refuse options that have no effect.
-
-        Raises:
-            InputError: naming the first of these that is given, and ``what`` it has no effect on.
-        """
-        for name in names:
-            if (given := getattr(self, name)) is not None:
-                raise InputError(f"{name} {given} has no effect on {what}")
-
     def meant(self, given: str | World | None, usual: GivenLighthouse) -> World:
         """The world of a text, or the given one, or the one of the family.
 
@@ -286,18 +275,20 @@ class WorldOptions(Request):
             InputError: naming what is not there, or has no effect.
         """
         kind = tried_kind(usual if self.lighthouse is None else self.lighthouse)
-        if isinstance(given, str):
-            self.refuse(["family"], f"world {show(given)}: it is a world already")
+        if given is None:
+            if self.family is None:
+                raise InputError("there is neither a world nor a family")
+            world = World(map_of_family(self.family, self.holes, self.seed or 0), kind)
+        else:
             # Scripts may name a seed in every run.
             seed = self.seed if _names_family(given) else None
             world = world_named(given, kind, seed, self.holes)
-        elif given is not None:
-            world = world_named(given, kind)
-            self.refuse(("family", "holes", "lighthouse"), "a world that is given")
-        elif self.family is not None:
-            world = World(map_of_family(self.family, self.holes, self.seed or 0), kind)
-        else:
-            raise InputError("there is neither a world nor a family")
+            beside = {"family": self.family}
+            if isinstance(given, World):
+                beside["lighthouse"] = self.lighthouse and self.lighthouse.name
+            for name, value in beside.items():
+                if value is not None:
+                    raise InputError(f"{name} {value} has no effect on a world that is given")
         return world if self.place is None else at_place(world, self.place)
 
 
