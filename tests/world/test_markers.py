@@ -213,8 +213,3 @@ def test_labels_that_do_not_fit_are_named(darts, named):
     document = {**LOLLIPOP.to_json(), "lighthouse": {"kind": "labels", "darts": darts}}
     with pytest.raises(InvalidWorld, match=named):
         World.from_json(document)
-
-
-def test_in_a_world_the_numbers_are_those_from_one_on():
-    with pytest.raises(InvalidWorld, match=r"\[1, 3\] are not 1 to 2"):
-        World(EDGE, Labels((0, 1), (1, 3)))

@@ -72,7 +72,8 @@ class CombinatorialMap(Pictured, WrittenByFields):
     def __init__(self, sigma: Iterable[int], alpha: Iterable[int]) -> None:
         tried = {"sigma": _entries("sigma", sigma), "alpha": _entries("alpha", alpha)}
         valid_sigma, valid_alpha = _integers("sigma", tried), _integers("alpha", tried)
-        _check_law(valid_sigma, valid_alpha)
+        for message in _broken_laws(valid_sigma, valid_alpha):
+            raise InvalidMap(message, valid_sigma, valid_alpha)
         object.__setattr__(self, "sigma", valid_sigma)
         object.__setattr__(self, "alpha", valid_alpha)
 
@@ -126,7 +127,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
     @cached_property
     def degree_at(self) -> tuple[int, ...]:
         """For each dart the degree of its vertex."""
-        degrees = [len(vertex) for vertex in self.vertices]
+        degrees = self.degrees
         return tuple(degrees[v] for v in self.vertex_of)
 
     @property
@@ -310,11 +311,6 @@ def _integers(name: str, tried: Mapping[str, tuple[object, ...]]) -> tuple[int, 
             message = f"{name}[{d}] = {show(value)} is not an integer"
             raise InvalidMap(message, **tried) from None
     return tuple(result)
-
-
-def _check_law(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> None:
-    for message in _broken_laws(sigma, alpha):
-        raise InvalidMap(message, sigma, alpha)
 
 
 def _broken_laws(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> Iterator[str]:

@@ -133,12 +133,9 @@ class Gluing:
 
     def _fork(self) -> "Gluing":
         twin = object.__new__(Gluing)
-        twin.edges, twin.limit = self.edges, self.limit
-        twin.planar, twin.simple = self.planar, self.simple
+        vars(twin).update(vars(self))
         twin.alpha, twin.vertex = self.alpha[:], self.vertex[:]
         twin.degrees, twin.neighbours = self.degrees[:], self.neighbours[:]
-        twin.faces, twin.newest = self.faces, self.newest
-        twin._where, twin._dual = self._where, self._dual
         return twin
 
     def _new_vertex(self, degree: int) -> Dart:

@@ -34,10 +34,9 @@ from allworlds.world.lighthouses.kinds import (
     GivenLighthouse,
     LighthouseKind,
     kind_of,
-    lighthouse_kind,
 )
 from allworlds.world.lighthouses.marked import Directional
-from allworlds.world.selection import tried_kind
+from allworlds.world.selection import kind_if_any, tried_kind
 from allworlds.world.world import World, at_place
 
 Kind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
@@ -227,10 +226,6 @@ def _is_json(text: str) -> bool:
     return text.lstrip().startswith(("{", "["))
 
 
-def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:
-    return None if given is None else lighthouse_kind(given)
-
-
 class WorldOptions(Request):
     """The part of a request that says of a WORLD what its text does not, or names a family."""
 
@@ -252,7 +247,7 @@ class WorldOptions(Request):
             "KIND",
             "The lighthouse, if the world names none [default: the explorer's own].",
         ),
-    ] = Converted(_lighthouse, None)
+    ] = Converted(kind_if_any, None)
     place: Annotated[
         int | None,
         Option(
@@ -281,7 +276,7 @@ class WorldOptions(Request):
             world = World(map_of_family(self.family, self.holes, self.seed or 0), kind)
         else:
             # Scripts may name a seed in every run.
-            seed = self.seed if _names_family(given) else None
+            seed = self.seed if isinstance(given, str) and _names_family(given) else None
             world = world_named(given, kind, seed, self.holes)
             beside = {"family": self.family}
             if isinstance(given, World):

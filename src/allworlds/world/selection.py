@@ -294,7 +294,8 @@ class WhereOptions(Request):
         return self.where
 
 
-def _lighthouse(given: object) -> LighthouseKind | None:
+def kind_if_any(given: object) -> LighthouseKind | None:
+    """The kind of a name, or of a class, as :func:`tried_kind` finds it; None for None."""
     return None if given is None else tried_kind(given)
 
 
@@ -310,4 +311,4 @@ class LighthouseOptions(Request):
             "[default: directional, or the one that a built-in explorer is written for].",
             document_type=Annotated[Text, about("`KIND[:key=value,...]`")],
         ),
-    ] = Converted(_lighthouse, None)
+    ] = Converted(kind_if_any, None)

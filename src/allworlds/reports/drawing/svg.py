@@ -341,14 +341,10 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
     Raises:
         InputError: for anything else.
     """
-    match shown:
-        case World():
-            scene, map_ = scene_of(shown), shown.map
-        case CombinatorialMap():
-            scene, map_ = Scene(shown), shown
-        case _:
-            raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
-    where = size(map_.edge_count, map_.vertex_count)
+    if not isinstance(shown, CombinatorialMap | World):
+        raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
+    scene = scene_of(shown) if isinstance(shown, World) else Scene(shown)
+    where = size(scene.map.edge_count, scene.map.vertex_count)
     title = f"A {'world' if isinstance(shown, World) else 'map'} with {where}"
     style = (files("allworlds.reports.drawing") / "alone.css").read_text(encoding="utf-8")
 

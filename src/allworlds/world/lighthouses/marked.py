@@ -282,14 +282,6 @@ class Labels(AtEveryVertex):
             first.setdefault(map_.vertex_of[dart], dart)
         yield cls(tuple(first.values()))
 
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the reference darts are one of each vertex, numbered from 1."""
-        AtEveryVertex.check(self, map_, start)
-        if self.numbers:
-            raise InvalidWorld(
-                f"the labels {show(list(self.numbers))} are not 1 to {len(self.darts)}"
-            )
-
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
         """The labels sensed at the first visit of each vertex; 0 for vertices never visited."""
         darts, numbers = zip(*_first_sensed(walk).values(), strict=True)
