@@ -268,22 +268,6 @@ def named_maps() -> tuple[str, ...]:
     return tuple(sorted([*_SINGLE, *(f"{family}-N" for family in _NUMBERED)]))
 
 
-def _bouquet(n: int) -> CombinatorialMap:
-    return from_cycles([[i // 2 for i in range(2 * n)]])
-
-
-def _dipole(n: int) -> CombinatorialMap:
-    return from_cycles([range(n), range(n)[::-1]])
-
-
-def _path(n: int) -> CombinatorialMap:
-    return from_rotation([[w for w in (v - 1, v + 1) if 0 <= w < n] for v in range(n)])
-
-
-def _star(n: int) -> CombinatorialMap:
-    return from_rotation([range(1, n + 1), *([0] for _ in range(n))])
-
-
 def _wheel(n: int) -> CombinatorialMap:
     rim = [[0, (i - 1) % n + 1, (i + 1) % n + 1] for i in range(n)]
     return from_rotation([range(1, n + 1), *rim])
@@ -305,18 +289,21 @@ _SINGLE: dict[str, Callable[[], CombinatorialMap]] = {
     "k5": lambda: dense(5),
     "loop": lambda: from_cycles(["aa"]),
     "petersen": lambda: _of_digits("145 026 137 248 039 078 189 295 356 467"),
-    "theta": lambda: _dipole(3),
+    "theta": lambda: named_map("dipole-3"),
     "theta-torus": lambda: from_cycles(["abc", "abc"]),
-    "two-loops-plane": lambda: _bouquet(2),
+    "two-loops-plane": lambda: named_map("bouquet-2"),
     "two-loops-torus": lambda: from_cycles(["abab"]),
 }
 
 _NUMBERED: dict[str, tuple[int, Callable[[int], CombinatorialMap]]] = {
-    "bouquet": (1, _bouquet),
+    "bouquet": (1, lambda n: from_cycles([[i // 2 for i in range(2 * n)]])),
     "cycle": (1, cycle),
-    "dipole": (1, _dipole),
-    "path": (2, _path),
-    "star": (1, _star),
+    "dipole": (1, lambda n: from_cycles([range(n), range(n)[::-1]])),
+    "path": (
+        2,
+        lambda n: from_rotation([[w for w in (v - 1, v + 1) if 0 <= w < n] for v in range(n)]),
+    ),
+    "star": (1, lambda n: from_rotation([range(1, n + 1), *([0] for _ in range(n))])),
     "wheel": (3, _wheel),
 }
 """For each family the least N and the map of N."""

@@ -307,11 +307,6 @@ def genus_exactly(gluing: Gluing, genus: int) -> bool:
     return not closed or 2 - vertices + len(closed) // 2 - faces <= 2 * genus
 
 
-def _girth_at_least(map_: CombinatorialMap, least: int) -> bool:
-    length = girth(map_)
-    return length is None or length >= least
-
-
 def _faces_of(length: int) -> ConditionKind:
     """Every face has that many darts."""
     return ConditionKind(
@@ -326,7 +321,7 @@ CONDITIONS: dict[str, ConditionKind] = {
     "regular": ConditionKind(lambda m, d: {*m.degrees} == {d}, regular, 1),
     "eulerian": ConditionKind(lambda m, _: not any(d % 2 for d in m.degrees), even),
     "trees": ConditionKind(lambda m, _: m.edge_count == m.vertex_count - 1, tree),
-    "girth": ConditionKind(_girth_at_least, girth_at_least, 1),
+    "girth": ConditionKind(lambda m, g: (girth(m) or g) >= g, girth_at_least, 1),
     "genus": ConditionKind(lambda m, g: m.genus == g, genus_exactly, 0),
     "triangulation": _faces_of(3),
     "quadrangulation": _faces_of(4),

@@ -63,7 +63,10 @@ def from_networkx(
     """
     import networkx as nx
 
-    if order is None and _has_pointers(graph):
+    pointers = isinstance(graph, nx.PlanarEmbedding) or (
+        isinstance(graph, nx.DiGraph) and any("cw" in data for *_, data in graph.edges(data=True))
+    )
+    if order is None and pointers:
         rotation = {v: _clockwise(v, around) for v, around in graph.adjacency()}
         return compared(from_rotation(rotation), list(graph), undirected(graph))
     plain = undirected(graph)
@@ -89,14 +92,6 @@ def from_networkx(
 
 
 LISTS = "maps.from_rotation and maps.from_cycles take the order round each vertex as a list"
-
-
-def _has_pointers(graph: nx.Graph) -> bool:
-    import networkx as nx
-
-    return isinstance(graph, nx.PlanarEmbedding) or (
-        isinstance(graph, nx.DiGraph) and any("cw" in data for *_, data in graph.edges(data=True))
-    )
 
 
 def undirected(graph: nx.Graph) -> nx.Graph:

@@ -4,6 +4,7 @@ import re
 from array import array
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property, lru_cache
 from itertools import chain
 from pathlib import Path
@@ -235,18 +236,14 @@ def _given(entry: Entry, name: str) -> GivenMap:
     if entry.lighthouse is not None:
         with at(name):
             place = lighthouse_from_json(entry.lighthouse, map_, starts[0])
-            starts = [start for start in starts if _stands(place, map_, start)] or starts
+            held = list[Dart]()
+            for start in starts:
+                with suppress(InvalidWorld):
+                    place.check(map_, start)
+                    held.append(start)
+            starts = held or starts
             place.check(map_, starts[0])
     return GivenMap(map_, starts, place, entry.labels)
-
-
-def _stands(place: Lighthouse, map_: CombinatorialMap, start: Dart) -> bool:
-    """Whether the lighthouse can stand there when one starts here."""
-    try:
-        place.check(map_, start)
-    except InvalidWorld:
-        return False
-    return True
 
 
 # ---------------------------------------------------------------- options

@@ -1,6 +1,7 @@
 """The notations of embedded graphs that files are read in and written in."""
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from typing import IO, Literal, TypeAlias, get_args
@@ -119,12 +120,15 @@ def legal(*, written: bool = False) -> str:
     return one_of(end for each in notations for end in each.suffixes)
 
 
-def _opened(file: str | Path) -> IO[bytes]:
-    """The file, at its beginning."""
+@contextmanager
+def _opened(file: str | Path) -> Iterator[tuple[IO[bytes], Notation]]:
+    """The file, at its beginning, and its notation; what is told of bad input names it."""
     try:
-        return a_path("file", file).open("rb")
+        stream = a_path("file", file).open("rb")
     except OSError as error:
         raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
+    with stream, in_file(str(file)):
+        yield stream, notation_in(stream, str(file))
 
 
 def entries(
@@ -139,8 +143,7 @@ def entries(
 
     Cost: the memory of one entry at a time, where the notation streams.
     """
-    with _opened(file) as stream, in_file(str(file)):
-        notation = notation_in(stream, str(file))
+    with _opened(file) as (stream, notation):
         _check(notation, order, y)
         found = False
         for offset, entry in notation.read(stream):
@@ -181,8 +184,7 @@ def entry_at(
 
     Cost: that of this world; the file is read as a whole, once, where its notation does not stream.
     """
-    with _opened(file) as stream, in_file(str(file)):
-        notation = notation_in(stream, str(file))
+    with _opened(file) as (stream, notation):
         if notation.streams:
             stream.seek(offset)
             for _, entry in notation.read(stream):

@@ -98,18 +98,15 @@ class Movable(PlacelessLighthouse):
     @override
     def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:
         here, lying = map_.vertex_of[state.dart], [*state.lying]
-        after = state
+        bits = state.number_at(here)
         if type(action) is actions.Drop:
             lying.append(here)
-            if self.distinct:
-                dropped = sum(bits for _, bits in state.written)
-                first = ~dropped & (dropped + 1)
-                after = state.with_number(here, state.number_at(here) | first)
+            dropped = sum(number for _, number in state.written)
+            bits |= ~dropped & (dropped + 1)
         else:
             lying.remove(here)
-            if self.distinct:
-                bits = state.number_at(here)
-                after = state.with_number(here, bits & (bits - 1))
+            bits &= bits - 1
+        after = state.with_number(here, bits) if self.distinct else state
         hand = state.hand + len(state.lying) - len(lying)
         return replace(after, lying=tuple(sorted(lying)), hand=hand)
 
