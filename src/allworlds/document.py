@@ -519,8 +519,8 @@ def _legal(kind: inspect.Type, steps: Sequence[str]) -> Iterator[object]:
         case inspect.EnumType(cls=values) if not steps:
             yield from (each.value for each in values)
         case inspect.StructType(fields=told) if steps:
-            for one in told:
-                if one.encode_name == steps[0]:
-                    yield from _legal(one.type, steps[1:])
+            for part in told:
+                if part.encode_name == steps[0]:
+                    yield from _legal(part.type, steps[1:])
         case inspect.DictType(value_type=one) | inspect.CollectionType(item_type=one) if steps:
             yield from _legal(one, steps[1:])

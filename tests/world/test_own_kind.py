@@ -273,7 +273,7 @@ def leave_a_mark(world):
         ("Holds", "in_hand of the lighthouse .* gives -1; legal is an integer from 0 on"),
         ("HoldsText", "in_hand of the lighthouse .* gives 'two'; legal is an integer from 0 on"),
         ("Tells", "told of the lighthouse .* legal is an integer, a dict"),
-        ("TellsDarts", "tells 1, and 5 with the darts renamed"),
+        ("TellsDarts", "tells 1, asked again 1, and 5 with the darts"),
     ],
 )
 def test_an_error_in_a_lighthouse_is_bad_input_that_names_it(folder, kind, said):

@@ -392,14 +392,10 @@ class Extent(Struct, frozen=True):
                 f"vertices = {show(self.vertices)}, but a map of the class {self.map_class} has at "
                 f"least {least}"
             )
-        if self.edges is None and self.vertices is None:
-            raise InputError("a class needs a bound: edges, or vertices for the simple classes")
-        if self.edges is None and not self.map_class.simple:
-            raise InputError(
-                f"vertices = {show(self.vertices)} alone bounds no class with loops or parallel "
-                "edges; give edges too, or the class simple or planar-simple instead of "
-                f"{self.map_class}"
-            )
+        if self.edges is None and (self.vertices is None or not self.map_class.simple):
+            alone = f"; vertices = {self.vertices} alone is none here" if self.vertices else ""
+            bounds = "edges, or vertices for the simple classes"
+            raise InputError(f"the class {self.map_class} needs a bound: {bounds}{alone}")
 
     @property
     def levels(self) -> Sequence[int]:

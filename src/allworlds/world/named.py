@@ -278,10 +278,8 @@ class WorldOptions(Request):
             # Scripts may name a seed in every run.
             seed = self.seed if isinstance(given, str) and _names_family(given) else None
             world = world_named(given, kind, seed, self.holes)
-            beside = {"family": self.family}
-            if isinstance(given, World):
-                beside["lighthouse"] = self.lighthouse and self.lighthouse.name
-            for name, value in beside.items():
+            lighthouse = self.lighthouse if isinstance(given, World) else None
+            for name, value in (("family", self.family), ("lighthouse", lighthouse)):
                 if value is not None:
                     raise InputError(f"{name} {value} has no effect on a world that is given")
         return world if self.place is None else at_place(world, self.place)

@@ -242,14 +242,6 @@ class Composed(Lighthouse):
             for dart in map_.darts
         )
 
-    def number(self, map_: CombinatorialMap, start: Dart) -> int:
-        """The number among the combinations; that of the last part changes first."""
-        number = 0
-        for part in self.parts:
-            places = sum(1 for _ in part.as_kind.places(map_, start))
-            number = number * places + part.number(map_, start)
-        return number
-
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Composed | None:
         """Every part where a robot must believe that it stands."""
         parts = [part.believed(map_, start, walk) for part in self.parts]
