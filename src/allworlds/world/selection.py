@@ -181,45 +181,46 @@ def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
     gives marks and bearings only if it says so. It is read again as it was written.
     """
     for map_, other in _renamed(edges):
-        if wrong := _flaw(kind.as_class, map_, other):
+        for wrong in islice(_flaws(kind.as_class, map_, other), 1):
             yield f"the lighthouse {kind} in {map_}: {wrong}"
     maps = (map_ for level in range(1, edges + 2) for map_ in rooted_maps(level))
     if not any(True for map_ in maps for _ in kind.as_class.places(map_, 0)):
         yield f"the lighthouse {kind} has no place in any map with at most {edges + 1} edges"
 
 
-def _flaw(kind: type[base.Lighthouse], map_: CombinatorialMap, other: Sequence[int]) -> str:
+def _flaws(
+    kind: type[base.Lighthouse], map_: CombinatorialMap, other: Sequence[int]
+) -> Iterator[str]:
     places = [*kind.places(map_, 0)]
     for number, place in enumerate(places):
         if place in places[:number]:
-            return f"the place {place} is there twice"
+            yield f"the place {place} is there twice"
     if places != [*kind.places(map_, 0)]:
-        return "asked twice, it has other places"
+        yield "asked twice, it has other places"
     renamed = [*kind.places(map_.relabelled(other), other[0])]
     if renamed != [place.relabelled(other) for place in places]:
-        return f"with the darts renamed to {[*other]}, it has the places {renamed}"
-    found = (_flaw_at(World(map_, place), other) for place in places)
-    return next((wrong for wrong in found if wrong), "")
+        yield f"with the darts renamed to {[*other]}, it has the places {renamed}"
+    for place in places:
+        yield from _flaws_at(World(map_, place), other)
 
 
-def _flaw_at(world: World, other: Sequence[int]) -> str:
+def _flaws_at(world: World, other: Sequence[int]) -> Iterator[str]:
     place, sensed, renamed = world.lighthouse, world.percepts, world.relabelled(other)
     named = f"with the darts renamed to {[*other]}"
     if sensed != place.percepts(world.map):
-        return f"asked twice, {place} senses something else"
+        yield f"asked twice, {place} senses something else"
     for dart in world.map.darts:
         if (there := renamed.percepts[other[dart]]) != sensed[dart]:
-            return f"{place} senses '{sensed[dart]}' at dart {dart}, and '{there}' {named}"
+            yield f"{place} senses '{sensed[dart]}' at dart {dart}, and '{there}' {named}"
     told = [world.told, world.told, renamed.told]
     if told.count(told[0]) < len(told):
-        return f"{place} tells {told[0]}, asked again {told[1]}, and {told[2]} {named}"
+        yield f"{place} tells {told[0]}, asked again {told[1]}, and {told[2]} {named}"
     if not place.as_kind.gives_marks and any(percept.marks for percept in sensed):
-        return f"{place} gives marks, but gives_marks is False"
+        yield f"{place} gives marks, but gives_marks is False"
     if not place.as_kind.gives_bearings and any(percept.bearing is not None for percept in sensed):
-        return f"{place} gives bearings, but gives_bearings is False"
+        yield f"{place} gives bearings, but gives_bearings is False"
     if World.from_json(world.to_json()) != world:
-        return f"{place} is read otherwise than it is written"
-    return ""
+        yield f"{place} is read otherwise than it is written"
 
 
 # ---------------------------------------------------------------- every world

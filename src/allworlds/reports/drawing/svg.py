@@ -47,15 +47,13 @@ def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.
     for key, value in attributes.items():
         if value is not None:
             element.set(key.rstrip("_").replace("_", "-"), legal(escaped(str(value))))
-    last: ET.Element | None = None
     for child in children:
         if isinstance(child, ET.Element):
             element.append(child)
-            last = child
-        elif last is None:
-            element.text = (element.text or "") + legal(escaped(child))
+        elif len(element):
+            element[-1].tail = (element[-1].tail or "") + legal(escaped(child))
         else:
-            last.tail = (last.tail or "") + legal(escaped(child))
+            element.text = (element.text or "") + legal(escaped(child))
     if name not in _INLINE:
         element.tail = "\n"
     return element
