@@ -15,7 +15,7 @@ from allworlds import check
 from allworlds.engines import dask as cluster
 from allworlds.engines.dask import Dask
 from allworlds.engines.engine_table import ThisThread
-from allworlds.engines.limits import ClusterLost, DaskCluster
+from allworlds.engines.limits import ClusterLost
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError
@@ -188,7 +188,7 @@ def test_a_unit_that_costs_workers_again_and_again_is_said_to(here):
         ),
         (distributed.CancelledError("task"), "is gone"),
     ):
-        with Dask(DaskCluster(here)) as transport, pytest.raises(ClusterLost, match=said):
+        with Dask(here) as transport, pytest.raises(ClusterLost, match=said):
             list(transport.map(Loses(error), [Unit(1)]))
 
 
@@ -308,7 +308,8 @@ def looked(monkeypatch):
         # Not of asyncio itself: a cluster of this process sleeps, too.
         waits = SimpleNamespace(sleep=sleep, wait_for=asyncio.wait_for)
         monkeypatch.setattr(cluster, "asyncio", waits)
-        transport = Dask(DaskCluster("tcp://127.0.0.1:1", 5.0))
+        monkeypatch.setattr(cluster, "SILENCE", 5.0)
+        transport = Dask("tcp://127.0.0.1:1")
         transport._client = scheduler
         with suppress(Stop):
             asyncio.run(transport._watch())

@@ -6,7 +6,7 @@ The documents are compared byte for byte, so that the order of their keys counts
 import pytest
 
 from allworlds import ambiguity, check, compare, count, fuzz, worst
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.verbs import VERBS
 from kept_jobs import EXPLORERS
 
@@ -48,7 +48,7 @@ def test_every_verb_with_a_sweep_is_tried():
     assert {verb.name for verb in VERBS if verb.swept} <= words
 
 
-class Counts(Silent):
+class Counts(Listener):
     """Counts how many worlds were announced for each level, and how many were done."""
 
     def __init__(self):

@@ -3,7 +3,7 @@
 import pytest
 
 import allworlds
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.engines.run_directory import Gap
 from allworlds.inputs.checks import InputError
 from kept_jobs import EXPLORERS
@@ -54,7 +54,7 @@ def test_a_shard_of_a_merge_that_is_missing_is_a_gap(report, cli, tmp_path):
     assert "9/12 and 2 more" in err
 
 
-class Ends(Silent):
+class Ends(Listener):
     def progress(self, worlds):
         raise KeyboardInterrupt
 

@@ -17,7 +17,7 @@ from msgspec import Struct
 from allworlds.document import one_of, replace
 from allworlds.engines import lanes, tally
 from allworlds.engines.kernel import capabilities
-from allworlds.engines.limits import POLL, DaskCluster, Limits, TimeIsUp, check_deadline
+from allworlds.engines.limits import POLL, Limits, TimeIsUp, check_deadline
 from allworlds.engines.units import PartialResult, Scope, Transport, U, UnitEngine
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content
@@ -57,7 +57,7 @@ class ThisThread:
                 check_deadline(self._deadline)
 
 
-def local_or_dask(cluster: DaskCluster | None, deadline: float | None) -> Transport[Any]:
+def local_or_dask(cluster: str | None, deadline: float | None) -> Transport[Any]:
     """The transport in this thread, or to the cluster; a local one has a process a core."""
     if cluster is None:
         return ThisThread(deadline)
@@ -150,7 +150,7 @@ class Job(Struct, frozen=True):
         keep: the number of findings that are kept.
         deadline: on the monotonic clock, or None.
         notice: takes a text that the user reads at once.
-        cluster: that is to do the work; None for work on this machine without Dask.
+        cluster: the address of the scheduler of Dask that is to do the work; None: without Dask.
     """
 
     scope: Scope
@@ -159,7 +159,7 @@ class Job(Struct, frozen=True):
     keep: int
     deadline: float | None
     notice: Callable[[str], None]
-    cluster: DaskCluster | None = None
+    cluster: str | None = None
 
 
 class ReadyEngine(Struct, frozen=True):

@@ -134,7 +134,7 @@ class CountSweep(sweep.Sweep["Counted", Census]):
     @override
     def ready(self) -> engine_table.ReadyEngine:
         return engine_table.ReadyEngine(
-            engine_table.local_or_dask(self.request.cluster, self.deadline), Enumerate(self.extent)
+            engine_table.local_or_dask(self.request.dask, self.deadline), Enumerate(self.extent)
         )
 
     @override

@@ -12,7 +12,14 @@ from typing_extensions import override
 from allworlds.engines import lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
-from allworlds.engines.limits import ClusterOptions, Listener, RunDirectoryOptions, Silent, TimeIsUp
+from allworlds.engines.limits import (
+    NOBODY,
+    ClusterOptions,
+    Listener,
+    RunDirectoryOptions,
+    TimeIsUp,
+    deadline_after,
+)
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
     WHOLE,
@@ -257,7 +264,7 @@ def smallest_from(finding: Finding, workers: Transport[RunCounter], scope: Scope
 
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:
         found = Tally(keep=1)
-        sweep.gather(workers, RunCounter(scope, found.keep), given, found, Silent())
+        sweep.gather(workers, RunCounter(scope, found.keep), given, found, NOBODY)
         return found.findings[0] if found.findings else None
 
     with suppress(TimeIsUp):
@@ -293,8 +300,8 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
     if not given:
         return None
     tally = Tally(keep=1)
-    with lanes.workers_for(subject, limits, limits.deadline()) as workers:
-        sweep.gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, Silent())
+    with lanes.workers_for(subject, limits, deadline_after(limits.time_limit)) as workers:
+        sweep.gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, NOBODY)
         for found in tally.findings:
             smallest = smallest_from(found, workers, scope)
             return single.played_again(smallest, subject, limits)

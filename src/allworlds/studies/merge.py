@@ -163,7 +163,7 @@ def status(request: StatusRequest) -> Standing:
     running = run_directory.in_use(path)
     with run_directory.reading(path) as database, as_recorded(database.identity.code):
         identity = database.identity
-        sweep = sweep_of(identity.verb).known(identity, identity.portion, limits.Silent())
+        sweep = sweep_of(identity.verb).known(identity, identity.portion, limits.NOBODY)
         ended = database.recall("ended") == job_records.ENDED
         began = database.last_session()
         units = worlds = recent = findings = 0

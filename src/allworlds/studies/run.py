@@ -91,7 +91,7 @@ def run(request: RunRequest) -> single.SingleRun:
         InputError: naming the offending option and what would be legal, or the first choice
             that was not taken.
     """
-    limits = request.patience
+    limits = request.limits
     subject = single.subject_of(request.explore, limits)
     world = request.meant(request.world, subject.lighthouse)
     rules = request.rules_of(subject, kinds.kind_of(world.lighthouse))
@@ -193,7 +193,7 @@ def replay(request: ReplayRequest) -> Replay:
     finding, explore = request.finding, request.explore
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    limits = request.patience
+    limits = request.limits
     recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
     subject = single.subject_of(finding.explorer if explore is None else explore, limits)

@@ -7,7 +7,7 @@ import pytest
 
 from allworlds import check
 from allworlds.engines import run_directory
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.engines.run_directory import FILE, reading
 from allworlds.inputs.checks import InputError
 
@@ -23,7 +23,7 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
         real(connection)
         connection.execute("PRAGMA max_page_count = 7")
 
-    class Hears(Silent):
+    class Hears(Listener):
         notice = staticmethod(said.append)
 
     monkeypatch.setattr(run_directory, "_write_ahead", small)

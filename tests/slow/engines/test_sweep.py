@@ -7,7 +7,7 @@ import pytest
 import allworlds
 from allworlds import fuzz
 from allworlds.engines import sweep
-from allworlds.engines.limits import Silent, TimeIsUp
+from allworlds.engines.limits import Listener, TimeIsUp
 from allworlds.engines.players import Unsettled
 from clusters import cluster_here
 from engines import test_sweep as quick
@@ -104,7 +104,7 @@ def undisturbed():
     return of
 
 
-class Interrupts(Silent):
+class Interrupts(Listener):
     """Interrupts at the part that comes after so many parts of units, kept ones among them."""
 
     def __init__(self, parts):

@@ -421,7 +421,7 @@ class Contest(Sweep[CostsOfAll, Answer]):
 
     @override
     def ready(self) -> ReadyEngine:
-        limits, cluster, notice = self.request.limits, self.request.cluster, self.listener.notice
+        limits, cluster, notice = self.request.limits, self.request.dask, self.listener.notice
         engines = [CostEngine(one.scope(self.bounds), 1) for one in self.entrants]
         transports = [
             players_for(Job(engine.scope, one.subject, limits, 1, self.deadline, notice, cluster))

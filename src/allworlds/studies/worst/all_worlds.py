@@ -271,7 +271,7 @@ class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
 
         if not is_compiled(search):
             self.listener.notice(COMPILING)
-        cluster, workers = self.request.cluster, self.request.workers
+        cluster, workers = self.request.dask, self.request.workers
         there = (
             Dask(cluster, workers, self.deadline) if cluster else Threads(workers, self.deadline)
         )
