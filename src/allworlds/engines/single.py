@@ -116,10 +116,8 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
     for i, index in enumerate(choices):
         if run.outcome.choices[i : i + 1] != (index,):
             asked = len(run.outcome.choices)
-            only = "none was asked for"
-            if asked:
-                only = f"only {asked} {'was' if asked == 1 else 'were'} asked for"
-            reason = "there are fewer options" if i < asked else only
+            few = f"only {asked} {'was' if asked == 1 else 'were'}" if asked else "none was"
+            reason = "there are fewer options" if i < asked else f"{few} asked for"
             return f"choice {i} is {show(index)}, but {reason}"
     return ""
 

@@ -16,6 +16,7 @@ from typing import (
     Literal,
     TypeAlias,
     TypeVar,
+    get_args,
 )
 
 from typing_extensions import override
@@ -33,15 +34,7 @@ By: TypeAlias = Literal["size", "world", "run"]
 """Rows for programs: one for each size, each world, or each run, and explorer."""
 
 
-def by_named(given: str | None) -> By | None:
-    """The word, or None.
-
-    Raises:
-        InputError: naming another word.
-    """
-    if given in (None, "size", "world", "run"):
-        return given  # type: ignore[return-value]  # one of these
-    raise checks.InputError(f"by {checks.show(given)} is not one of size, world, run")
+_by = checks.a_word("by", get_args(By))
 
 
 class RowOptions(requests.Request):
@@ -56,7 +49,7 @@ class RowOptions(requests.Request):
             "of worlds that grow: run].",
             apart=True,
         ),
-    ] = requests.Converted(by_named, None)
+    ] = requests.Converted(lambda given: None if given is None else _by(given), None)
 
 
 TriedPlaces = Annotated[

@@ -442,13 +442,3 @@ class Scope(Struct, frozen=True):
     def portion(self) -> Shard:
         """The whole, or a shard of it."""
         return self.coverage.portion if isinstance(self.coverage, Sample) else self.coverage
-
-    def units(self, edges: int) -> Iterator[LevelUnit | GivenUnit]:
-        """The units of a level; they do not depend on the number of workers."""
-        return units_of_level(self.extent, edges, self.portion)
-
-    @property
-    def levels(self) -> Iterator[SweptLevel]:
-        """The levels of the scope, with their units."""
-        for edges in self.extent.levels:
-            yield SweptLevel(edges, level_size(self.extent, edges), self.units(edges))

@@ -12,14 +12,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import KW_ONLY
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias, cast, get_args
+from typing import Annotated, Any, Literal, TypeAlias, get_args
 
 from msgspec import Meta, Struct, field
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
 from allworlds.engines import limits, tally
-from allworlds.inputs.checks import InputError, a_path, read_text, show
+from allworlds.inputs.checks import InputError, a_path, a_word, read_text, show
 from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Converted, Option, answers
 from allworlds.protocol.importing import attribute_of, module_of_text, text_of
 from allworlds.studies.check.report import CheckReport
@@ -211,8 +211,6 @@ LEDGER, CLAIMS = "ledger.toml", "claims.py"
 FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
 """The faults of this program that refute the claim that meets them."""
 
-BUDGETS: tuple[str, ...] = get_args(Budget)
-
 
 Outcome: TypeAlias = Found | NotChecked | Exception
 """The outcome of a claim, as the ledger keeps it: also the fault or error that its check met."""
@@ -335,12 +333,6 @@ class LedgerReport(limits.RowsReport):
         ]
 
 
-def _budget(given: object) -> Budget:
-    if given not in BUDGETS:
-        raise InputError(f"budget {show(given)} is not one of {', '.join(BUDGETS)}")
-    return cast("Budget", given)
-
-
 def _names(given: Iterable[str]) -> tuple[str, ...]:
     return (given,) if isinstance(given, str) else tuple(given)
 
@@ -373,7 +365,7 @@ class LedgerRequest(limits.ListenerOptions, limits.WorkerOptions, kw_only=False)
             "quick|full",
             "How much is checked: the bounds of ledger.toml for quick, or for full.",
         ),
-    ] = Converted(_budget, "quick")
+    ] = Converted(a_word("budget", get_args(Budget)), "quick")
 
 
 @answers(LedgerRequest)

@@ -6,7 +6,7 @@ witnesses, and the most expensive runs.
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias, get_args
 
 from typing_extensions import override
 
@@ -48,7 +48,7 @@ from allworlds.maps.build import named_map
 from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
 from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Completed, Verdict
-from allworlds.protocol.choices import Schedule, a_schedule
+from allworlds.protocol.choices import Schedule
 from allworlds.studies.check import tally_sweep
 from allworlds.world import selection
 from allworlds.world.world import World
@@ -126,7 +126,7 @@ class CheckRequest(
             "all: every sequence of choices, for an explorer that takes choices.",
             document_type=Annotated[Schedule, about("the policy's, or every sequence of choices")],
         ),
-    ] = requests.Converted(a_schedule, "one")
+    ] = requests.Converted(checks.a_word("schedules", get_args(Schedule)), "one")
     engine: Annotated[
         str,
         requests.Option(

@@ -347,10 +347,6 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         return record_of(self.job.subject)
 
     @override
-    def levels(self) -> Iterable[units.SweptLevel]:
-        return self.scope.levels
-
-    @override
     def empty(self) -> tally.Tally:
         return tally.Tally(self.job.keep)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING, Annotated, Any, Literal, cast, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 from typing_extensions import override
 
@@ -14,7 +14,14 @@ from allworlds.engines.engine_table import COMPILER, ReadyEngine, Threads
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import Subject, load
 from allworlds.explorers.sources import DEFAULT_EXPLORER
-from allworlds.inputs.checks import InputError, an_integer, ensure_installed, integer_of, show
+from allworlds.inputs.checks import (
+    InputError,
+    a_word,
+    an_integer,
+    ensure_installed,
+    integer_of,
+    show,
+)
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Converted, Option, Request, answers
 from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import Finding
@@ -52,12 +59,6 @@ def _room_for(edges: int) -> int:
 
 def _edges(given: object) -> int | None:
     return None if given is None else _room_for(an_integer("edges", given))
-
-
-def _transit(given: object) -> Transit:
-    if given not in get_args(Transit):
-        raise InputError(f"transit {show(given)} is not one of {', '.join(get_args(Transit))}")
-    return cast("Transit", given)
 
 
 class Algorithm1Option(Request, kw_only=False):
@@ -107,7 +108,7 @@ class WorstRequest(
                 Transit, doc.about("the paths by which Algorithm 1 goes to the next edge")
             ],
         ),
-    ] = Converted(_transit, "simple")
+    ] = Converted(a_word("transit", get_args(Transit)), "simple")
 
     @property
     def extent(self) -> classes.Extent:
