@@ -49,7 +49,7 @@ class Dask:
         address: str,
         workers: int = 1,
         deadline: float | None = None,
-        inside: Callable[[], Transport[Any]] = ThisThread,
+        inside: Callable[[], Transport] = ThisThread,
         probe: Callable[[], str] = str,
         order: Callable[[Iterable[Any]], Iterable[Any]] = iter,
     ) -> None:
@@ -84,7 +84,7 @@ class Dask:
     def __exit__(self, *error: object) -> None:
         self._stack.__exit__(*error)
 
-    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
+    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
         """Yield the results of all units, each of them whole, as they come.
 
         Raises:
@@ -200,7 +200,7 @@ class _Job:
 
     def __init__(self) -> None:
         self.turn, self.timer = Lock(), Timer(IDLE, self.close)
-        self.idle: list[Transport[Any]] = []
+        self.idle: list[Transport] = []
         self.ended, self.engine = False, None
 
     def close(self) -> None:

@@ -38,19 +38,6 @@ NOBODY = Listener()
 is."""
 
 
-class NoticeOnce(Listener):
-    """A listener that hands on notices alone, and each of them once."""
-
-    def __init__(self, listener: Listener) -> None:
-        self._listener, self._said = listener, set[str]()
-
-    def notice(self, text: str) -> None:
-        """Hear a message to the user."""
-        if text not in self._said:
-            self._said.add(text)
-            self._listener.notice(text)
-
-
 POLL = 0.1
 """Seconds between two checks of other threads and processes, and the shortest time-out."""
 

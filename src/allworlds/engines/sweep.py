@@ -99,6 +99,7 @@ def told_scope(
         for one in requests.in_scope(type(request))
     }
     told = {**asked, **(rules.in_effect if rules else {}), **given_of(request)}
+    told["shard"] = str(getattr(request, "shard", units.WHOLE))
     return kind(**({name: told[name] for name in told if name in keys} | more))
 
 
@@ -164,7 +165,7 @@ Answer = TypeVar("Answer")
 
 
 def gather(
-    transport: units.Transport[Any],
+    transport: units.Transport,
     engine: Any,
     undone: Iterable[units.Unit],
     total: units.Sum,

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heapreplace
 from math import inf
 from random import Random
-from typing import Annotated, Any, Generic, Protocol, Self, TypeAlias, TypeVar
+from typing import Annotated, Any, Protocol, Self, TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import force_setattr
@@ -46,16 +46,11 @@ class Sum(Protocol):
         """Take in another part."""
 
 
-U = TypeVar("U", bound=Unit)
-R = TypeVar("R")
-E_contra = TypeVar("E_contra", contravariant=True)
-
-
-class PartialResult(Struct, Generic[U, R], frozen=True):
+class PartialResult(Struct, frozen=True):
     """A part of a unit's result; ``last``: whether it completes the unit."""
 
-    unit: U
-    result: R
+    unit: Any
+    result: Any
     last: bool
 
 
@@ -66,14 +61,14 @@ class UnitEngine(Protocol):
         """Yield the unit's result in parts, at least one; they add up to the whole."""
 
 
-class Transport(Protocol[E_contra]):
+class Transport(Protocol):
     """A transport brings units to engines; a context, after which no work goes on."""
 
     def __enter__(self) -> Self: ...
 
     def __exit__(self, *_: object) -> None: ...
 
-    def map(self, engine: E_contra, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
+    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
         """Yield the parts of all units, as they come.
 
         Raises:

@@ -259,7 +259,7 @@ def _in_chunks(worlds: Sequence[tuple[world.World, int]]) -> list[GivenWorlds]:
     return [GivenWorlds(tuple(worlds[i : i + CHUNK])) for i in range(0, len(worlds), CHUNK)]
 
 
-def smallest_from(finding: Finding, workers: Transport[RunCounter], scope: Scope) -> Finding:
+def smallest_from(finding: Finding, workers: Transport, scope: Scope) -> Finding:
     """The smallest finding that the shrinker reaches from this one, or has when the time is up."""
 
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:

@@ -101,16 +101,15 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
         raise Unfinished(f"the check of {whole.explorer} ended as {whole.verdict.value}")
     seen: dict[str, Any] = {"worlds": whole.worlds, "runs": whole.runs}
     seen |= {event: whole.tally.witnesses.get(event, 0) for event in events}
-    pictures = tuple(
-        Picture(f"the smallest world in which {whole.explorer} fails", finding.world)
-        for finding in whole.findings[:1]
+    if not whole.findings:
+        return Found(truth(whole.verdict is outcome.Verdict.HOLDS), seen, figures)
+    finding = whole.findings[0]
+    picture = Picture(f"the smallest world in which {whole.explorer} fails", finding.world)
+    edges, vertices, *_ = finding.key
+    refutation = (
+        f"the law {finding.law} is broken in a world with {edges} edges and {vertices} vertices"
     )
-    refutation = "".join(
-        f"the law {finding.law} is broken in a world with {finding.world.map.edge_count} edges and "
-        f"{finding.world.map.vertex_count} vertices"
-        for finding in whole.findings[:1]
-    )
-    return Found(truth(whole.verdict is outcome.Verdict.HOLDS), seen, figures, pictures, refutation)
+    return Found("refuted", seen, figures, (picture,), refutation)
 
 
 # ---------------------------------------------------------------- ledger.toml
@@ -415,16 +414,12 @@ def _entries(
 def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
     """Check the claim and return its entry."""
     began = time.monotonic()
-    found = found_by(check, means, claim.scopes[means.budget].bounds)
-    return entry_with(claim, means.budget, found, time.monotonic() - began)
-
-
-def found_by(check: Check, means: Means, bounds: Mapping[str, Any]) -> Outcome:
-    """The outcome of a claim's function, or the fault or error of this program that it met."""
+    found: Outcome
     try:
-        return check(means, **bounds)
+        found = check(means, **claim.scopes[means.budget].bounds)
     except Exception as error:  # noqa: BLE001  # of one claim: the others are checked all the same
-        return error
+        found = error
+    return entry_with(claim, means.budget, found, time.monotonic() - began)
 
 
 def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:

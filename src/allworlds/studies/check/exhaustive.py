@@ -1,7 +1,9 @@
 """A check, level by level to a report, in worlds of the user's own, too; and how long it takes."""
 
 import time
+from collections.abc import Callable
 from contextlib import suppress
+from functools import cache
 from itertools import islice
 from random import Random
 from typing import Annotated, Any, TypeAlias
@@ -47,7 +49,7 @@ def check(request: CheckRequest) -> CheckReport:
         InputError: naming the offending option and what would be legal.
     """
     run, corpus = request.run, request.corpus
-    job, chosen = _job(request, keep=request.max_findings)
+    job, chosen = _job(request, request.listener.notice, request.max_findings)
     sweep = CheckSweep(request, job, chosen)
     if run is not None and corpus is not None:
         raise InputError(
@@ -68,21 +70,23 @@ def estimate(request: CheckRequest) -> "TimeEstimate":
     """
     if request.given is not None:
         raise InputError(f"estimate is of a class, and not of {request.given.words}")
-    heard = doc.replace(request, listener=limits.NoticeOnce(request.listener))
-    job, chosen = _job(heard)
+    once = cache(request.listener.notice)
+    job, chosen = _job(request, once)
     guess, larger = estimated(job, chosen), tuple[Guess, ...]()
     if guess.rate and (extent := one_larger(job)):
         # What an engine cannot do ends the table.
         with suppress(InputError):
-            larger = (estimated(*_job(doc.replace(heard, edges=extent.edges))),)
+            larger = (estimated(*_job(doc.replace(request, edges=extent.edges), once)),)
     counted = units.is_counted(job.scope.extent)
     first = {name: getattr(guess, name) for name in guess.__struct_fields__}
     return TimeEstimate(explorer=job.subject.name, larger=larger, counted=counted, **first)
 
 
-def _job(request: CheckRequest, keep: int = 1) -> tuple[Job, EngineKind]:
+def _job(
+    request: CheckRequest, notice: Callable[[str], None], keep: int = 1
+) -> tuple[Job, EngineKind]:
     """The job of a request, and the engine for it."""
-    limits, notice = request.limits, request.listener.notice
+    limits = request.limits
     subject = single.subject_of(request.explore, limits)
     scope = units.Scope(request.extent, request.rules(subject), request.schedules, request.shard)
     if scope.schedules == "all" and not subject.takes_choices:

@@ -36,7 +36,7 @@ from allworlds.engines.limits import (
     RunDirectoryOptions,
 )
 from allworlds.engines.tally import Tally
-from allworlds.engines.units import WHOLE, Sample, Scope, Shard, ShardOptions
+from allworlds.engines.units import WHOLE, Sample, Scope, Shard, ShardOptions, cells_of_level
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import Finding, labelled
@@ -190,16 +190,15 @@ def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCel
     source = count_source.source_of(extent)
     if source is None:
         return []
-    counted = source.cells(edges)
     cells = [
         GateCell(
             edges=edges,
             vertices=vertices,
             enumerated=row.worlds if (row := tally.rows.get((edges, vertices))) else 0,
-            counted=counted.get(vertices, 0),
+            counted=counted,
             source=source.name,
         )
-        for vertices in range(1, extent.vertex_limit(edges) + 1)
+        for vertices, counted in cells_of_level(extent, edges).items()
     ]
     return [cell for cell in cells if cell.enumerated or cell.counted]
 
@@ -322,7 +321,6 @@ class CheckReport(EndedReport):
             edges=extent.edges,
             places=sweep.tried_places(rules.lighthouse, extent),
             shared_file=rules.shared_file,
-            shard=str(self.portion),
             sample=sweep.told_scope(SampleReport, self.request)
             if isinstance(coverage, Sample)
             else None,

@@ -256,7 +256,7 @@ class CostsOfAll(Struct):
 class SideBySide:
     """The transports of all entrants, by their numbers, as one."""
 
-    def __init__(self, transports: Sequence[Transport[Any]]) -> None:
+    def __init__(self, transports: Sequence[Transport]) -> None:
         self._transports, self._stack = transports, ExitStack()
 
     def __enter__(self) -> Self:
@@ -272,7 +272,7 @@ class SideBySide:
 
     def map(
         self, engine: Sequence[CostEngine], given: Iterable[UnitOfOne]
-    ) -> Iterator[PartialResult[UnitOfOne, CostsOfAll]]:
+    ) -> Iterator[PartialResult]:
         """Yield the parts of all units as they come. The units of an entrant stand together."""
         for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
@@ -375,7 +375,7 @@ class ContestReport(SweptReport, kw_only=True):
     @doc.computed
     def scope(self) -> ContestScope:
         """The worlds in which they were run."""
-        return told_scope(ContestScope, self.request, shard=str(self.portion))
+        return told_scope(ContestScope, self.request)
 
     @property
     @override

@@ -9,8 +9,7 @@ from typing_extensions import override
 
 from allworlds import document as doc, outcome, words
 from allworlds.engines import limits, single, sweep, units
-from allworlds.engines.dask import Dask
-from allworlds.engines.engine_table import COMPILER, ReadyEngine, Threads
+from allworlds.engines.engine_table import COMPILER, ReadyEngine, local_or_dask
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import Subject, load
 from allworlds.explorers.sources import DEFAULT_EXPLORER
@@ -202,7 +201,6 @@ class WorstReport(sweep.SweptReport, kw_only=True):
             schedules="all",
             symmetry="one world for each start vertex: every choice of dart is tried, so the dart "
             "faced at the start and the bearing make no difference",
-            shard=str(self.portion),
         )
 
     @doc.computed
@@ -272,10 +270,7 @@ class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
 
         if not is_compiled(search):
             self.listener.notice(COMPILING)
-        cluster, workers = self.request.dask, self.request.workers
-        there = (
-            Dask(cluster, workers, self.deadline) if cluster else Threads(workers, self.deadline)
-        )
+        there = local_or_dask(self.request.dask, self.deadline, self.request.workers)
         return ReadyEngine(there, ScheduleSearch(self.extent, self.request.transit))
 
     @override
