@@ -182,13 +182,6 @@ class RunDirectoryOptions(Request):
     ] = None
 
 
-def _scheduler(address: str | None) -> str | None:
-    """Return an address that is no empty text: it is refused before anything is compiled."""
-    if address is not None and not address.strip():
-        raise InputError(f"dask {show(address)} is no address of a scheduler")
-    return address
-
-
 LOCAL = "local"
 """The word in place of an address: a cluster of this machine alone, for the time of the job."""
 
@@ -197,14 +190,14 @@ class ClusterOptions(Request):
     """The part of a request that names the cluster."""
 
     dask: Annotated[
-        Converted[str | None, str | None],
+        str | None,
         Option(
             RARE_EFFORT,
             "ADDRESS|local",
             "Do the work on the workers of this Dask scheduler (extra: distributed).",
             apart=True,
         ),
-    ] = Converted(_scheduler, None)
+    ] = None
 
 
 class TimeIsUp(Exception):

@@ -489,9 +489,6 @@ def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
         missing = [f"{k}/{shards}" for k in range(shards) if f"{k}/{shards}" not in seen]
         if missing:
             more = f" and {len(missing) - 9} more" if len(missing) > 9 else ""
-            noun, verb = ("shard", "is") if len(missing) == 1 else ("shards", "are")
-            raise Gap(
-                f"{noun} {', '.join(missing[:9])}{more} {verb} missing: "
-                "give the run directory of each shard"
-            )
+            said = f"what is missing is shard {', '.join(missing[:9])}{more}"
+            raise Gap(f"{said}: give the run directory of each shard")
         yield first.identity, Merged(directories)

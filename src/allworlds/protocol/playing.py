@@ -10,6 +10,8 @@ from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequ
 from itertools import islice
 from typing import Any, Protocol
 
+from msgspec import Struct
+
 from allworlds import log as entries
 from allworlds.inputs import checks
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
@@ -125,22 +127,18 @@ def play_run(
     return bytes(log)
 
 
-class _Turns:
+class _Turns(Struct):
     """The turns of one run."""
 
-    def __init__(
-        self,
-        log: bytearray,
-        around: Surroundings,
-        choices: Choices,
-        budget: int,
-        beat: MutableSequence[int],
-        hear: Callable[[bytearray], None] | None,
-    ) -> None:
-        self.log, self.around, self.choices = log, around, choices
-        self.budget, self.beat, self.hear = budget, beat, hear
-        self.own: checks.InputError | None = None  # the explorer's
-        self._noted = self._shown = 0
+    log: bytearray
+    around: Surroundings
+    choices: Choices
+    budget: int
+    beat: MutableSequence[int]
+    hear: Callable[[bytearray], None] | None
+    own: checks.InputError | None = None  # the explorer's
+    _noted: int = 0
+    _shown: int = 0
 
     def note_choices(self) -> None:
         """Write the choices since the last turn into the log."""

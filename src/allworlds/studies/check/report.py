@@ -217,7 +217,8 @@ def missing_witnesses(
     """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
-    for event, least in subject.witnesses.items() if task.is_map and extent.where is None else ():
+    own = subject.own if task.is_map and extent.where is None else None
+    for event, least in own.witnesses.items() if own else ():
         match least[simple]:
             case (edges, vertices) if edges <= last and vertices <= extent.vertex_limit(last):
                 required.add(event)

@@ -319,16 +319,11 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
     return tuple(entrants)
 
 
-class ComparedName(doc.Document):
-    """An explorer by its name."""
-
-    name: Annotated[doc.Text, doc.about("the explorer's")]
-
-
 @doc.with_options(selection.LighthouseOptions, RuleOptions)
-class Compared(ComparedName):
+class Compared(doc.Document):
     """An explorer of a comparison, with the rules of its runs."""
 
+    name: Annotated[doc.Text, doc.about("the explorer's")]
     places: TriedPlaces
     shared_file: SharedFile
 
