@@ -37,6 +37,16 @@ By: TypeAlias = Literal["size", "world", "run"]
 _by = checks.a_word("by", get_args(By))
 
 
+class SweptOptions(
+    limits.ListenerOptions,
+    limits.ClusterOptions,
+    limits.RunDirectoryOptions,
+    limits.TimeLimitOptions,
+    units.ShardOptions,
+):
+    """The part of a request that says how, and for how long, its units are gone through."""
+
+
 class RowOptions(requests.Request):
     """The part of a request that says for what there are rows."""
 

@@ -9,11 +9,10 @@ from msgspec import UNSET, Struct, UnsetType, field
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
-from allworlds.engines import engine_table, limits, sweep
+from allworlds.engines import engine_table, sweep
 from allworlds.engines.units import (
     WHOLE,
     LevelUnit,
-    ShardOptions,
     SweptLevel,
     cells_of_level,
     is_counted,
@@ -29,15 +28,7 @@ UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
 
 
-class CountRequest(
-    limits.ListenerOptions,
-    limits.ClusterOptions,
-    limits.RunDirectoryOptions,
-    limits.TimeLimitOptions,
-    ShardOptions,
-    WhereOptions,
-    classes.ExtentOptions,
-):
+class CountRequest(sweep.SweptOptions, WhereOptions, classes.ExtentOptions):
     """Request of ``count``: a class, its bounds and the effort."""
 
 

@@ -285,16 +285,6 @@ class Play(Report, kw_only=True):
         """Of others in the same world."""
         return tuple(_costs(self.world))
 
-    @property
-    def not_compared(self) -> str:
-        """A sentence that says whose cost is not compared, and why; empty if each is."""
-        edges, kind = self.world.map.edge_count, self.world.lighthouse.kind
-        if kind not in VARIANTS:
-            return f"Algorithm 1 is not for the {kind} lighthouse."
-        if edges > LARGEST:
-            return f"Algorithm 1 is not run in worlds with more than {LARGEST} edges."
-        return ""
-
 
 class PlayRequest(requests.Request, kw_only=False):
     """Request of ``play``: a world, and who walks in it."""

@@ -75,15 +75,7 @@ class Algorithm1Option(Request, kw_only=False):
 
 
 class WorstRequest(
-    limits.ListenerOptions,
-    limits.ClusterOptions,
-    limits.RunDirectoryOptions,
-    limits.TimeLimitOptions,
-    limits.WorkerOptions,
-    units.ShardOptions,
-    GivenOptions,
-    classes.ClassOptions,
-    Algorithm1Option,
+    sweep.SweptOptions, limits.WorkerOptions, GivenOptions, classes.ClassOptions, Algorithm1Option
 ):
     """Request of ``worst``: the worlds and the effort."""
 
