@@ -127,8 +127,6 @@ def _like_file(name: str) -> str:
         files = sorted(file.name for file in given.parent.glob("*.py"))
     except (OSError, ValueError):
         return ""
-    if f"{given.name}.py" in files:
-        return f"; did you mean {show(f'{name}.py')}?"
     close = get_close_matches(given.name, files, n=1)
     return f"; did you mean {show(name.removesuffix(given.name) + close[0])}?" if close else ""
 

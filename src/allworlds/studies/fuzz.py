@@ -32,7 +32,7 @@ from allworlds.engines.units import (
     Transport,
 )
 from allworlds.explorers import loading, sources
-from allworlds.inputs.checks import InputError, an_integer, integer_of, show
+from allworlds.inputs.checks import InputError, integer_of, show
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
@@ -100,12 +100,11 @@ def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
         InputError: for numbers out of range.
     """
     sample = Sample(request.runs, request.seed, request.min_edges, request.shard)
-    edges = an_integer("edges", request.edges)
-    if edges < 1:
-        raise InputError(f"edges = {show(edges)} is not positive")
-    if sample.min_edges > edges:
-        raise InputError(f"min-edges = {show(sample.min_edges)} is more than edges = {edges}")
-    return Scope(Extent(request.map_class, edges, where=request.where), rules, coverage=sample)
+    extent = Extent(request.map_class, request.edges, where=request.where)
+    if sample.min_edges > request.edges:
+        least, most = show(sample.min_edges), show(request.edges)
+        raise InputError(f"min-edges = {least} is more than edges = {most}")
+    return Scope(extent, rules, coverage=sample)
 
 
 class FuzzSweep(TallySweep[CheckReport]):
