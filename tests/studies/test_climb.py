@@ -11,7 +11,7 @@ import pytest
 
 from allworlds import compare, run
 from allworlds.document import replace
-from allworlds.engines.limits import Silent, TimeIsUp
+from allworlds.engines.limits import Listener, TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import load
@@ -215,7 +215,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
 
 
 def test_a_law_that_is_broken_in_a_begun_size_refutes():
-    class Ends(Silent):
+    class Ends(Listener):
         def progress(self, worlds):
             raise TimeIsUp
 

@@ -261,7 +261,7 @@ def test_each_standing_has_its_sign_and_what_differs_is_told(paper):
     assert "DIFFERS    not-all: verdict: refuted expected, holds found" in told
     assert "REQUIRED   proof was not checked" in told
     assert brief(report, 100) == (
-        "REFUTED: 3 claims: 1 holds, 1 not as expected, 1 not checked (Coq is not installed)"
+        "REFUTED: 3 claims: 1 holds, 1 not as expected, 1 not checked (1: Coq is not installed)"
     )
 
 

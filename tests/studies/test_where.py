@@ -176,7 +176,7 @@ def test_where_nothing_is_true_the_check_is_vacuous(folder):
         ("mine.py:raises", "raises ZeroDivisionError"),
         ("mine.py:says_one", "returns 1, not True or False"),
         ("mine.py:nothing", "is no function, but 3"),
-        ("mine.py:below?vertices=3", "takes no argument 'vertices'; legal are edges"),
+        ("mine.py:below?vertices=3", r"unexpected keyword argument 'vertices'; legal is \(edges"),
         ("mine.py:absent", "has no 'absent'"),
         ("planar", "'planar' is not one of cubic, regular:D"),
     ],

@@ -238,7 +238,7 @@ def test_renaming_darts_renames_the_darts_of_a_place(folder):
         ("bad.py:Base:size=3", "has no option 'size'; it has none"),
         ("parity.py:Parity:modulus=two", "option modulus = 'two' is not an integer"),
         ("parity.py:Parity?modulus", "is not of the form key=value"),
-        ("parity.py:parity?colour=2", "takes no argument 'colour'; legal are modulus"),
+        ("parity.py:parity?colour=2", "unexpected keyword argument 'colour'; legal is (modulus"),
         ("position+bad.py:Base", "both have marks"),
     ],
 )

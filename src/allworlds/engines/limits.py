@@ -4,16 +4,16 @@ import os
 import re
 import time
 from collections.abc import Callable
+from dataclasses import fields
 from math import inf
 from pathlib import Path
 from typing import Annotated, Any, Self
 
-from msgspec import Struct
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
 from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
-from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request, values_of
+from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request
 from allworlds.protocol.actions import ANSWER_TIMEOUT
 
 
@@ -33,26 +33,9 @@ class Listener:
         """Hear a message to the user."""
 
 
-class Silent(Listener):
-    """The listener that ignores all events."""
-
-
-NOBODY = Silent()
+NOBODY = Listener()
 """The listener where none is named, and that of a report, which is equal to another if all else
 is."""
-
-
-class NoticeOnce(Silent):
-    """A listener that hands on notices alone, and each of them once."""
-
-    def __init__(self, listener: Listener) -> None:
-        self._listener, self._said = listener, set[str]()
-
-    def notice(self, text: str) -> None:
-        """Hear a message to the user."""
-        if text not in self._said:
-            self._said.add(text)
-            self._listener.notice(text)
 
 
 POLL = 0.1
@@ -61,14 +44,10 @@ POLL = 0.1
 START_TIMEOUT = 60.0
 """Seconds in which an explorer must be imported, unless others are named."""
 
-DASK_TIMEOUT = 60.0
-"""Seconds of silence after which a part of a cluster is given up, unless others are named."""
-
 MOST = {
     "workers": 10_000,
     "answer-timeout": 10**6,
     "start-timeout": 10**6,
-    "dask-timeout": 10**6,
     "time-limit": 10**9,
     "memory": 10**9,
 }
@@ -130,9 +109,10 @@ class TimeoutOptions(Request):
     ] = Converted(_positive("start-timeout"), START_TIMEOUT)
 
     @property
-    def patience(self) -> "Limits":
-        """The time-outs of this request, as limits."""
-        return Limits(**values_of(TimeoutOptions, self))
+    def limits(self) -> "Limits":
+        """The limits alone, without the rest of a request."""
+        shared = {each.name for each in fields(Limits)} & {each.name for each in fields(self)}
+        return Limits(**{name: getattr(self, name) for name in shared})
 
 
 class WorkerOptions(Request):
@@ -177,15 +157,6 @@ class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
         ),
     ] = Converted(_positive("memory"), None)
 
-    @property
-    def limits(self) -> "Limits":
-        """The limits alone, without the rest of a request."""
-        return Limits(**values_of(Limits, self))
-
-    def deadline(self) -> float | None:
-        """The end of the time limit, on the monotonic clock, if the job begins now."""
-        return deadline_after(self.time_limit)
-
 
 class ListenerOptions(Request):
     """The part of a request that names the listener."""
@@ -211,53 +182,22 @@ class RunDirectoryOptions(Request):
     ] = None
 
 
-def _scheduler(address: str | None) -> str | None:
-    """Return an address that is no empty text: it is refused before anything is compiled."""
-    if address is not None and not address.strip():
-        raise InputError(f"dask {show(address)} is no address of a scheduler")
-    return address
-
-
 LOCAL = "local"
 """The word in place of an address: a cluster of this machine alone, for the time of the job."""
-
-
-class DaskCluster(Struct, frozen=True):
-    """A Dask cluster that is to do the work.
-
-    Attributes:
-        address: of its scheduler, or :data:`LOCAL`.
-        timeout: the seconds of silence after which a worker, or the scheduler, is given up.
-    """
-
-    address: str
-    timeout: float = DASK_TIMEOUT
-
-    def __str__(self) -> str:
-        return f"the Dask scheduler {self.address}"
 
 
 class ClusterOptions(Request):
     """The part of a request that names the cluster."""
 
     dask: Annotated[
-        Converted[str | None, str | None],
+        str | None,
         Option(
             RARE_EFFORT,
             "ADDRESS|local",
             "Do the work on the workers of this Dask scheduler (extra: distributed).",
             apart=True,
         ),
-    ] = Converted(_scheduler, None)
-    dask_timeout: Annotated[
-        Converted[float, float],
-        _seconds("Give up a Dask worker or scheduler that is silent for S seconds."),
-    ] = Converted(_positive("dask-timeout"), DASK_TIMEOUT)
-
-    @property
-    def cluster(self) -> DaskCluster | None:
-        """The cluster; None for work on this machine without Dask."""
-        return None if self.dask is None else DaskCluster(self.dask, self.dask_timeout)
+    ] = None
 
 
 class TimeIsUp(Exception):

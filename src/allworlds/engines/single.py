@@ -116,10 +116,8 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
     for i, index in enumerate(choices):
         if run.outcome.choices[i : i + 1] != (index,):
             asked = len(run.outcome.choices)
-            only = "none was asked for"
-            if asked:
-                only = f"only {asked} {'was' if asked == 1 else 'were'} asked for"
-            reason = "there are fewer options" if i < asked else only
+            few = f"only {asked} {'was' if asked == 1 else 'were'}" if asked else "none was"
+            reason = "there are fewer options" if i < asked else f"{few} asked for"
             return f"choice {i} is {show(index)}, but {reason}"
     return ""
 
@@ -285,15 +283,11 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
             log, printed = plays.in_world(choices, seed)
             return doc.replace(_found_again(finding, plays, log), output=printed)
         (first,), printed = plays.again(
-            finding.transcript, choices, FIRST if _differ(finding) else seed
+            finding.transcript, choices, FIRST if finding.law == "nondeterministic" else seed
         )
         return doc.replace(_repeated(finding, plays, first, seed), output=printed)
     except InputError:  # an explorer may not be importable any more
         return doc.replace(finding, confirmed=False)
-
-
-def _differ(finding: Finding) -> bool:
-    return finding.law == "nondeterministic"
 
 
 def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
@@ -315,7 +309,7 @@ def _repeated(finding: Finding, plays: Plays, first: Log, seed: int) -> Finding:
     plays that differ.
     """
     record = finding.transcript, finding.choices
-    if _differ(finding):
+    if finding.law == "nondeterministic":
         logs = [first]
         for each in (SECOND, FIRST):
             logs += plays.again(*record, each, REPEATED)[0]

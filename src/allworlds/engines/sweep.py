@@ -16,6 +16,7 @@ from typing import (
     Literal,
     TypeAlias,
     TypeVar,
+    get_args,
 )
 
 from typing_extensions import override
@@ -33,15 +34,17 @@ By: TypeAlias = Literal["size", "world", "run"]
 """Rows for programs: one for each size, each world, or each run, and explorer."""
 
 
-def by_named(given: str | None) -> By | None:
-    """The word, or None.
+_by = checks.a_word("by", get_args(By))
 
-    Raises:
-        InputError: naming another word.
-    """
-    if given in (None, "size", "world", "run"):
-        return given  # type: ignore[return-value]  # one of these
-    raise checks.InputError(f"by {checks.show(given)} is not one of size, world, run")
+
+class SweptOptions(
+    limits.ListenerOptions,
+    limits.ClusterOptions,
+    limits.RunDirectoryOptions,
+    limits.TimeLimitOptions,
+    units.ShardOptions,
+):
+    """The part of a request that says how, and for how long, its units are gone through."""
 
 
 class RowOptions(requests.Request):
@@ -56,7 +59,7 @@ class RowOptions(requests.Request):
             "of worlds that grow: run].",
             apart=True,
         ),
-    ] = requests.Converted(by_named, None)
+    ] = requests.Converted(lambda given: None if given is None else _by(given), None)
 
 
 TriedPlaces = Annotated[
@@ -106,6 +109,7 @@ def told_scope(
         for one in requests.in_scope(type(request))
     }
     told = {**asked, **(rules.in_effect if rules else {}), **given_of(request)}
+    told["shard"] = str(getattr(request, "shard", units.WHOLE))
     return kind(**({name: told[name] for name in told if name in keys} | more))
 
 
@@ -171,7 +175,7 @@ Answer = TypeVar("Answer")
 
 
 def gather(
-    transport: units.Transport[Any],
+    transport: units.Transport,
     engine: Any,
     undone: Iterable[units.Unit],
     total: units.Sum,

@@ -367,7 +367,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
     @override
     def ready(self) -> ReadyEngine:
         engine = PartBySensing(self.extent, self.kind)
-        return ReadyEngine(local_or_dask(self.request.cluster, self.deadline), engine)
+        return ReadyEngine(local_or_dask(self.request.dask, self.deadline), engine)
 
     @override
     def finish(self, level: units.SweptLevel, total: SensedParts) -> None:

@@ -6,7 +6,7 @@ witnesses, and the most expensive runs.
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias, get_args
 
 from typing_extensions import override
 
@@ -36,7 +36,7 @@ from allworlds.engines.limits import (
     RunDirectoryOptions,
 )
 from allworlds.engines.tally import Tally
-from allworlds.engines.units import WHOLE, Sample, Scope, Shard, ShardOptions
+from allworlds.engines.units import WHOLE, Sample, Scope, Shard, ShardOptions, cells_of_level
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import Finding, labelled
@@ -48,7 +48,7 @@ from allworlds.maps.build import named_map
 from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
 from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Completed, Verdict
-from allworlds.protocol.choices import Schedule, a_schedule
+from allworlds.protocol.choices import Schedule
 from allworlds.studies.check import tally_sweep
 from allworlds.world import selection
 from allworlds.world.world import World
@@ -126,7 +126,7 @@ class CheckRequest(
             "all: every sequence of choices, for an explorer that takes choices.",
             document_type=Annotated[Schedule, about("the policy's, or every sequence of choices")],
         ),
-    ] = requests.Converted(a_schedule, "one")
+    ] = requests.Converted(checks.a_word("schedules", get_args(Schedule)), "one")
     engine: Annotated[
         str,
         requests.Option(
@@ -190,16 +190,15 @@ def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCel
     source = count_source.source_of(extent)
     if source is None:
         return []
-    counted = source.cells(edges)
     cells = [
         GateCell(
             edges=edges,
             vertices=vertices,
             enumerated=row.worlds if (row := tally.rows.get((edges, vertices))) else 0,
-            counted=counted.get(vertices, 0),
+            counted=counted,
             source=source.name,
         )
-        for vertices in range(1, extent.vertex_limit(edges) + 1)
+        for vertices, counted in cells_of_level(extent, edges).items()
     ]
     return [cell for cell in cells if cell.enumerated or cell.counted]
 
@@ -218,7 +217,8 @@ def missing_witnesses(
     """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
-    for event, least in subject.witnesses.items() if task.is_map and extent.where is None else ():
+    own = subject.own if task.is_map and extent.where is None else None
+    for event, least in own.witnesses.items() if own else ():
         match least[simple]:
             case (edges, vertices) if edges <= last and vertices <= extent.vertex_limit(last):
                 required.add(event)
@@ -322,7 +322,6 @@ class CheckReport(EndedReport):
             edges=extent.edges,
             places=sweep.tried_places(rules.lighthouse, extent),
             shared_file=rules.shared_file,
-            shard=str(self.portion),
             sample=sweep.told_scope(SampleReport, self.request)
             if isinstance(coverage, Sample)
             else None,

@@ -207,7 +207,7 @@ class SameWorlds(Contest[Comparison]):
         for number, one in enumerate(self.entrants):
             mine: Iterable[units.UnitOfRuns] = ()
             if self._map is None:
-                mine = one.scope(self.bounds, self.portion).units(edges)
+                mine = units.units_of_level(self.bounds, edges, self.portion)
             elif self.portion.index == 0:
                 given = self._placed(one, self._map)
                 mine = [units.GivenWorlds(given)] if given else ()

@@ -256,7 +256,7 @@ class CostsOfAll(Struct):
 class SideBySide:
     """The transports of all entrants, by their numbers, as one."""
 
-    def __init__(self, transports: Sequence[Transport[Any]]) -> None:
+    def __init__(self, transports: Sequence[Transport]) -> None:
         self._transports, self._stack = transports, ExitStack()
 
     def __enter__(self) -> Self:
@@ -272,7 +272,7 @@ class SideBySide:
 
     def map(
         self, engine: Sequence[CostEngine], given: Iterable[UnitOfOne]
-    ) -> Iterator[PartialResult[UnitOfOne, CostsOfAll]]:
+    ) -> Iterator[PartialResult]:
         """Yield the parts of all units as they come. The units of an entrant stand together."""
         for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
@@ -319,16 +319,11 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
     return tuple(entrants)
 
 
-class ComparedName(doc.Document):
-    """An explorer by its name."""
-
-    name: Annotated[doc.Text, doc.about("the explorer's")]
-
-
 @doc.with_options(selection.LighthouseOptions, RuleOptions)
-class Compared(ComparedName):
+class Compared(doc.Document):
     """An explorer of a comparison, with the rules of its runs."""
 
+    name: Annotated[doc.Text, doc.about("the explorer's")]
     places: TriedPlaces
     shared_file: SharedFile
 
@@ -375,7 +370,7 @@ class ContestReport(SweptReport, kw_only=True):
     @doc.computed
     def scope(self) -> ContestScope:
         """The worlds in which they were run."""
-        return told_scope(ContestScope, self.request, shard=str(self.portion))
+        return told_scope(ContestScope, self.request)
 
     @property
     @override
@@ -421,7 +416,7 @@ class Contest(Sweep[CostsOfAll, Answer]):
 
     @override
     def ready(self) -> ReadyEngine:
-        limits, cluster, notice = self.request.limits, self.request.cluster, self.listener.notice
+        limits, cluster, notice = self.request.limits, self.request.dask, self.listener.notice
         engines = [CostEngine(one.scope(self.bounds), 1) for one in self.entrants]
         transports = [
             players_for(Job(engine.scope, one.subject, limits, 1, self.deadline, notice, cluster))
