@@ -87,10 +87,14 @@ def convert(request: ConvertRequest) -> Convert:
         return Convert(rows=tuple(rows))
     path = a_path("output", request.output)
     notation = to_write(str(path))
-    content = b"".join(written(told(), notation))
+    part = path.with_name(f"{path.name}.part")  # what is refused midway leaves the old file
     try:
-        path.write_bytes(content)
+        with part.open("wb") as file:
+            file.writelines(written(told(), notation))
+        part.replace(path)
     except OSError as error:
         raise InputError(f"file {show(str(path))} cannot be written: {error.strerror}") from None
+    finally:
+        part.unlink(missing_ok=True)
     left_out = tuple(sorted(has - {"sigma", "alpha", *notation.keeps}))
     return Convert(written=str(path), rows=tuple(rows), left_out=left_out or None)
