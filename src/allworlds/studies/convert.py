@@ -2,6 +2,7 @@
 
 from collections import deque
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated
@@ -95,6 +96,7 @@ def convert(request: ConvertRequest) -> Convert:
     except OSError as error:
         raise InputError(f"file {show(str(path))} cannot be written: {error.strerror}") from None
     finally:
-        part.unlink(missing_ok=True)
+        with suppress(OSError):
+            part.unlink()
     left_out = tuple(sorted(has - {"sigma", "alpha", *notation.keeps}))
     return Convert(written=str(path), rows=tuple(rows), left_out=left_out or None)
