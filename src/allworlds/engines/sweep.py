@@ -129,16 +129,11 @@ ToldGate: TypeAlias = Annotated[
 ]
 
 
-class SweptReport(limits.RowsReport):
+class PortionReport(limits.EndedReport):
     """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
 
     request: doc.NotInDocument[Any]
     extent: doc.NotInDocument[classes.Extent]
-
-    @doc.computed
-    def stopped(self) -> doc.Why:
-        """Reason why rows are missing."""
-        return self.ending.stopped
 
     @property
     def portion(self) -> units.Shard:
@@ -150,6 +145,15 @@ class SweptReport(limits.RowsReport):
     @override
     def whole(self) -> bool:
         return self.portion == units.WHOLE
+
+
+class SweptReport(PortionReport, limits.RowsReport):
+    """A report with rows about the worlds of an extent."""
+
+    @doc.computed
+    def stopped(self) -> doc.Why:
+        """Reason why rows are missing."""
+        return self.ending.stopped
 
     @property
     @override
