@@ -83,12 +83,6 @@ GivenCount: TypeAlias = Annotated[
 ]
 
 
-def given_of(request: object) -> dict[str, Any]:
-    """The keys of a scope that tell of given worlds."""
-    given = getattr(request, "given", None)
-    return given.described if given else {"sha256": None, "given": None}
-
-
 Scope_ = TypeVar("Scope_", bound=doc.Document)
 
 
@@ -108,7 +102,9 @@ def told_scope(
         one.name: requests.as_json(getattr(request, one.name))
         for one in requests.in_scope(type(request))
     }
-    told = {**asked, **(rules.in_effect if rules else {}), **given_of(request)}
+    given = getattr(request, "given", None)
+    of_given = given.described if given else {"sha256": None, "given": None}
+    told = {**asked, **(rules.in_effect if rules else {}), **of_given}
     told["shard"] = str(getattr(request, "shard", units.WHOLE))
     return kind(**({name: told[name] for name in told if name in keys} | more))
 

@@ -33,6 +33,7 @@ from allworlds.engines.limits import (
     Limits,
     ListenerOptions,
     RunDirectoryOptions,
+    positive,
 )
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import WHOLE, Sample, Scope, ShardOptions, cells_of_level
@@ -88,13 +89,6 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptio
         return replace(rules, shared_file=shared_file(subject.name, rules, where))
 
 
-def _max_findings(given: object) -> int:
-    number = checks.an_integer("max-findings", given)
-    if number < 1:
-        raise checks.InputError(f"max-findings {checks.show(number)} is not positive and finite")
-    return number
-
-
 class CheckRequest(
     RunDirectoryOptions,
     ClusterOptions,
@@ -143,7 +137,7 @@ class CheckRequest(
             "Stop after the level with the K-th finding (the smallest of each law and map counts).",
             parse=checks.integer_of,
         ),
-    ] = requests.Converted(_max_findings, 1)
+    ] = requests.Converted(positive("max-findings"), 1)
     corpus: Annotated[
         str | Path | None,
         requests.Option(

@@ -128,12 +128,8 @@ def _contest(
     """The sweep for a request."""
     if request.to is not None:
         return GrowingWorlds(entrants, request, request.to)
-    for name in ("draws", "places"):
-        if (given := getattr(request, name)) is not None:
-            raise InputError(
-                f"{name} = {show(given)} is for worlds that grow: with --to M worlds of each size "
-                "up to M edges are drawn from a family without a size, as in --family corridor"
-            )
+    grow = "worlds that do not grow; give --to M and a family without a size, as --family corridor"
+    ensure_unnamed(request, ("draws", "places"), grow)
     if len(entrants) < 2:
         only = show(entrants[0].name) if entrants else "none"
         raise InputError(f"compare takes two explorers at least, not {only}")
