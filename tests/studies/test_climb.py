@@ -303,7 +303,9 @@ def test_a_family_without_a_size_is_refused_with_both_spellings(family):
 
 
 def test_what_grows_is_asked_for_by_to(refused):
-    assert "draws = 2 is for worlds that grow" in refused("compare", "folding-oldest", "--draws", 2)
+    assert "draws = 2 has no effect on worlds that do not grow" in refused(
+        "compare", "folding-oldest", "--draws", 2
+    )
 
 
 def test_a_seed_left_out_is_the_first(cli):

@@ -198,7 +198,7 @@ def test_an_error_outweighs_an_interrupt_which_outweighs_a_difference(paper):
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        ({"only": ["pair"]}, "only 'pair' is no claim; near it are pairs"),
+        ({"only": ["pair"]}, "only 'pair' is no claim; did you mean 'pairs'?"),
         ({"require": ["@"]}, "require '@' is no claim; the first of 3 are pairs, not-all, proof"),
         ({"budget": "large"}, "budget 'large' is not one of quick, full"),
         ({"workers": 0}, "workers 0 is not positive"),

@@ -50,6 +50,7 @@ MOST = {
     "start-timeout": 10**6,
     "time-limit": 10**9,
     "memory": 10**9,
+    "max-findings": 10**9,
 }
 """The largest legal value of each limit: an operating system does not count further."""
 
@@ -63,7 +64,7 @@ def worker_count(text: str) -> int:
     raise InputError(f"workers {show(text)} is neither auto nor a positive number")
 
 
-def _positive(name: str) -> Callable[[Any], Any]:
+def positive(name: str) -> Callable[[Any], Any]:
     """Return what takes a limit of that name: a positive number, or none where there can be none.
 
     That function raises InputError, naming the value.
@@ -74,7 +75,7 @@ def _positive(name: str) -> Callable[[Any], Any]:
             return None
         if not isinstance(value, int | float) or isinstance(value, bool):
             raise InputError(f"{name} = {show(value)} is not a number")
-        if name in ("workers", "memory"):
+        if name in ("workers", "memory", "max-findings"):
             an_integer(name, value)
         if not 0 < value < inf:
             raise InputError(f"{name} {show(value)} is not positive and finite")
@@ -102,11 +103,11 @@ class TimeoutOptions(Request):
         Option(
             RARE_EFFORT, "S", "Seconds of silence that break the law 'timeout'.", parse=seconds_of
         ),
-    ] = Converted(_positive("answer-timeout"), ANSWER_TIMEOUT)
+    ] = Converted(positive("answer-timeout"), ANSWER_TIMEOUT)
     start_timeout: Annotated[
         Converted[float, float],
         _seconds("Seconds in which an explorer must be imported, or a library loaded."),
-    ] = Converted(_positive("start-timeout"), START_TIMEOUT)
+    ] = Converted(positive("start-timeout"), START_TIMEOUT)
 
     @property
     def limits(self) -> "Limits":
@@ -128,7 +129,7 @@ class WorkerOptions(Request):
             default="auto",
             apart=True,
         ),
-    ] = Converted(_positive("workers"), 1)
+    ] = Converted(positive("workers"), 1)
 
 
 class TimeLimitOptions(Request):
@@ -137,7 +138,7 @@ class TimeLimitOptions(Request):
     time_limit: Annotated[
         Converted[float | None, float | None],
         _seconds("Stop after S seconds, and report what is finished.", EFFORT),
-    ] = Converted(_positive("time-limit"), None)
+    ] = Converted(positive("time-limit"), None)
 
 
 class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
@@ -155,7 +156,7 @@ class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
             "Address space of each worker process; the kernel engine has none.",
             parse=integer_of,
         ),
-    ] = Converted(_positive("memory"), None)
+    ] = Converted(positive("memory"), None)
 
 
 class ListenerOptions(Request):

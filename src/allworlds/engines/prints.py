@@ -58,17 +58,13 @@ def _fitting(letters: Sequence[tuple[int, str]], room: int) -> tuple[list[str], 
     return [shown for _, shown in fitting], sum(size for size, _ in fitting)
 
 
-class _PrintStream(io.BufferedIOBase):
+class _PrintStream(io.BytesIO):
     """A stream of bytes that ends in a sink."""
 
     name = "<the explorer's prints>"
 
     def __init__(self, sink: Prints) -> None:
         self._sink = sink
-
-    def writable(self) -> bool:
-        """Return that it is."""
-        return True
 
     def write(self, printed: Any, /) -> int:
         """Give the bytes to the sink."""

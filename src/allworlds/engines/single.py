@@ -23,7 +23,7 @@ from allworlds.engines.units import GivenWorlds, Scope
 from allworlds.explorers import loading, program, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.episode import Answered, Fault, ending_of, fault_of
+from allworlds.judging.episode import Answered, Fault, Over, ending_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import checked_laws
@@ -346,16 +346,12 @@ def _same_walk(finding: Finding, log: Log) -> bool:
 
 def _ends_alike(finding: Finding, log: Log) -> bool:
     """Whether a play ends as the finding says; of a refused action nothing is recorded."""
-    if fault := fault_of(log):
-        return fault.law == finding.law
-    match log.ending[0]:
-        case entries.QUOTIENT:
-            return finding.law not in ("crash", "timeout", "illegal-action", "map", "pose")
-        case entries.VALUE | entries.OVER:
-            return finding.law in ("task", "bound")
     end = ending_of(log)
-    if finding.law == "no-estimate":
-        return isinstance(end, Fault)
-    if not isinstance(finding.seen, Estimate):
-        return finding.law not in ("crash", "timeout", "illegal-action")
-    return isinstance(end, Answered) and end.answer == finding.seen
+    if isinstance(end, Fault):
+        return end.law == finding.law
+    if isinstance(end, Over) or log.ending[0] == entries.VALUE:
+        return finding.law in ("task", "bound")
+    if isinstance(finding.seen, Estimate):
+        return bool(end.answer == finding.seen)
+    others = ("map", "pose") if isinstance(end.answer, Ambiguous) else ("no-estimate",)
+    return finding.law not in ("crash", "timeout", "illegal-action", *others)

@@ -83,12 +83,6 @@ GivenCount: TypeAlias = Annotated[
 ]
 
 
-def given_of(request: object) -> dict[str, Any]:
-    """The keys of a scope that tell of given worlds."""
-    given = getattr(request, "given", None)
-    return given.described if given else {"sha256": None, "given": None}
-
-
 Scope_ = TypeVar("Scope_", bound=doc.Document)
 
 
@@ -108,7 +102,9 @@ def told_scope(
         one.name: requests.as_json(getattr(request, one.name))
         for one in requests.in_scope(type(request))
     }
-    told = {**asked, **(rules.in_effect if rules else {}), **given_of(request)}
+    given = getattr(request, "given", None)
+    of_given = given.described if given else {"sha256": None, "given": None}
+    told = {**asked, **(rules.in_effect if rules else {}), **of_given}
     told["shard"] = str(getattr(request, "shard", units.WHOLE))
     return kind(**({name: told[name] for name in told if name in keys} | more))
 
@@ -129,16 +125,11 @@ ToldGate: TypeAlias = Annotated[
 ]
 
 
-class SweptReport(limits.RowsReport):
+class PortionReport(limits.EndedReport):
     """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
 
     request: doc.NotInDocument[Any]
     extent: doc.NotInDocument[classes.Extent]
-
-    @doc.computed
-    def stopped(self) -> doc.Why:
-        """Reason why rows are missing."""
-        return self.ending.stopped
 
     @property
     def portion(self) -> units.Shard:
@@ -150,6 +141,15 @@ class SweptReport(limits.RowsReport):
     @override
     def whole(self) -> bool:
         return self.portion == units.WHOLE
+
+
+class SweptReport(PortionReport, limits.RowsReport):
+    """A report with rows about the worlds of an extent."""
+
+    @doc.computed
+    def stopped(self) -> doc.Why:
+        """Reason why rows are missing."""
+        return self.ending.stopped
 
     @property
     @override

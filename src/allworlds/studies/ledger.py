@@ -10,7 +10,6 @@ import tomllib
 import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import KW_ONLY
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias, get_args
 
@@ -19,7 +18,7 @@ from typing_extensions import override
 
 from allworlds import document as doc, outcome
 from allworlds.engines import limits, tally
-from allworlds.inputs.checks import InputError, a_path, a_word, read_text, show
+from allworlds.inputs.checks import InputError, a_path, a_word, did_you_mean, read_text, show
 from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Converted, Option, answers
 from allworlds.protocol.importing import attribute_of, module_of_text, text_of
 from allworlds.studies.check.report import CheckReport
@@ -457,8 +456,6 @@ def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> No
     """Raise InputError, naming the first that is none, unless all of these are claims."""
     for name in names:
         if name not in legal:
-            near = get_close_matches(str(name), legal, 3, 0.4)
-            hint = f"near it are {', '.join(near)}"
-            if not near:
-                hint = f"the first of {len(legal)} are {', '.join(legal[:3])}"
-            raise InputError(f"{option} {show(name)} is no claim; {hint}")
+            some = f"; the first of {len(legal)} are {', '.join(legal[:3])}"
+            hint = did_you_mean(str(name), legal) or some
+            raise InputError(f"{option} {show(name)} is no claim{hint}")

@@ -6,7 +6,7 @@ witnesses, and the most expensive runs.
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias, get_args
+from typing import Annotated, Literal, TypeAlias, get_args
 
 from typing_extensions import override
 
@@ -30,13 +30,13 @@ from allworlds.document import (
 from allworlds.engines import engine_table, lane, single, sweep
 from allworlds.engines.limits import (
     ClusterOptions,
-    EndedReport,
     Limits,
     ListenerOptions,
     RunDirectoryOptions,
+    positive,
 )
 from allworlds.engines.tally import Tally
-from allworlds.engines.units import WHOLE, Sample, Scope, Shard, ShardOptions, cells_of_level
+from allworlds.engines.units import WHOLE, Sample, Scope, ShardOptions, cells_of_level
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import Finding, labelled
@@ -89,13 +89,6 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptio
         return replace(rules, shared_file=shared_file(subject.name, rules, where))
 
 
-def _max_findings(given: object) -> int:
-    number = checks.an_integer("max-findings", given)
-    if number < 1:
-        raise checks.InputError(f"max-findings {checks.show(number)} is not positive and finite")
-    return number
-
-
 class CheckRequest(
     RunDirectoryOptions,
     ClusterOptions,
@@ -144,7 +137,7 @@ class CheckRequest(
             "Stop after the level with the K-th finding (the smallest of each law and map counts).",
             parse=checks.integer_of,
         ),
-    ] = requests.Converted(_max_findings, 1)
+    ] = requests.Converted(positive("max-findings"), 1)
     corpus: Annotated[
         str | Path | None,
         requests.Option(
@@ -281,7 +274,7 @@ class CheckRow(Document):
     bound: Annotated[int | None, about("the largest bound of a run; null without a bound")]
 
 
-class CheckReport(EndedReport):
+class CheckReport(sweep.PortionReport):
     """Report of 'check' and of 'fuzz'.
 
     What a check has seen, and what follows from it.
@@ -293,8 +286,6 @@ class CheckReport(EndedReport):
     explorer: Annotated[Text, about("its name")]
     engine: Annotated[engine_table.EngineName, about("the engine that ran")]
     asked: NotInDocument[Scope]
-    request: NotInDocument[Any]
-    extent: NotInDocument[classes.Extent]
     tally: NotInDocument[Tally]
     levels: NotInDocument[tuple[int, ...]]
     cells: NotInDocument[tuple[GateCell, ...]] = ()
@@ -391,16 +382,6 @@ class CheckReport(EndedReport):
     def findings(self) -> tuple[Finding, ...]:
         """Ascending by (edges, vertices, canonical code, place, choices)."""
         return tuple(self.tally.findings)
-
-    @property
-    def portion(self) -> Shard:
-        """The part of the job that was to be done."""
-        return self.asked.portion
-
-    @property
-    @override
-    def whole(self) -> bool:
-        return self.portion == WHOLE
 
     @property
     def complete(self) -> bool:

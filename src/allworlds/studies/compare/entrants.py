@@ -40,7 +40,7 @@ from allworlds.engines.units import (
 )
 from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
-from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup, as_json
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps import classes, combinatorial, families
@@ -150,6 +150,13 @@ class CompareRequest(
             "or more.",
         ),
     ] = ()
+
+
+def ensure_unnamed(request: CompareRequest, names: Iterable[str], of: str) -> None:
+    """Raise InputError if one of these options is given, which has no effect there."""
+    for name in names:
+        if (value := getattr(request, name)) is not None:
+            raise InputError(f"{name} = {show(as_json(value))} has no effect on {of}")
 
 
 MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]

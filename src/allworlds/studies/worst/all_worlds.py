@@ -16,7 +16,6 @@ from allworlds.explorers.sources import DEFAULT_EXPLORER
 from allworlds.inputs.checks import (
     InputError,
     a_word,
-    an_integer,
     ensure_installed,
     integer_of,
     show,
@@ -50,16 +49,6 @@ def _algorithm1(given: object) -> str:
     return DEFAULT_EXPLORER
 
 
-def _room_for(edges: int) -> int:
-    if edges > MOST_EDGES:
-        raise InputError(f"edges = {show(edges)}, but there is room for {MOST_EDGES} at most")
-    return edges
-
-
-def _edges(given: object) -> int | None:
-    return None if given is None else _room_for(an_integer("edges", given))
-
-
 class Algorithm1Option(Request, kw_only=False):
     """The part of a request of ``worst`` that may be given by its place."""
 
@@ -80,7 +69,7 @@ class WorstRequest(
     """Request of ``worst``: the worlds and the effort."""
 
     edges: Annotated[
-        Converted[int | None, int | None],
+        int | None,
         Option(
             SCOPE,
             "M",
@@ -88,7 +77,7 @@ class WorstRequest(
             parse=integer_of,
             document_type=Annotated[doc.Positive, doc.about("at most so many")],
         ),
-    ] = Converted(_edges, None)
+    ] = None
     transit: Annotated[
         Converted[str, Transit],
         Option(
@@ -112,7 +101,8 @@ class WorstRequest(
         usual = self.edges is None and self.given is None
         edges = DEFAULT_EDGES if usual else self.edges
         extent = classes.Extent(self.map_class, edges, given=self.given)
-        _room_for(extent.levels[-1])
+        if (most := extent.levels[-1]) > MOST_EDGES:
+            raise InputError(f"edges = {show(most)}, but there is room for {MOST_EDGES} at most")
         return extent
 
 
