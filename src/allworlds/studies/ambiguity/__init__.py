@@ -23,6 +23,8 @@ Modules
     made from the quotient;
 ``marked_worlds``
     the census of a lighthouse, and its parts: worlds by what can be sensed in them;
+``sensed_classes``
+    many worlds at once, in arrays: names of what can be sensed in each;
 ``question``, ``twin_search``
     the search by solvers for worlds that no motion tells apart;
 ``formulas``, ``solvers``, ``proofs``

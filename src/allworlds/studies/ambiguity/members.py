@@ -218,16 +218,6 @@ def least_rooting(map_: CombinatorialMap, darts: Sequence[Dart]) -> LeastRooting
     return LeastRooting(least, codes.count(least))
 
 
-def is_least_rooting(map_: CombinatorialMap) -> bool:
-    """Whether no other dart at the vertex of dart 0 has a smaller code.
-
-    One rooted map of each marked map passes.  Cost: O(m deg) at worst.
-    """
-    sigma, alpha = map_.sigma, map_.alpha
-    code = rooted_code(sigma, alpha, 0)
-    return all(code <= rooted_code(sigma, alpha, dart) for dart in map_.vertices[0])
-
-
 Permutation: TypeAlias = tuple[int, ...]
 """Of the sheets ``0..k-1``."""
 
