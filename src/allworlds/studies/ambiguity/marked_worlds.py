@@ -107,12 +107,11 @@ class SensedParts(Struct):
 
     def meet(self, worlds: Sequence[Placed], *, counted: bool) -> None:
         """Take in worlds with equally many edges; those of a look are counted, if they can be."""
-        for (map_, place), (look, name) in zip(worlds, named(worlds), strict=True):
+        for (map_, place), (look, name, sheets) in zip(worlds, named(worlds), strict=True):
             self.sizes[name] = map_.edge_count, map_.vertex_count
-            if counted and look not in self.looks:
+            if counted and sheets > 1 and look not in self.counted:
                 quotient = projection_of(World(map_, place, 0)).quotient
-                if quotient.sheets > 1:
-                    self.counted[look] = class_size(quotient)
+                self.counted[look] = class_size(quotient)
             self._meet(look, name)
 
     def _meet(self, look: str, name: str) -> None:
@@ -389,7 +388,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         for edges in sorted({self._met.sizes[name][0] for name in names or ()}):
             for unit in units.units_of_level(self.extent, edges):
                 for _, worlds in batches(unit, self.extent, self.kind):
-                    for placed, (look, name) in zip(worlds, named(worlds), strict=True):
+                    for placed, (look, name, _) in zip(worlds, named(worlds), strict=True):
                         if name in names:
                             alike = found.setdefault(look, {})
                             alike.setdefault(name, World(*placed, 0))

@@ -4,7 +4,7 @@ A row of a matrix is a world, a column a dart.  Every world is rooted at dart 0,
 """
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from hashlib import blake2b
 from typing import Any, NamedTuple, TypeAlias
 
@@ -48,27 +48,16 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
     Raises:
         InputError: for more marks than the number has room for.
     """
-    numbers: dict[Percept, int] = {}
-    darts = len(worlds[0][0].sigma)
 
     def number(percept: Percept) -> int:
-        if percept not in numbers:
-            if percept.marks >= MOST_MARKS:
-                raise InputError(f"marks = {show(percept.marks)} is not below {MOST_MARKS}")
-            bearing = 0 if percept.bearing is None else percept.bearing + 1
-            marked = percept.marks << _BITS | bearing
-            numbers[percept] = marked << _BITS | percept.degree
-        return numbers[percept]
+        bearing = 0 if percept.bearing is None else percept.bearing + 1
+        if percept.marks >= MOST_MARKS:
+            raise InputError(f"marks = {show(percept.marks)} is not below {MOST_MARKS}")
+        return (percept.marks << _BITS | bearing) << _BITS | percept.degree
 
-    def matrix(rows: Iterable[Iterable[int]]) -> Matrix:
-        flat = (entry for row in rows for entry in row)
-        return np.fromiter(flat, np.int64, darts * len(worlds)).reshape(-1, darts)
-
-    return SensedWorlds(
-        matrix(map_.sigma for map_, _ in worlds),
-        matrix(map_.alpha for map_, _ in worlds),
-        matrix(map(number, place.percepts(map_)) for map_, place in worlds),
-    )
+    sensed = [[number(percept) for percept in place.percepts(map_)] for map_, place in worlds]
+    permutations = ([map_.sigma for map_, _ in worlds], [map_.alpha for map_, _ in worlds])
+    return SensedWorlds(*(np.array(rows, np.int64) for rows in (*permutations, sensed)))
 
 
 def _ranks(keys: Matrix) -> Matrix:
@@ -86,7 +75,8 @@ def classes(worlds: SensedWorlds) -> Matrix:
     """For each dart its class in the quotient of its world, from 0 on.
 
     Two darts are in one class if no motion tells them apart.  Classes are split by what is sensed,
-    then by the classes to which sigma and alpha lead, until none is split.
+    then by the classes to which sigma and alpha lead, until none is split.  Their numbers do not
+    depend on those of the darts.
 
     Cost: O(m log m) for each world and each round, of which there are at most as many as classes.
     """
@@ -145,11 +135,6 @@ def digest(code: bytes, told: Told = None) -> str:
     return blake2b(text.encode() + b"\0" + code, digest_size=16).hexdigest()
 
 
-def looks(worlds: SensedWorlds) -> Iterator[bytes]:
-    """For each world all that a robot can find out from its start, as the code of its quotient."""
-    return rooted_codes(worlds, classes(worlds), np.zeros(len(worlds.sigma), np.int64))
-
-
 class NamedWorld(NamedTuple):
     """Names by which worlds are compared.
 
@@ -157,10 +142,12 @@ class NamedWorld(NamedTuple):
         look: the same for two worlds if no motion tells them apart from their starts.
         name: the same if they are the same, whatever their starts: in map, percepts and what is
             told.
+        sheets: the number of darts in each class of its quotient.
     """
 
     look: str
     name: str
+    sheets: int
 
 
 def named(worlds: Sequence[Placed]) -> Iterator[NamedWorld]:
@@ -169,10 +156,11 @@ def named(worlds: Sequence[Placed]) -> Iterator[NamedWorld]:
         return
     told = [place.told(map_) for map_, place in worlds]
     arrays = matrices(worlds)
+    of = classes(arrays)
+    looks = rooted_codes(arrays, of, np.zeros(len(worlds), np.int64))
     least = [""] * len(worlds)
-    # Of the roots one is taken that looks like no other, or some that look alike.
-    rows, roots = np.nonzero(arrays.sensed == arrays.sensed.max(axis=1, keepdims=True))
-    darts = arrays.sigma.shape[1]
+    rows, roots = np.nonzero(of == 0)
+    darts = of.shape[1]
     step = max(1, ENTRIES // darts)
     for first in range(0, len(rows), step):
         some = rows[first : first + step]
@@ -181,5 +169,6 @@ def named(worlds: Sequence[Placed]) -> Iterator[NamedWorld]:
         for row, code in zip(some.tolist(), codes, strict=True):
             name = digest(code, told[row])
             least[row] = min(least[row], name) if least[row] else name
-    for code, name, each_told in zip(looks(arrays), least, told, strict=True):
-        yield NamedWorld(digest(code, each_told), name)
+    sheets = (of == 0).sum(axis=1).tolist()
+    for look, name, each, number in zip(looks, least, told, sheets, strict=True):
+        yield NamedWorld(digest(look, each), name, number)
