@@ -25,6 +25,8 @@ Modules
     the census of a lighthouse, and its parts: worlds by what can be sensed in them;
 ``sensed_classes``
     many worlds at once, in arrays: names of what can be sensed in each;
+``sensors``, ``weakest``
+    sensors side by side; the minimal ones among all coarsenings of a finest one;
 ``question``, ``twin_search``
     the search by solvers for worlds that no motion tells apart;
 ``formulas``, ``solvers``, ``proofs``
@@ -51,6 +53,10 @@ if TYPE_CHECKING:
         twins as twins,
     )
     from allworlds.studies.ambiguity.question import SearchRequest as SearchRequest
+    from allworlds.studies.ambiguity.sensors import (
+        AmbiguitySensors as AmbiguitySensors,
+        sensors as sensors,
+    )
     from allworlds.studies.ambiguity.solvers import (
         REQUIREMENTS as REQUIREMENTS,
         has_model_without as has_model_without,
@@ -58,6 +64,10 @@ if TYPE_CHECKING:
     from allworlds.studies.ambiguity.twin_search import (
         SearchResult as SearchResult,
         search as search,
+    )
+    from allworlds.studies.ambiguity.weakest import (
+        AmbiguityWeakest as AmbiguityWeakest,
+        weakest as weakest,
     )
     from allworlds.world.bisimulation import sensed as sensed
 else:

@@ -15,7 +15,12 @@ from allworlds.inputs import checks, requests
 from allworlds.maps import classes
 from allworlds.maps.quotient import class_size
 from allworlds.notations.given import GivenOptions
-from allworlds.studies.ambiguity.members import ComparedWorlds, projection_of, standing, twins
+from allworlds.studies.ambiguity.members import (
+    ComparedWorlds,
+    ensure_motions_decide,
+    projection_of,
+    twins,
+)
 from allworlds.studies.ambiguity.sensed_classes import Placed, named
 from allworlds.world.lighthouses import kinds
 from allworlds.world.lighthouses.marked import Position
@@ -331,11 +336,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         self._levels: list[tuple[units.SweptLevel, int]] = []
         self._met = SensedParts()
         self.kind: kinds.LighthouseKind = request.lighthouse_of_given(request.lighthouse)
-        if self.kind.as_class.leaves_marks:
-            raise checks.InputError(
-                f"under the lighthouse {self.kind} the robot leaves marks itself, and a census is "
-                f"of what motions alone can tell apart; legal are {standing()}"
-            )
+        ensure_motions_decide(self.kind, "a census is of what motions alone can tell apart")
 
     @override
     def ready(self) -> ReadyEngine:

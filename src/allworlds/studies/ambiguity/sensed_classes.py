@@ -19,8 +19,10 @@ Matrix: TypeAlias = np.ndarray[Any, np.dtype[np.int64]]
 Placed: TypeAlias = tuple[CombinatorialMap, Lighthouse]
 """A map rooted at dart 0, and a lighthouse at a place of it."""
 
-_BITS = 20
-MOST_MARKS = 1 << (63 - 2 * _BITS)
+BITS = 20
+"""The bits of a degree, and of a bearing, in the number of what is sensed."""
+
+MOST_MARKS = 1 << (63 - 2 * BITS)
 ENTRIES = 1 << 20
 """The entries of a matrix of codes that is made at once."""
 
@@ -53,7 +55,7 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
         bearing = 0 if percept.bearing is None else percept.bearing + 1
         if percept.marks >= MOST_MARKS:
             raise InputError(f"marks = {show(percept.marks)} is not below {MOST_MARKS}")
-        return (percept.marks << _BITS | bearing) << _BITS | percept.degree
+        return (percept.marks << BITS | bearing) << BITS | percept.degree
 
     sensed = [[number(percept) for percept in place.percepts(map_)] for map_, place in worlds]
     permutations = ([map_.sigma for map_, _ in worlds], [map_.alpha for map_, _ in worlds])
@@ -113,7 +115,7 @@ def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[by
     dart_of = np.zeros((count, darts), np.int64)
     number[every, of[every, roots]], dart_of[:, 0] = 0, roots
     codes = np.zeros((count, darts, 3), np.int64)
-    for x in range(int(sizes.max())):
+    for x in range(int(sizes.max(initial=0))):
         rows = every[sizes > x]
         dart = dart_of[rows, x]
         for column, permutation in enumerate(worlds[:2]):
