@@ -25,8 +25,8 @@ Modules
     the census of a lighthouse, and its parts: worlds by what can be sensed in them;
 ``sensed_classes``
     many worlds at once, in arrays: names of what can be sensed in each;
-``sensors``, ``weakest``
-    sensors side by side; the minimal ones among all coarsenings of a finest one;
+``side_by_side``, ``coarsenings``
+    the comparison of sensors; the weakest ones among all coarsenings of a finest one;
 ``question``, ``twin_search``
     the search by solvers for worlds that no motion tells apart;
 ``formulas``, ``solvers``, ``proofs``
@@ -39,6 +39,10 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.studies.ambiguity.coarsenings import (
+        AmbiguityWeakest as AmbiguityWeakest,
+        weakest as weakest,
+    )
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
         CensusCell as CensusCell,
@@ -53,7 +57,7 @@ if TYPE_CHECKING:
         twins as twins,
     )
     from allworlds.studies.ambiguity.question import SearchRequest as SearchRequest
-    from allworlds.studies.ambiguity.sensors import (
+    from allworlds.studies.ambiguity.side_by_side import (
         AmbiguitySensors as AmbiguitySensors,
         sensors as sensors,
     )
@@ -64,10 +68,6 @@ if TYPE_CHECKING:
     from allworlds.studies.ambiguity.twin_search import (
         SearchResult as SearchResult,
         search as search,
-    )
-    from allworlds.studies.ambiguity.weakest import (
-        AmbiguityWeakest as AmbiguityWeakest,
-        weakest as weakest,
     )
     from allworlds.world.bisimulation import sensed as sensed
 else:

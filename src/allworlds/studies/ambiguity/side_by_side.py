@@ -1,6 +1,7 @@
 """Sensors side by side: where each fails first, and which tells more than which."""
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Iterable, Sequence
+from itertools import permutations
 from typing import Annotated, Any
 
 from msgspec import Struct, field
@@ -16,7 +17,7 @@ from allworlds.notations.given import GivenOptions
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.marked_worlds import batches
 from allworlds.studies.ambiguity.members import ensure_motions_decide
-from allworlds.studies.ambiguity.sensed_classes import NamedWorld, Placed, named
+from allworlds.studies.ambiguity.sensed_classes import NamedWorld, Placed, matrices, named
 from allworlds.world.bisimulation import flaw
 from allworlds.world.lighthouses import kinds, options
 from allworlds.world.selection import WhereOptions, tried_kind
@@ -90,6 +91,9 @@ class SensorRow(doc.Document):
     ]
     twins: Annotated[doc.IfAny[AlikePair | None], doc.about("the smallest two that look alike")]
     worlds: Annotated[doc.Natural, doc.about("places of the lighthouse in all rooted maps")]
+    places: Annotated[
+        doc.Natural, doc.about("the number of the first sensor that has the same places")
+    ]
 
 
 @doc.with_options(ManyWorldsOptions)
@@ -111,17 +115,18 @@ class AmbiguitySensors(doc.Report, kw_only=True):
     rows: Annotated[tuple[SensorRow, ...], doc.about("one a sensor, as they were named")]
     dominates: Annotated[
         tuple[doc.Pair[doc.Text], ...],
-        doc.about(
-            "of two with equal places: worlds that look alike under the first one do so under"
-            " the second"
-        ),
+        doc.about("of two with equal places: worlds alike under the first are so under the second"),
     ]
-    comparable: Annotated[
-        tuple[doc.Pair[doc.Text], ...], doc.about("the pairs of sensors with equal places")
+    coarser: Annotated[
+        tuple[doc.Pair[doc.Text], ...],
+        doc.about(
+            "of two with equal places: what the first senses at a dart follows from what the "
+            "second senses there"
+        ),
     ]
     minimal: Annotated[
         tuple[doc.Text, ...],
-        doc.about("the sufficient ones that dominate no other sufficient one, but equal ones"),
+        doc.about("the sufficient ones to which no other sufficient one is strictly coarser"),
     ]
     extent: doc.NotInDocument[classes.Extent]
 
@@ -139,18 +144,21 @@ class Sensor(Struct):
         worlds: the rooted maps, each with every place.
         roots: for each of them the number of its rooted map.
         found: for each of them its names.
+        sensed: for each dart of each of them a number for what is sensed there.
     """
 
     kind: kinds.LighthouseKind
     worlds: list[Placed] = field(default_factory=list)
     roots: list[int] = field(default_factory=list)
     found: list[NamedWorld] = field(default_factory=list)
+    sensed: list[int] = field(default_factory=list)
 
     def meet(self, worlds: Sequence[Placed], number: dict[CombinatorialMap, int]) -> None:
         """Take in more worlds, in the order of their sizes."""
         self.worlds += worlds
         self.roots += (number.setdefault(map_, len(number)) for map_, _ in worlds)
         self.found += named(worlds)
+        self.sensed += matrices(worlds).sensed.ravel().tolist() if worlds else ()
 
     @property
     def places(self) -> list[Any]:
@@ -159,13 +167,13 @@ class Sensor(Struct):
             (root, _place(place)) for root, (_, place) in zip(self.roots, self.worlds, strict=True)
         ]
 
-    def dominates(self, other: "Sensor") -> bool:
-        """Whether worlds that look alike under this sensor do so under the other one."""
-        pairs = {(a.look, b.look) for a, b in zip(self.found, other.found, strict=True)}
-        return len(pairs) == len({look for look, _ in pairs})
+    @property
+    def looks(self) -> list[str]:
+        """For each world all that a robot can find out there, by name."""
+        return [found.look for found in self.found]
 
-    def row(self) -> SensorRow:
-        """The row of the sensor."""
+    def row(self, places: int) -> SensorRow:
+        """The row of the sensor; ``places`` is the number of a sensor with equal ones."""
         first: dict[str, int] = {}
         edges, alike, roots = None, list[tuple[int, int]](), set[int]()
         for number, (map_, _) in enumerate(self.worlds):
@@ -187,6 +195,7 @@ class Sensor(Struct):
             ambiguous=len(roots),
             twins=AlikePair.of([World(*self.worlds[each], 0) for each in pair]) if pair else None,
             worlds=len(self.worlds),
+            places=places,
         )
 
 
@@ -210,23 +219,33 @@ def compared(request: SensorsRequest) -> AmbiguitySensors:
         for sensor in found:
             for some in worlds_of_level(request, extent, edges, sensor.kind):
                 sensor.meet(some, number)
-    rows, comparable, dominates = tuple(sensor.row() for sensor in found), [], []
     names, places = [sensor.kind.name for sensor in found], [sensor.places for sensor in found]
-    for i, one in enumerate(found):
-        for j, other in enumerate(found):
-            if i != j and places[i] == places[j]:
-                comparable.append((names[i], names[j]))
-                dominates += [(names[i], names[j])] if one.dominates(other) else []
+    rows = tuple(sensor.row(places.index(places[i])) for i, sensor in enumerate(found))
+    comparable = [
+        (i, j) for i, j in permutations(range(len(found)), 2) if rows[i].places == rows[j].places
+    ]
+
+    def pairs(which: Iterable[tuple[int, int]]) -> tuple[tuple[str, str], ...]:
+        return tuple((names[i], names[j]) for i, j in which)
+
+    looks, sensed = [sensor.looks for sensor in found], [sensor.sensed for sensor in found]
+    dominates = pairs((i, j) for i, j in comparable if _follows(looks[j], looks[i]))
+    coarser = pairs((i, j) for i, j in comparable if _follows(sensed[i], sensed[j]))
     enough = {row.lighthouse for row in rows if row.sufficient}
-    above = {a for a, b in dominates if b in enough and (b, a) not in dominates}
+    finer = {b for a, b in coarser if a in enough and (b, a) not in coarser}
     return AmbiguitySensors(
         scope=sweep.told_scope(SensorsScope, request),
         rows=rows,
-        dominates=tuple(dominates),
-        comparable=tuple(comparable),
-        minimal=tuple(name for name in names if name in enough - above),
+        dominates=dominates,
+        coarser=coarser,
+        minimal=tuple(name for name in names if name in enough - finer),
         extent=extent,
     )
+
+
+def _follows(one: Sequence[Hashable], other: Sequence[Hashable]) -> bool:
+    """Whether the values of one are a function of those of the other."""
+    return len({*zip(other, one, strict=True)}) == len({*other})
 
 
 @requests.takes_fields(SensorsRequest, several="lighthouses", answered=compared)

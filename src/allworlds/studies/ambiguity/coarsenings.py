@@ -10,6 +10,7 @@ from typing_extensions import override
 from allworlds import document as doc
 from allworlds.engines import sweep
 from allworlds.inputs import checks, requests
+from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.members import ensure_motions_decide
@@ -22,7 +23,7 @@ from allworlds.studies.ambiguity.sensed_classes import (
     matrices,
     rooted_codes,
 )
-from allworlds.studies.ambiguity.sensors import AlikePair, ManyWorldsOptions, worlds_of_level
+from allworlds.studies.ambiguity.side_by_side import AlikePair, ManyWorldsOptions, worlds_of_level
 from allworlds.world.lighthouses import base, kinds
 from allworlds.world.selection import tried_kind
 from allworlds.world.world import World
@@ -95,6 +96,7 @@ class AmbiguityWeakest(doc.Report, kw_only=True):
         tuple[MinimalSensor, ...], doc.about("the minimal ones that suffice, fewest letters first")
     ]
     refuted: Annotated[tuple[RefutedSensor, ...], doc.about("their lower neighbours")]
+    extent: doc.NotInDocument[Extent]
 
 
 @dataclass(frozen=True)
@@ -126,7 +128,7 @@ class Coarser(base.Lighthouse):
         return Percept(finest.degree, self.letters[finest.marks])
 
 
-class Level(NamedTuple):
+class FinestLevel(NamedTuple):
     """The worlds of one size, under the finest sensor.
 
     Attributes:
@@ -175,7 +177,7 @@ def lower(letters: Letters) -> list[Letters]:
 class Refuter:
     """Finds two worlds that look alike under a coarsening: first among those found before."""
 
-    def __init__(self, levels: Sequence[Level]) -> None:
+    def __init__(self, levels: Sequence[FinestLevel]) -> None:
         self.levels, self.tried = levels, 0
         self.pairs = dict[tuple[Met, Met], None]()
 
@@ -252,6 +254,7 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
             for one in minimal
         ),
         refuted=tuple(map(told, shown)),
+        extent=request.extent,
     )
 
 
@@ -274,7 +277,9 @@ def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
     return tuple(features)
 
 
-def _levels(request: WeakestRequest, kind: kinds.LighthouseKind, count: int) -> Iterator[Level]:
+def _levels(
+    request: WeakestRequest, kind: kinds.LighthouseKind, count: int
+) -> Iterator[FinestLevel]:
     """The levels, each with every world.
 
     Raises:
@@ -294,4 +299,4 @@ def _levels(request: WeakestRequest, kind: kinds.LighthouseKind, count: int) -> 
         if worlds:
             features = np.array([[p.marks for p in percepts] for percepts in sensed])
             degrees = np.array([[p.degree for p in percepts] for percepts in sensed])
-            yield Level(worlds, matrices(worlds)._replace(sensed=degrees), features, roots)
+            yield FinestLevel(worlds, matrices(worlds)._replace(sensed=degrees), features, roots)
