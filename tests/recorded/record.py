@@ -46,9 +46,9 @@ LEAST = {
     "ambiguity twins": "k4 k4",
     "ambiguity class": "k4",
     "ambiguity census": "--edges 1",
+    "ambiguity search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
     "ambiguity sensors": "door --edges 1",
     "ambiguity weakest": "{recorded}/features.py:Ends --edges 1",
-    "ambiguity search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
     "ledger": "{paper} --only fig1",
 }
 
