@@ -53,6 +53,17 @@ class Features(AtDoor):
 
 
 @dataclass(frozen=True)
+class Rooms(AtDoor):
+    """Three kinds of vertices: nothing tells one door from another."""
+
+    features = ("away", "neighbour", "here")
+
+    @override
+    def letter(self, map_: CombinatorialMap, here: int) -> int:
+        return (0, 2, 1)[Glow(self.dart).letter(map_, here)]
+
+
+@dataclass(frozen=True)
 class Bit(AtDoor):
     """One bit: whether one has come by a dart of these kinds, as in ``Bit:of=neighbour-other``."""
 
@@ -141,3 +152,33 @@ class TwoMarkers(AtDoor):
         owner = map_.vertex_of
         beyond = owner[map_.alpha[self.dart]]
         return 1 if owner[here] == owner[self.dart] else self.second * (owner[here] == beyond)
+
+
+@dataclass(frozen=True)
+class AtDegree(AtDoor):
+    """A cyclic word at the marked vertex, which has as many doors as the word has letters."""
+
+    word: str = "1"
+
+    @classmethod
+    @override
+    def places(cls, map_: CombinatorialMap, start: int) -> Iterator[Lighthouse]:
+        if map_.degree_at[start] == len(cls.word):
+            yield from super().places(map_, start)
+
+    @override
+    def letter(self, map_: CombinatorialMap, here: int) -> int:
+        if map_.vertex_of[here] != map_.vertex_of[self.dart]:
+            return 0
+        return int(self.word[map_.offset(here, self.dart)])
+
+
+@dataclass(frozen=True)
+class DoorBut(AtDoor):
+    """The door, but not where its vertex has this many doors."""
+
+    degree: int = 1
+
+    @override
+    def letter(self, map_: CombinatorialMap, here: int) -> int:
+        return here == self.dart and map_.degree_at[here] != self.degree

@@ -50,6 +50,7 @@ WRITTEN_AS = {
 }
 """The JSON that is written in place of a value that is no JSON."""
 
+
 class OwnLighthouse(Struct):
     """Lighthouse of the user's own.
 

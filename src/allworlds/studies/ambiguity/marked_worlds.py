@@ -21,7 +21,7 @@ from allworlds.studies.ambiguity.members import (
     projection_of,
     twins,
 )
-from allworlds.studies.ambiguity.sensed_classes import Placed, named
+from allworlds.studies.ambiguity.sensed_classes import Placed, matrices, named
 from allworlds.world.lighthouses import kinds
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.selection import WhereOptions, tried_kind
@@ -112,7 +112,8 @@ class SensedParts(Struct):
 
     def meet(self, worlds: Sequence[Placed], *, counted: bool) -> None:
         """Take in worlds with equally many edges; those of a look are counted, if they can be."""
-        for (map_, place), (look, name, sheets) in zip(worlds, named(worlds), strict=True):
+        names = named(worlds, matrices(worlds))
+        for (map_, place), (look, name, sheets) in zip(worlds, names, strict=True):
             self.sizes[name] = map_.edge_count, map_.vertex_count
             if counted and sheets > 1 and look not in self.counted:
                 quotient = projection_of(World(map_, place, 0)).quotient
@@ -389,7 +390,8 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         for edges in sorted({self._met.sizes[name][0] for name in names or ()}):
             for unit in units.units_of_level(self.extent, edges):
                 for _, worlds in batches(unit, self.extent, self.kind):
-                    for placed, (look, name, _) in zip(worlds, named(worlds), strict=True):
+                    several = named(worlds, matrices(worlds))
+                    for placed, (look, name, _) in zip(worlds, several, strict=True):
                         if name in names:
                             alike = found.setdefault(look, {})
                             alike.setdefault(name, World(*placed, 0))

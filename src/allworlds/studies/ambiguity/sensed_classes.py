@@ -59,7 +59,9 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
 
     sensed = [[number(percept) for percept in place.percepts(map_)] for map_, place in worlds]
     permutations = ([map_.sigma for map_, _ in worlds], [map_.alpha for map_, _ in worlds])
-    return SensedWorlds(*(np.array(rows, np.int64) for rows in (*permutations, sensed)))
+    shape = len(worlds), len(worlds[0][0].sigma) if worlds else 0
+    made = (np.array(rows, np.int64).reshape(shape) for rows in (*permutations, sensed))
+    return SensedWorlds(*made)
 
 
 def _ranks(keys: Matrix) -> Matrix:
@@ -152,12 +154,11 @@ class NamedWorld(NamedTuple):
     sheets: int
 
 
-def named(worlds: Sequence[Placed]) -> Iterator[NamedWorld]:
-    """The names of worlds with equally many darts."""
+def named(worlds: Sequence[Placed], arrays: SensedWorlds) -> Iterator[NamedWorld]:
+    """The names of worlds with equally many darts, of which these are the matrices."""
     if not worlds:
         return
     told = [place.told(map_) for map_, place in worlds]
-    arrays = matrices(worlds)
     of = classes(arrays)
     looks = rooted_codes(arrays, of, np.zeros(len(worlds), np.int64))
     least = [""] * len(worlds)

@@ -157,8 +157,9 @@ class Sensor(Struct):
         """Take in more worlds, in the order of their sizes."""
         self.worlds += worlds
         self.roots += (number.setdefault(map_, len(number)) for map_, _ in worlds)
-        self.found += named(worlds)
-        self.sensed += matrices(worlds).sensed.ravel().tolist() if worlds else ()
+        arrays = matrices(worlds)
+        self.found += named(worlds, arrays)
+        self.sensed += arrays.sensed.ravel().tolist()
 
     @property
     def places(self) -> list[Any]:

@@ -1,7 +1,7 @@
 """Checks the twins that ``allworlds ambiguity sensors`` and ``weakest`` write, without the package.
 
     allworlds ambiguity sensors position word:12 --edges 4 -o twins.json
-    python proofs/sensors.py twins.json
+    python proofs/sensor_twins.py twins.json
 
 Each two worlds must be different, starts included, and look alike: darts of one class sense the
 same, and sigma and alpha lead from them to darts of one class.  A sensor that does not suffice must
@@ -132,13 +132,13 @@ def check(document: Any) -> list[str]:
 def main(arguments: list[str]) -> int:
     """A line for each two worlds, the answer, and the exit code."""
     if len(arguments) != 1:
-        print("usage: sensors.py TWINS.json", file=sys.stderr)
+        print("usage: sensor_twins.py TWINS.json", file=sys.stderr)
         return 2
     try:
         text = Path(arguments[0]).read_text(encoding="utf-8")
         print("\n".join(check(json.loads(text, object_pairs_hook=once))))
     except OSError as error:
-        print(f"sensors.py: {error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"sensor_twins.py: {error.filename}: {error.strerror}", file=sys.stderr)
         return 2
     except Refused as error:
         print(f"REFUSED: {error}")
