@@ -90,6 +90,12 @@ def check_pair(pair: Any) -> str:
     return f"alike: m = {sizes[0]} and m = {sizes[1]}{said}"
 
 
+def require_size(pair: Any, edges: Any, name: object) -> None:
+    """Raise Refused unless the larger of the two worlds has so many edges."""
+    if edges != max(len(world["sigma"]) // 2 for world in pair["worlds"]):
+        raise Refused(f"{name}: the two worlds are not of the size that is claimed")
+
+
 def joined(letters: Any, one: int, other: int) -> set[frozenset[str]]:
     """The blocks of features when two of them are one."""
     blocks = [frozenset(block) for block in letters]
@@ -110,13 +116,13 @@ def check(document: Any) -> list[str]:
             raise Refused(f"{name}: two worlds look alike just where it does not suffice")
         if pair is not None:
             said.append(f"{name}: {check_pair(pair)}")
-            if row["first"] != max(len(world["sigma"]) // 2 for world in pair["worlds"]):
-                raise Refused(f"{name}: the two worlds are not of the size that is claimed")
+            require_size(pair, row["first"], name)
     refuted = document.get("refuted", [])
     for row in refuted:
         said.append(f"{row['letters']}: {check_pair(row['twins'])}")
         number = {feature: i for i, block in enumerate(row["letters"]) for feature in block}
         marks = {one["marks"] for seen in row["twins"]["sensed"] for one in seen}
+        require_size(row["twins"], row["edges"], row["letters"])
         if not marks <= {*number.values()} or {*number} != {*document["features"]}:
             raise Refused(f"{row['letters']}: not the letters of these features")
     for row in document.get("minimal", []) if refuted else []:
