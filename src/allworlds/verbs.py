@@ -154,9 +154,10 @@ VERBS = (
         swept=True,
         example="algorithm1 dudek91 --edges 4",
         help=(
-            "Explorers side by side on the same worlds, each under its own lighthouse; the first "
-            "is compared with each other one, in each rooted map by the mean over the lighthouse's "
-            "places. With --to one or more explorers in worlds that grow: cost by size, as in "
+            "Explorers side by side on the same worlds, each under its own lighthouse, or the one "
+            "behind its name, as in algorithm1-word@word:12*; the first is compared with each "
+            "other one, in each rooted map by the mean over the lighthouse's places. With --to one "
+            "or more explorers in worlds that grow: cost by size, as in "
             "allworlds compare algorithm1 dudek91 --family lattice,torus --to 100. "
             "Every run is judged. Exit code 0: no law is broken, 1: one is."
         ),

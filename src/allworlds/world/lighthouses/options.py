@@ -98,7 +98,11 @@ class FieldOption(NamedTuple):
         elif not isinstance(value, kind):
             wrong = "neither true nor false" if kind is bool else "not a text"
             raise InvalidWorld(f"{what} = {show(value)} is {wrong}")
-        elif self.limits and self.limits.pattern and not re.fullmatch(self.limits.pattern, value):
+        elif (
+            self.limits
+            and self.limits.pattern
+            and not re.fullmatch(self.limits.pattern, str(value))
+        ):
             raise InvalidWorld(
                 f"{what} = {show(value)} is no pattern; legal are digits, one of which may have a "
                 "* behind it, as in word:12 and word:10*"
