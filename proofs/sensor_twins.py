@@ -112,7 +112,7 @@ def check(document: Any) -> list[str]:
     said = []
     for row in document.get("rows", []):
         name, pair = row["lighthouse"], row.get("twins")
-        if row["sufficient"] != (pair is None):
+        if (row["sufficient"] is False) != (pair is not None):
             raise Refused(f"{name}: two worlds look alike just where it does not suffice")
         if pair is not None:
             said.append(f"{name}: {check_pair(pair)}")

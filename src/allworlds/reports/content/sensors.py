@@ -24,7 +24,7 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     rows: list[list[parts.Cell]] = [
         [
             row.lighthouse,
-            "yes" if row.sufficient else "no",
+            {True: "yes", False: "no", None: "no world"}[row.sufficient],
             "yes" if row.lighthouse in found.minimal else "",
             row.first,
             row.ambiguous or None,
@@ -42,7 +42,10 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     sections = [parts.Section("seen", "", blocks)]
     sections += [parts.Section("order", "Which tells more", ordered)] if order else []
     named = [(row.lighthouse, row.twins) for row in found.rows if row.twins]
-    said_enough = f"{len(enough)} of {words.plural(len(found.rows), 'sensor')} suffice"
+    said_enough = (
+        f"{len(enough)} of {words.plural(len(found.rows), 'sensor')} suffice in every world "
+        f"{of_the_class(found.extent)}"
+    )
     return parts.ReportContent(
         "allworlds ambiguity sensors",
         words.plural(len(found.rows), "sensor"),
@@ -97,26 +100,22 @@ def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]
         groups.setdefault(key, (pair, []))[1].append(name)
     for number, (pair, names) in enumerate(groups.values(), 1):
         walk = alike("AB", pair.shown, pair.bisimulation)
-        yield parts.Section(f"walk-{number}", f"Alike under {', '.join(names)}", [walk])
+        yield parts.Section(f"walk-{number}", f"Alike under {'; '.join(names)}", [walk])
 
 
 def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
     """The minimal coarsenings, each with what refutes its lower neighbours."""
     rows: list[list[parts.Cell]] = [
         [
-            i,
             len(one.letters),
             _letters(one.letters),
-            ", ".join(f"{number + 1}" for number in one.below) or "",
+            ", ".join(str(found.refuted[number].edges) for number in one.below),
         ]
-        for i, one in enumerate(found.minimal, 1)
-    ]
-    refuted: list[list[parts.Cell]] = [
-        [i, _letters(one.letters), one.edges] for i, one in enumerate(found.refuted, 1)
+        for one in found.minimal
     ]
     said = (
         f"{found.sufficient} of {words.plural(found.coarsenings, 'coarsening')} suffice, "
-        f"{len(found.minimal)} of them minimal"
+        f"in every world {of_the_class(found.extent)}, {len(found.minimal)} of them minimal"
     )
     return parts.ReportContent(
         "allworlds ambiguity weakest",
@@ -129,19 +128,14 @@ def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
                 "",
                 [
                     parts.Table(
-                        ["minimal", "letters", "features, | between letters", "refuted below"],
+                        ["letters", "features, | between letters", "m of twins below"],
                         rows,
-                        "Sensors that suffice, and no coarser one does",
-                    ),
-                    parts.Table(
-                        ["refuted", "features, | between letters", "m of the twins"],
-                        refuted,
-                        "Their lower neighbours",
+                        "Minimal sensors: with two letters as one there are twins",
                     ),
                     parts.fact("scope", _scope(found.extent)),
                 ],
             ),
-            *_pictures((f"refuted {i}", one.twins) for i, one in enumerate(found.refuted, 1)),
+            *_pictures((_letters(one.letters), one.twins) for one in found.refuted),
         ],
         rows=lambda: parts.CsvRows(
             {"letters": int, "features": str},

@@ -40,10 +40,7 @@ Letters: TypeAlias = tuple[int, ...]
 class WeakestRequest(ManyWorldsOptions, kw_only=False):
     """Request of ``ambiguity weakest``: the finest sensor, and the worlds."""
 
-    finest: Annotated[
-        requests.Converted[kinds.GivenLighthouse, kinds.LighthouseKind],
-        requests.Argument("", "FILE.py:Finest", f"{SHAPE}."),
-    ] = requests.Converted(tried_kind, "none")
+    finest: Annotated[kinds.GivenLighthouse, requests.Argument("", "FILE.py:Finest", f"{SHAPE}.")]
     _: KW_ONLY
 
 
@@ -217,7 +214,7 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
 
     Cost: some seconds for 200 coarsenings and up to 4 edges.
     """
-    kind = request.lighthouse_of_given(request.finest)
+    kind = request.lighthouse_of_given(tried_kind(request.finest))
     features = _features(kind)
     refuter = Refuter([*_levels(request, kind, len(features))])
     minimal, sufficient, refuted = list[Letters](), set[Letters](), dict[Letters, Any]()
@@ -265,15 +262,13 @@ def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
         InputError: if it has none, or too many.
     """
     ensure_motions_decide(kind, "sensors are compared by motions alone")
-    features: Any = getattr(kind.as_class, "features", None)
+    features: Any = getattr(kind.as_class, "features", ())
     texts = isinstance(features, tuple | list) and all(isinstance(f, str) and f for f in features)
-    if not texts or len({*features}) != len(features) or not features:
+    if not texts or not 1 <= len({*features}) == len(features) <= MOST_FEATURES:
         raise checks.InputError(
-            f"{checks.show(str(kind))} has features = {checks.show(features)}; legal is {SHAPE}"
+            f"{checks.show(str(kind))} has features = {checks.show(features)}; legal is {SHAPE}, "
+            f"with up to {MOST_FEATURES} different names"
         )
-    if len(features) > MOST_FEATURES:
-        many = f"{len(features)} features; legal are up to {MOST_FEATURES}"
-        raise checks.InputError(f"{checks.show(str(kind))} has {many}")
     return tuple(features)
 
 

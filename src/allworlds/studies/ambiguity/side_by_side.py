@@ -23,10 +23,12 @@ from allworlds.world.lighthouses import kinds, options
 from allworlds.world.selection import WhereOptions, tried_kind
 from allworlds.world.world import World
 
+LEGAL = f"{checks.one_of(kinds.LIGHTHOUSES)}, {kinds.OWN}, or several with + between them"
+
 
 def _kinds(given: object) -> tuple[kinds.LighthouseKind, ...]:
     if isinstance(given, str) or not isinstance(given, Sequence) or not given:
-        raise checks.InputError(f"lighthouses = {checks.show(given)} is no list of lighthouses")
+        raise checks.InputError(f"lighthouses = {checks.show(given)} names none; legal are {LEGAL}")
     return tuple(dict.fromkeys(map(tried_kind, given)))
 
 
@@ -42,7 +44,7 @@ class SensorsRequest(ManyWorldsOptions):
         requests.Argument(
             "",
             "LIGHTHOUSE...",
-            f"{checks.one_of(kinds.LIGHTHOUSES)}, {kinds.OWN}, or several with + between them.",
+            f"{LEGAL}.",
             repeated=True,
         ),
     ] = requests.Converted(_kinds, ())
@@ -81,7 +83,8 @@ class SensorRow(doc.Document):
 
     lighthouse: Annotated[doc.Text, doc.about("`KIND[:key=value,...]`")]
     sufficient: Annotated[
-        bool, doc.about("whether no two worlds of the scope look alike, starts included")
+        bool | None,
+        doc.about("whether no two worlds of the scope look alike; null: it has no place in any"),
     ]
     first: Annotated[
         doc.Positive | None, doc.about("edges of the first worlds that look alike; null: none do")
@@ -191,7 +194,7 @@ class Sensor(Struct):
         )
         return SensorRow(
             lighthouse=self.kind.name,
-            sufficient=not alike,
+            sufficient=not alike if self.worlds else None,
             first=edges,
             ambiguous=len(roots),
             twins=AlikePair.of([World(*self.worlds[each], 0) for each in pair]) if pair else None,
