@@ -71,7 +71,9 @@ def pictures(report: AmbiguitySensors) -> str:
     sections = str(report).replace(f"{HERE}/", "").split("\nAlike under ")[1:]
     drawn = []
     for name in SHOWN:
-        (section,) = (s for s in sections if name in s.partition("\n")[0].split(", "))
+        (section,) = (
+            s for s in sections if name in " ".join(s.partition("\n\n")[0].split()).split("; ")
+        )
         body = section.partition("\n\n")[2].rstrip()
         drawn.append(f"`{name}`:\n\n```text\n{body}\n```")
     return "\n\n".join(drawn)

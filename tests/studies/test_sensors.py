@@ -76,7 +76,7 @@ def test_what_is_told_is_a_part_of_what_is_known():
 def test_the_report_draws_the_order_and_the_smallest_twins():
     said = text(sensors("position", "door", "word:12", "word:1", "none", edges=2), 100)
     assert "  door\n     word:12\n        word:1\n" in said
-    assert "Alike under position, word:1\n" in said
+    assert "Alike under position; word:1\n" in said
     assert said.count("World B") == 3
 
 
@@ -178,7 +178,7 @@ def test_a_wrong_rule_for_words_is_noticed(rule, degree, edges):
 @pytest.mark.parametrize(
     ("verb", "asked", "said"),
     [
-        (sensors, {"edges": 2}, "is no list of lighthouses"),
+        (sensors, {"edges": 2}, "names none; legal are none"),
         (lambda **asked: sensors("movable", **asked), {"edges": 2}, "leaves marks itself"),
         (lambda **asked: sensors("door", **asked), {}, "a class needs a bound"),
         (lambda **asked: weakest("door", **asked), {"edges": 2}, "has features = None; legal is"),

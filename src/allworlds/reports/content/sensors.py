@@ -38,7 +38,7 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
         "once."
     )
     blocks = [parts.Table(header, rows, "Sensors"), parts.fact("scope", _scope(found.extent))]
-    ordered = [parts.Paragraph(said), parts.Quote("order", "Which tells more", order)]
+    ordered = [parts.Paragraph(said), parts.Quote("order", "The order", order)]
     sections = [parts.Section("seen", "", blocks)]
     sections += [parts.Section("order", "Which tells more", ordered)] if order else []
     named = [(row.lighthouse, row.twins) for row in found.rows if row.twins]

@@ -262,7 +262,7 @@ def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
         InputError: if it has none, or too many.
     """
     ensure_motions_decide(kind, "sensors are compared by motions alone")
-    features: Any = getattr(kind.as_class, "features", ())
+    features: Any = getattr(kind.as_class, "features", None)
     texts = isinstance(features, tuple | list) and all(isinstance(f, str) and f for f in features)
     if not texts or not 1 <= len({*features}) == len(features) <= MOST_FEATURES:
         raise checks.InputError(
