@@ -373,7 +373,8 @@ class ExplorersWords(Request):
             "",
             "[EXPLORER...]",
             "Built-in names, module:attribute, path/to/file.py:attribute or entry points, each "
-            "also as shield:EXPLORER; those of --exec and --native come after them.",
+            "also as shield:EXPLORER, and with a lighthouse of its own as EXPLORER@KIND; those of "
+            "--exec and --native come after them.",
             repeated=True,
         ),
     ] = None

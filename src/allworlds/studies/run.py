@@ -226,7 +226,7 @@ LARGEST = 200
 
 VARIANTS = {
     BUILT_IN[name].lighthouse: name
-    for name in ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
+    for name in ("algorithm1", "algorithm1-cluster", "algorithm1-natural", "algorithm1-door")
 }
 """Algorithm 1 for each lighthouse that it is written for."""
 

@@ -28,6 +28,7 @@ _LEGEND = {
     "→": "a→v.b the other end of dart a is dart b of v",
     "┼": "┼ arcs cross, no vertex",
     "●": "● marker",
+    "●k": "●k k marks for who comes in by this dart",
     "▲": "▲ dart where the bearing is 0",
     "S": "S start",
     "R": "R robot at the end",
@@ -108,7 +109,11 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
 def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
     """The signs of single darts, each with its darts."""
     robot = () if scene.robot is None else (scene.robot,)
-    return {"▲": tuple(scene.pointed), "S": (scene.start,), "R": robot}
+    marked: dict[str, Sequence[Dart]] = {
+        f"●{marks}": [dart for dart, its in scene.letters.items() if its == marks]
+        for marks in sorted(set(scene.letters.values()))
+    }
+    return {**marked, "▲": tuple(scene.pointed), "S": (scene.start,), "R": robot}
 
 
 def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
@@ -190,6 +195,7 @@ def _legend(signs: set[str], scene: Scene, width: int) -> str:
     signs |= {"●"} if any(scene.marks.values()) else set()
     signs |= {"a"} if scene.labels is not None else set()
     signs |= {sign for sign, darts in _signed(scene).items() if darts}
+    signs |= {"●k"} if scene.letters else set()
     # Spaces within an item hold together; only between items may the line break.
     said = [text for sign, text in _LEGEND.items() if sign in signs]
     items = [text.replace(" ", "\0") for text in [*said, *scene.cut_names(LONGEST_NAME)]]

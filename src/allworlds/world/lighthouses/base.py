@@ -119,7 +119,8 @@ class Lighthouse(ABC):
     with the name ``dart`` holds a dart, one with the name ``darts`` a tuple of them; a class with
     darts in other fields says how they are renamed (:meth:`relabelled`).  An integer, boolean or
     text in a field with a default is an option: its name on the command line may give it another
-    default, which every ``cls(...)`` in :meth:`places` then has.
+    default, which ``cls.name`` and every ``cls(...)`` in :meth:`places` then have, but not the
+    fields of the dataclass.
 
     Attributes:
         kind: the name on the command line and in files.
