@@ -11,7 +11,7 @@ From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins
   Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
-From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door.
+From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan.
 From Allworlds Require Import Minimality PlanarMinimality.
 From Allworlds Require SensorTwins.
 Set Implicit Arguments.
@@ -568,7 +568,7 @@ Theorem kinds_of_lighthouse_exist : (forall W, one_edge (longer W)) /\
               & one_edge (longer (bouquet k))].
 Proof. exact: conj cluster_hypotheses_met natural_hypotheses_met. Qed.
 
-(* ==== Sensors (sensors_that_suffice, one_bit_is_enough, door_is_right in Main.v) ==== *)
+(* ==== Sensors (the first theorems on them are in Main.v) ==== *)
 
 (* If, for one degree: two indistinguishable worlds are isomorphic with their starts, and the door is where it
    was, as many darts from the start. *)
@@ -587,6 +587,11 @@ Theorem other_words_leave_twins w d : 0 < d -> proper_power (word w d) \/ blank 
     & no_explorer_finds_both (M := rooted (@start W)) (N := rooted (@start W'))
         (percept_by (at_v0 w) (W := W)) (percept_by (at_v0 w) (W := W'))].
 Proof. exact: inadequate_twins. Qed.
+
+(* Both, for one degree: sufficient_at lambda d is sufficient lambda for the worlds in which v0 has degree d. *)
+Theorem each_degree_by_itself w d : 0 < d ->
+  sufficient_at (at_v0 w) d <-> primitive (word w d) /\ ~~ blank (word w d).
+Proof. exact: degree_iff. Qed.
 
 (* How large they are: d + k edges each if the word is u^k, 2 and 4 if the word for degree 1 is blank. *)
 Theorem sizes_of_these_twins w :
@@ -613,6 +618,32 @@ Theorem order_of_sensors :
 Proof.
 exact: And4 directional_suffices door_strictly_coarser position_fails (@sufficient_finer).
 Qed.
+
+(* In which half the door is suffices, and so does how far it is, the side not told.  The bearing modulo q
+   suffices at degree d unless q divides d and is less: parity (q = 2) fails first at degree 4, and suffices at
+   all odd degrees. *)
+Theorem other_sensors_at_v0 :
+  [/\ sufficient (at_v0 half_word), sufficient (at_v0 distance_word) &
+      forall q d, 0 < q -> 0 < d ->
+      sufficient_at (at_v0 (remainder_word q)) d <-> ~~ ((q %| d) && (q < d))].
+Proof. exact: And3 half_suffices distance_suffices remainder_suffices. Qed.
+
+(* An explorer for each of them: at the end of each test, and once at the start, the robot scans the vertex where it
+   is, out and back by each dart, and compares the letters.  It needs the word for the degree of v0 only. *)
+Theorem scanning_is_right w (W : lighthouse_world) : let d := degree (@start W) in
+  primitive (word w d) -> ~~ blank (word w d) -> forall (pol : policy) budget,
+  let bound := 2 * d + (paper_bound (vertices W) (edges W) + 2 * d * edges W ^ 2) in
+  bound <= budget -> exists transcript answer z,
+  [/\ episode (scanning_algorithm w pol) (rooted (@start W)) (percept_by (at_v0 w) (W := W)) budget
+        = (transcript, Some answer, z),
+      size transcript <= bound, valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by move=> d P B pol budget; exact: scanning_correct. Qed.
+
+(* So for sensors at v0 to suffice is to be enough for one explorer, without any bound on the worlds. *)
+Theorem one_explorer_for_all_worlds w : sufficient (at_v0 w) <->
+  exists X : explorer (nat * nat) numbered_map, forall W : lighthouse_world,
+  right denote X (rooted (@start W)) (percept_by (at_v0 w) (W := W)).
+Proof. exact: sufficient_iff_explored. Qed.
 
 (* The explorer for the door, for every schedule: a run can be finished, and a finished run has made m passes. *)
 Theorem door_right_for_every_schedule (W : lighthouse_world) :

@@ -28,7 +28,8 @@
    sensor A: what a robot with a marked dart, the door, may sense: for each map, door and dart a letter of
    type A.  percept_by lambda: the degree and the letter of the sensor lambda.  at_v0 w: the sensor that shows
    w d b where the degree is d and the door b darts further clockwise, and 0 elsewhere; word w d is the word
-   w d 0 ... w d (d-1).  All in Sensors.v.  A word is primitive if it is no proper power, blank if all its
+   w d 0 ... w d (d-1).  invariant lambda: isomorphisms change no letter, as letters_are_invariant in Further.v says
+   of at_v0 w.  All in Sensors.v.  A word is primitive if it is no proper power, blank if all its
    letters are 0 (Words.v).
 
    Further.v has the other theorems.
@@ -36,7 +37,7 @@
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Pass Cost.
 From Allworlds Require Import Correctness Algorithm Refinement Impossibility Twins Log OpenDarts.
-From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees Words Sensors OneBit Door.
+From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees Words Sensors OneBit Door Mapping.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -171,8 +172,16 @@ Proof. by move=> H pol budget; exact: cluster_correct. Qed.
 (* ==== What a marker has to tell (Section III) ==== *)
 
 (* sufficient lambda: any two worlds that a bisimulation relates, under which degrees and letters agree, are
-   the same map with the same start (Sensors.v).  A sensor that looks at v0 alone is sufficient if and only if
-   its word for each degree is primitive and not blank. *)
+   the same map with the same start (Sensors.v).  So it is if and only if a robot with this sensor can map every
+   world, once it knows a bound on the number of edges. *)
+Theorem to_suffice_is_to_be_enough (A : eqType) (lambda : sensor A) : invariant lambda ->
+  sufficient lambda <-> forall m, exists X : explorer (nat * A) numbered_map,
+  forall W : lighthouse_world, edges W <= m ->
+  right denote X (rooted (@start W)) (percept_by lambda (W := W)).
+Proof. exact: sufficient_iff_mapped. Qed.
+
+(* A sensor that looks at v0 alone is sufficient if and only if its word for each degree is primitive and not
+   blank. *)
 Theorem sensors_that_suffice w : sufficient (at_v0 w) <->
   forall d, 0 < d -> primitive (word w d) /\ ~~ blank (word w d).
 Proof. exact: sensor_iff. Qed.

@@ -10,6 +10,8 @@
      door_suffices, door_minimal   the door, one bit, suffices, and nothing coarser does.
      directional_suffices, directional_not_minimal   the directional lighthouse suffices too, and is not minimal.
      position_fails       the position does not suffice.
+     half_suffices, distance_suffices   the half does, and so does the distance.
+     remainder_suffices   the bearing modulo q does at degree d unless q divides d, and is less.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps RootedMaps Indistinguishable Words Sensors SensorTwins.
@@ -121,3 +123,17 @@ Proof. by case=> _ /(_ _ _ door_strictly_coarser); apply; exact: door_suffices. 
 
 Theorem position_fails : ~ sufficient (at_v0 position_word).
 Proof. by move/sensor_iff=> /(_ 2 isT)[P _]; apply: P; exists [:: 1], 2. Qed.
+
+(* ---- Others ---- *)
+Theorem half_suffices : sufficient (at_v0 half_word).
+Proof. by apply/sensor_iff=> -[|d] // _; split; [exact: halves_primitive | rewrite /blank /=]. Qed.
+
+Theorem distance_suffices : sufficient (at_v0 distance_word).
+Proof. by apply/sensor_iff=> -[|d] // _; split; [exact: distances_primitive |]. Qed.
+
+Theorem remainder_suffices q d : 0 < q -> 0 < d ->
+  sufficient_at (at_v0 (remainder_word q)) d <-> ~~ ((q %| d) && (q < d)).
+Proof.
+move=> q0 d0; rewrite degree_iff // -remainders_primitive //.
+by split=> [[]|P] //; split=> //; case: d d0 {P}.
+Qed.

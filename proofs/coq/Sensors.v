@@ -5,7 +5,7 @@
    A marked world is a map with one distinguished dart, the door, at v0; with a start, any dart of v0, it is
    a lighthouse_world: its `pointed` is the door.
      sensor A             gives each dart x of each map G with door r a letter of type A: lambda G r x.
-     invariant            an isomorphism changes no letter.
+     invariant            an isomorphism (renaming, SameWorld.v) changes no letter.
      percept_by lambda x      what a robot senses that has come by x: the degree, and the letter.
      indistinguishable lambda W W'   a bisimulation relates the starts: a relation between the darts under
                           which degrees and letters agree, and which is kept by sigma and alpha.
@@ -20,6 +20,8 @@
      adequate u           the word u is primitive (Words.v) and not blank.
      position_word, directional_word, door_word   position: 1 ... 1; directional: 1 2 ... d; the door:
                           1 0 ... 0, one bit.
+     half_word, distance_word, remainder_word q   in which half the door is; how far it is, the side not told; the
+                          bearing modulo q.
 
      sufficient_finer       what is finer than a sensor that suffices suffices.
      at_v0_invariant      a sensor at v0 is a sensor.
@@ -28,7 +30,7 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Indistinguishable PositionTwins Ambiguity.
-From Allworlds Require Import Words.
+From Allworlds Require Import SameWorld Words.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -36,8 +38,7 @@ Unset Printing Implicit Defensive.
 (* ---- Sensors ---- *)
 Definition sensor (A : Type) := forall G : combinatorial_map, G -> G -> A.
 
-Definition invariant A (lambda : sensor A) := forall (G H : combinatorial_map) (f : G -> H), bijective f ->
-  (forall x, f (sigma x) = sigma (f x)) -> (forall x, f (alpha x) = alpha (f x)) ->
+Definition invariant A (lambda : sensor A) := forall (G H : combinatorial_map) (f : G -> H), renaming f ->
   forall r x, lambda H (f r) (f x) = lambda G r x.
 
 Definition percept_by A (lambda : sensor A) (W : lighthouse_world) (x : W) := (degree x, lambda W pointed x).
@@ -76,6 +77,9 @@ Definition adequate u := primitive u /\ ~~ blank u.
 Definition position_word (d b : nat) := 1.
 Definition directional_word (d b : nat) := b.+1.
 Definition door_word (d b : nat) : nat := b == 0.
+Definition half_word (d b : nat) := if b.*2 < d then 1 else 2.
+Definition distance_word (d b : nat) := (minn b (d - b)).+1.
+Definition remainder_word q (d b : nat) := (b %% q).+1.
 
 (* the bearing is that of Model.v *)
 Lemma letter_of_bearing w (W : lighthouse_world) (x : W) :
@@ -95,16 +99,9 @@ Proof. by rewrite /at_v0; case: ifP. Qed.
 
 Theorem at_v0_invariant w : invariant (at_v0 w).
 Proof.
-move=> G H f [g fK gK] s _ r x; have turn j z : f (iter j sigma z) = iter j sigma (f z).
-  by elim: j => //= j <-.
-have D : degree (f x) = degree x.
-  apply: order_least; [exact: sigma_inj | exact: degree_gt0 | by rewrite -turn iter_degree |].
-  move=> j /andP[j0 lj]; rewrite -turn => /(can_inj fK) E.
-  by have := findex_iter lj; rewrite E findex0 => e0; rewrite -e0 in j0.
-case: (boolP (at_same_vertex x r)) => c.
-  by rewrite (letter_turn w (iter_findex c)) -D; apply: letter_turn; rewrite -turn iter_findex.
-rewrite /at_v0 (negbTE c); case: ifP => // /iter_findex; rewrite -turn => /(can_inj fK) F.
-by rewrite -F [at_same_vertex _ _]fconnect_iter in c.
+move=> G H f [fb fs fa] r x; rewrite /at_v0 same_at_vertex // same_degree //; case: ifP => // c.
+rewrite (@bearing_turn _ _ _ (findex sigma x r)) ?same_degree ?modn_small //; first exact: findex_max.
+by rewrite -same_turn // iter_findex.
 Qed.
 
 (* ---- Adequate words ---- *)
@@ -134,20 +131,10 @@ Lemma alike_bearing x y : primitive (word w (degree x)) -> alike x y ->
   at_same_vertex x pointed -> at_same_vertex y pointed ->
   findex sigma x pointed = findex sigma y pointed.
 Proof.
-move=> Pr A cx cy; have [D _] := indistinct_senses A; set d := degree x in Pr D.
-have turned b b' : b < b' < d -> (forall c, w d ((c + b) %% d) = w d ((c + b') %% d)) -> False.
-  case/andP=> lt ltd H; apply: Pr; apply: (@turned_power _ _ (b' - b)).
-    by rewrite subn_gt0 lt (leq_ltn_trans (leq_subr _ _) ltd).
-  move=> c; have := H (c + (d - b)); have bd := ltnW (ltn_trans lt ltd).
-  have -> : c + (d - b) + b' = c + (b' - b) + d.
-    by rewrite -!addnA addnBAC // addnBAC ?(ltnW lt) // [b' + d]addnC.
-  by rewrite -addnA subnK // !modnDr.
-have H := alike_turned A (iter_findex cx) (iter_findex cy); rewrite -/d in H.
-have lx : findex sigma x pointed < d by exact: findex_max.
-have ly : findex sigma y pointed < d by rewrite D; exact: findex_max.
-case: (ltngtP (findex sigma x pointed) (findex sigma y pointed)) => // lt; exfalso.
-  by apply: turned H; rewrite lt.
-by apply: (turned _ _ _ (fun c => esym (H c))); rewrite lt.
+move=> Pr A cx cy; have [D _] := indistinct_senses A.
+apply: (primitive_turn Pr); first exact: findex_max.
+  by rewrite D; exact: findex_max.
+exact: (alike_turned A (iter_findex cx) (iter_findex cy)).
 Qed.
 End Alike.
 

@@ -17,7 +17,7 @@ Set Warnings "-abstract-large-number".
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Pass Cost.
 From Allworlds Require Import Correctness Algorithm Refinement Impossibility Twins Log OpenDarts.
-From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees Words Sensors OneBit Door.
+From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees Words Sensors OneBit Door Mapping.
 From Allworlds Require Import Main.
 
 Check (@no_information_is_not_enough :
@@ -107,6 +107,13 @@ Check (@cluster_is_right :
       size transcript <= 2 * degree (@start W) + cluster_bound W,
       valid answer & isomorphic (denote answer) (rooted z)]).
 
+Check (@to_suffice_is_to_be_enough :
+  forall (A : eqType) (lambda : sensor A),
+  invariant lambda ->
+  sufficient lambda <-> forall m, exists X : explorer (nat * A) numbered_map,
+  forall W : lighthouse_world, edges W <= m ->
+  right denote X (rooted (@start W)) (percept_by lambda (W := W))).
+
 Check (@sensors_that_suffice :
   forall w,
   sufficient (at_v0 w) <->
@@ -134,7 +141,7 @@ From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins
   Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
-From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door.
+From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan.
 From Allworlds Require Import Minimality PlanarMinimality.
 From Allworlds Require Import Further.
 
@@ -542,6 +549,11 @@ Check (@other_words_leave_twins :
     & no_explorer_finds_both (M := rooted (@start W)) (N := rooted (@start W'))
         (percept_by (at_v0 w) (W := W)) (percept_by (at_v0 w) (W := W'))]).
 
+Check (@each_degree_by_itself :
+  forall w d,
+  0 < d ->
+  sufficient_at (at_v0 w) d <-> primitive (word w d) /\ ~~ blank (word w d)).
+
 Check (@sizes_of_these_twins :
   forall w,
   (forall d k v, 0 < d -> 1 < k -> word w d = flatten (nseq k v) -> exists W W' : lighthouse_world,
@@ -560,6 +572,27 @@ Check (@order_of_sensors :
   [/\ sufficient (at_v0 directional_word), strictly_coarser (at_v0 door_word) (at_v0 directional_word),
       ~ sufficient (at_v0 position_word) &
       forall A B (lambda : sensor A) (mu : sensor B), coarser lambda mu -> sufficient lambda -> sufficient mu]).
+
+Check (@other_sensors_at_v0 :
+  [/\ sufficient (at_v0 half_word), sufficient (at_v0 distance_word) &
+      forall q d, 0 < q -> 0 < d ->
+      sufficient_at (at_v0 (remainder_word q)) d <-> ~~ ((q %| d) && (q < d))]).
+
+Check (@scanning_is_right :
+  forall w (W : lighthouse_world),
+  let d := degree (@start W) in
+  primitive (word w d) -> ~~ blank (word w d) -> forall (pol : policy) budget,
+  let bound := 2 * d + (paper_bound (vertices W) (edges W) + 2 * d * edges W ^ 2) in
+  bound <= budget -> exists transcript answer z,
+  [/\ episode (scanning_algorithm w pol) (rooted (@start W)) (percept_by (at_v0 w) (W := W)) budget
+        = (transcript, Some answer, z),
+      size transcript <= bound, valid answer & isomorphic (denote answer) (rooted z)]).
+
+Check (@one_explorer_for_all_worlds :
+  forall w,
+  sufficient (at_v0 w) <->
+  exists X : explorer (nat * nat) numbered_map, forall W : lighthouse_world,
+  right denote X (rooted (@start W)) (percept_by (at_v0 w) (W := W))).
 
 Check (@door_right_for_every_schedule :
   forall (W : lighthouse_world),
