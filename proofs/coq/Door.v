@@ -12,14 +12,15 @@
      seek n k left o      o is sensed in dart k of v0, which has n darts: if it is the door, set out; else
                           try the next one, as long as any are left.
      door, door_algorithm pol   the lighthouse, for the program, and the explorer.
-     rung S f y           out by the dart that should be the door, if the robot is at f, and back to y: it rings.
+     rung S f y           out by the dart that should be the door, if the robot is at f, and back to y: it
+                          rings.
      door_bound W         (1)+(2) and two traversals for each test, 2 m^2 in all.
      door_sum n m         (1)+(2) with n_s in place of n_s - 1 and n in place of n - 1 in the second factors.
 
      rung_iff             a test rings if and only if its hypothesis is true.
      door_runs            for every schedule: what Lighthouses.v says.
-     door_correct         the explorer, under every policy, with any budget of at least door_bound and twice the
-                          first bearing, 2 (deg(v0) - 1) at most: it stops within that, and is right.
+     door_correct         the explorer, under every policy, with any budget of at least door_bound and twice
+                          the first bearing, 2 (deg(v0) - 1) at most: it stops within that, and is right.
      door_bound_sum       door_bound is 2 m less than door_sum.
    --------------------------------------------------------------------------------------------- *)
 From Coq Require Import Lia.
@@ -162,7 +163,8 @@ Definition door_sum n m :=
 
 Lemma door_sum_paper n m : 0 < n -> n - 1 <= m -> paper_bound n m + 2 * m ^ 2 + 2 * m = door_sum n m.
 Proof.
-move=> n0 le; symmetry; rewrite -addnA -(_ : \sum_(0 <= p < m) 2 * (2 * m - 2 * p) = 2 * m ^ 2 + 2 * m); last first.
+move=> n0 le; symmetry; rewrite -addnA.
+rewrite -(_ : \sum_(0 <= p < m) 2 * (2 * m - 2 * p) = 2 * m ^ 2 + 2 * m); last first.
   elim: m {le} => [|m IH]; first by rewrite big_geq.
   rewrite big_nat_recl //= (eq_bigr (fun p => 2 * (2 * m - 2 * p))) => [|p _].
     by rewrite IH muln0 subn0 !expnS !expn0 !muln1 -!(plusE, multE, minusE); nia.
@@ -172,7 +174,8 @@ have more s X : 0 < s -> s + 2 * s * X = s + 2 * (s - 1) * X + 2 * X.
 rewrite [X in _ = _ + X](@big_cat_nat _ _ _ (n - 1)) //= /paper_bound /door_sum addnACA; congr (_ + _).
   rewrite /sum_1 !big_add1 !subn1 -big_split /=.
   by apply: eq_bigr => p _; rewrite more // subn1.
-rewrite /sum_2 !big_add1 /= (_ : \sum_(n - 1 <= i < m) _ = \sum_(0 <= i < m - (n - 1)) 2 * (2 * m - 2 * (i + (n - 1)))).
+rewrite /sum_2 !big_add1 /= (_ : \sum_(n - 1 <= i < m) _ =
+  \sum_(0 <= i < m - (n - 1)) 2 * (2 * m - 2 * (i + (n - 1)))).
   rewrite -big_split /=.
   by apply: eq_bigr => i _; rewrite more // [i.+1 - 1]subn1 /= -subnDA -mulnDr [i + _]addnC.
 by rewrite -{1}[n - 1]add0n big_addn.

@@ -588,10 +588,16 @@ Theorem other_words_leave_twins w d : 0 < d -> proper_power (word w d) \/ blank 
         (percept_by (at_v0 w) (W := W)) (percept_by (at_v0 w) (W := W'))].
 Proof. exact: inadequate_twins. Qed.
 
-(* Both, for one degree: sufficient_at lambda d is sufficient lambda for the worlds in which v0 has degree d. *)
+(* Both, for one degree: sufficient_at lambda d is sufficient lambda for worlds in which v0 has degree d. *)
 Theorem each_degree_by_itself w d : 0 < d ->
   sufficient_at (at_v0 w) d <-> primitive (word w d) /\ ~~ blank (word w d).
 Proof. exact: degree_iff. Qed.
+
+(* The tool for 'if', which serves for other sensors too: a world is rigid if no two of its darts look alike. *)
+Theorem rigid_worlds_have_no_twins (A : eqType) (lambda : sensor A) (W W' : lighthouse_world) :
+  rigid lambda W -> rigid lambda W' -> indistinguishable lambda W W' ->
+  isomorphic (rooted (@start W)) (rooted (@start W')).
+Proof. exact: rigid_isomorphic. Qed.
 
 (* How large they are: d + k edges each if the word is u^k, 2 and 4 if the word for degree 1 is blank. *)
 Theorem sizes_of_these_twins w :
@@ -609,27 +615,29 @@ Theorem letters_are_invariant w : invariant (at_v0 w) /\ forall (W : lighthouse_
   at_v0 w pointed d = if bearing d is Some b then w (degree d) b else 0.
 Proof. exact: conj (at_v0_invariant w) (@letter_of_bearing w). Qed.
 
-(* The directional lighthouse suffices, and the door is strictly coarser; the position is not sufficient; what is
-   finer than a sufficient sensor is sufficient. *)
+(* The directional lighthouse is sufficient, and the door is strictly coarser; the position is not sufficient;
+   what is finer than a sufficient sensor is sufficient. *)
 Theorem order_of_sensors :
   [/\ sufficient (at_v0 directional_word), strictly_coarser (at_v0 door_word) (at_v0 directional_word),
       ~ sufficient (at_v0 position_word) &
-      forall A B (lambda : sensor A) (mu : sensor B), coarser lambda mu -> sufficient lambda -> sufficient mu].
+      forall A B (lambda : sensor A) (mu : sensor B),
+      coarser lambda mu -> sufficient lambda -> sufficient mu].
 Proof.
 exact: And4 directional_suffices door_strictly_coarser position_fails (@sufficient_finer).
 Qed.
 
-(* In which half the door is suffices, and so does how far it is, the side not told.  The bearing modulo q
-   suffices at degree d unless q divides d and is less: parity (q = 2) fails first at degree 4, and suffices at
-   all odd degrees. *)
+(* In which half the door is is enough, and so is how far it is, the side not told.  The bearing modulo q is
+   enough at degree d unless q divides d and is less: parity (q = 2) fails first at degree 4, and is enough
+   at all odd degrees. *)
 Theorem other_sensors_at_v0 :
   [/\ sufficient (at_v0 half_word), sufficient (at_v0 distance_word) &
       forall q d, 0 < q -> 0 < d ->
       sufficient_at (at_v0 (remainder_word q)) d <-> ~~ ((q %| d) && (q < d))].
 Proof. exact: And3 half_suffices distance_suffices remainder_suffices. Qed.
 
-(* An explorer for each of them: at the end of each test, and once at the start, the robot scans the vertex where it
-   is, out and back by each dart, and compares the letters.  It needs the word for the degree of v0 only. *)
+(* An explorer for each of them: at the end of each test, and once at the start, the robot scans the vertex
+   where it is, out and back by each dart, and compares the letters.  Only the word for the degree of v0
+   matters. *)
 Theorem scanning_is_right w (W : lighthouse_world) : let d := degree (@start W) in
   primitive (word w d) -> ~~ blank (word w d) -> forall (pol : policy) budget,
   let bound := 2 * d + (paper_bound (vertices W) (edges W) + 2 * d * edges W ^ 2) in
@@ -645,7 +653,8 @@ Theorem one_explorer_for_all_worlds w : sufficient (at_v0 w) <->
   right denote X (rooted (@start W)) (percept_by (at_v0 w) (W := W)).
 Proof. exact: sufficient_iff_explored. Qed.
 
-(* The explorer for the door, for every schedule: a run can be finished, and a finished run has made m passes. *)
+(* The explorer for the door, for every schedule: a run can be finished, and a finished run has made m
+   passes. *)
 Theorem door_right_for_every_schedule (W : lighthouse_world) :
   let reached := reached_by seen_of (@rung W) 2 in
   forall q C c, reached q C c ->

@@ -1,9 +1,9 @@
 (* ---------------------------------------------------------------------------------------------
    What it means that a sensor suffices: worlds of bounded size can be mapped.               Section III
 
-   A sensor suffices if and only if for every m there is an explorer that is right in all worlds with at most m
-   edges.  It walks a list of motions, the same in all of them, that tells apart all those worlds that any motions
-   tell apart, and answers with the first world of a list of all that looks as what it has seen.
+   A sensor suffices if and only if for every m there is an explorer that is right in all worlds with at most
+   m edges.  It walks a list of motions, the same in all of them, that tells apart all those worlds that any
+   motions tell apart, and answers with the first world of a list of all that looks as what it has seen.
 
      reach_word           turns and crossings are motions.
      one_walk             one list of motions for finitely many pairs of worlds.
@@ -60,7 +60,8 @@ Qed.
 Lemma paired_sym x y u v : paired x y u v -> paired u v x y.
 Proof.
 have := @adjacent_connect_sym _ (fun p : G * H => (sigma p.1, sigma p.2)) (fun p => (alpha p.1, alpha p.2)).
-move=> S; rewrite /paired; have -> // : connect (@paired_step G H) (u, v) (x, y) = connect (@paired_step G H) (x, y) (u, v).
+move=> S; rewrite /paired; have -> // : connect (@paired_step G H) (u, v) (x, y)
+    = connect (@paired_step G H) (x, y) (u, v).
 apply: S; first by move=> [a b] [a' b'] /= [/sigma_inj-> /sigma_inj->].
 by move=> [a b] /=; rewrite !alphaK.
 Qed.
@@ -95,7 +96,8 @@ Lemma indistinguishable_seen (W V : lighthouse_world) :
 Proof.
 have [WW WV] := (rooted_wellformed (@start W), rooted_wellformed (@start V)).
 split=> [[R [Ro Rs Ra R0]] w|E].
-  have [|//|//|_ _] := @bisimulation_alike _ (rooted start) (rooted start) (senses W) (senses V) R _ _ _ _ _ R0.
+  have [|//|//|_ _] := @bisimulation_alike _ (rooted start) (rooted start) (senses W) (senses V) R
+    _ _ _ _ _ R0.
     by move=> x y /Ro.
   exact.
 exists (alike (M := rooted start) (N := rooted start) (senses W) (senses V)); split=> //.

@@ -5,10 +5,10 @@
 
      inadequate_twins     where the word for degree d is a proper power or blank there are two worlds that are
                           indistinguishable and different maps; no explorer finds both.
-     degree_iff           for each d by itself, and  sensor_iff  for all: a sensor at v0 suffices if and only if
-                          its words are primitive and not blank.
+     degree_iff           for each d by itself, and  sensor_iff  for all: a sensor at v0 suffices if and
+                          only if its words are primitive and not blank.
      door_suffices, door_minimal   the door, one bit, suffices, and nothing coarser does.
-     directional_suffices, directional_not_minimal   the directional lighthouse suffices too, and is not minimal.
+     directional_suffices, directional_not_minimal   the directional lighthouse does too, and is not minimal.
      position_fails       the position does not suffice.
      half_suffices, distance_suffices   the half does, and so does the distance.
      remainder_suffices   the bearing modulo q does at degree d unless q divides d, and is less.
@@ -76,8 +76,8 @@ Proof.
 by apply/sensor_iff=> -[|d] // _; split; [exact: one_then_zeros_primitive | ].
 Qed.
 
-(* what is strictly coarser than the door gives both letters at some degree one letter: it is no finer than the
-   door that is blank for this degree *)
+(* what is strictly coarser than the door gives both letters at some degree one letter: it is coarser than
+   the door that is blank for this degree *)
 Theorem door_minimal : minimal (at_v0 door_word).
 Proof.
 split=> [|B mu [C N] S]; first exact: door_suffices.

@@ -1,24 +1,26 @@
 (* ---------------------------------------------------------------------------------------------
    An explorer for every sensor at v0 whose word is primitive and not blank.       Sections IV and VIII
 
-   The letters seen on the way of a test may not tell where the door is.  So the robot scans a vertex: it goes out
-   and back by each of its darts in turn, and has then seen the letter of each.  Before the first pass it
-   scans v0, and knows from the letters how many darts clockwise the door is; at the end of a test it scans the
-   vertex where it is, and the test matches if and only if the letters are those that S foretells.
+   The letters seen on the way of a test may not tell where the door is.  So the robot scans a vertex: it
+   goes out and back by each of its darts in turn, and has then seen the letter of each.  Before the first
+   pass it scans v0, and knows from the letters how many darts clockwise the door is; at the end of a test it
+   scans the vertex where it is, and the test matches if and only if the letters are those that S foretells.
 
      seen_by w o          of a percept with a bearing: the degree and the letter.
      scan n c letters     out and back by n darts, the next one first; c: the turn that is due.
-     letters_from w n q   the letters of the n darts of v0 from the next one on, if the door is q darts further.
-     scanning w n, scanning_algorithm w pol   the lighthouse, n being the degree of v0, and the explorer, which takes n
-                          from the first percept.
+     letters_from w n q   the letters of the n darts of v0 from the next one on, if the door is q darts
+                          further.
+     scanning w n, scanning_algorithm w pol   the lighthouse, n being the degree of v0, and the explorer,
+                          which takes n from the first percept.
      letters_of y         what a scan that begins in y sees.
      scanned S f y        a scan in y sees what S foretells at f.
 
      scanned_iff          a scan matches if and only if the hypothesis is true.
-     scanning_correct     the explorer, under every policy, with any budget of at least (1)+(2), a scan of 2 deg(v0)
-                          traversals for each test, 2 deg(v0) m^2 in all, and one at the start: it stops within that,
-                          and is right.
-     sufficient_iff_explored   a sensor at v0 suffices if and only if one explorer is right with it in all worlds.
+     scanning_correct     the explorer, under every policy, with any budget of at least (1)+(2), a scan of
+                          2 deg(v0) traversals for each test, 2 deg(v0) m^2 in all, and one at the start:
+                          it stops within that, and is right.
+     sufficient_iff_explored   a sensor at v0 suffices if and only if one explorer is right with it in all
+                          worlds.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable.

@@ -15,8 +15,8 @@
      flower p' i          p is p' + 1; seen from the first dart of sheet i, which is the door.
 
      sensed_in_sheets     where p is a period of the word, the same is sensed in all sheets.
-     power_twins          where the word for degree d is u^k, k >= 2: two worlds with d + k edges, v0 of degree
-                          d, that are indistinguishable and different maps.
+     power_twins          where the word for degree d is u^k, k >= 2: two worlds with d + k edges, v0 of
+                          degree d, that are indistinguishable and different maps.
      blank_twins          where the word for degree 1 is blank: two worlds with 2 and 4 edges.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
@@ -111,7 +111,8 @@ Qed.
 Lemma part_sigma_inj : injective part_sigma.
 Proof.
 have N (j : 'I_p) : j != ord_max -> onward j <> ord0 by move/eqP=> H /onward_first.
-move=> [[j []]|[]] [[j' []]|[]] //=; try case: (j =P ord_max) => [->|/eqP nj]; try case: (j' =P ord_max) => [->|/eqP nj'] //.
+move=> [[j []]|[]] [[j' []]|[]] //=; try case: (j =P ord_max) => [->|/eqP nj];
+  try case: (j' =P ord_max) => [->|/eqP nj'] //.
 all: try discriminate.
 all: try by case=> /onward_inj ->.
 - by case=> /N; case/(_ nj).
@@ -272,15 +273,16 @@ Qed.
 End Flower.
 
 (* ---- Sheets ---- *)
-Lemma onward_joined n (i j : 'I_n.+1) (f : 'I_n.+1 -> 'I_n.+1) : connect (adjacent (@onward n) f) i j.
+Lemma onward_joined n (f : 'I_n.+1 -> 'I_n.+1) (i j : 'I_n.+1) : connect (adjacent (@onward n) f) i j.
 Proof.
 have [b <-] := onward_reaches i j; elim: b => [|b IH] /=; first exact: connect0.
 by apply: connect_trans IH (connect1 _); rewrite /adjacent eqxx.
 Qed.
 
-Definition in_turn n := @Sheets _ (@onward n) id (@onward_inj n) (fun _ _ => id) (fun i j => onward_joined i j id).
+Definition in_turn n :=
+  @Sheets _ (@onward n) id (@onward_inj n) (fun _ _ => id) (@onward_joined n id).
 Definition one_after_the_other n :=
-  @Sheets _ (@onward n) (@onward n) (@onward_inj n) (@onward_inj n) (fun i j => onward_joined i j (@onward n)).
+  @Sheets _ (@onward n) (@onward n) (@onward_inj n) (@onward_inj n) (@onward_joined n (@onward n)).
 
 Lemma unit_joined (i j : unit) : connect (adjacent id id) i j.
 Proof. by case: i; case: j; exact: connect0. Qed.

@@ -6,10 +6,11 @@
    a lighthouse_world: its `pointed` is the door.
      sensor A             gives each dart x of each map G with door r a letter of type A: lambda G r x.
      invariant            an isomorphism (renaming, SameWorld.v) changes no letter.
-     percept_by lambda x      what a robot senses that has come by x: the degree, and the letter.
+     percept_by lambda x  what a robot senses that has come by x: the degree, and the letter.
      indistinguishable lambda W W'   a bisimulation relates the starts: a relation between the darts under
                           which degrees and letters agree, and which is kept by sigma and alpha.
-     sufficient lambda      any two indistinguishable worlds are isomorphic with their starts.
+     sufficient lambda    any two indistinguishable worlds are isomorphic with their starts.
+     rigid lambda W       no two darts of W look alike (indistinct, Ambiguity.v).
      coarser lambda mu    where mu and the degree agree, so does lambda: lambda is a function of the two.
      strictly_coarser     and mu is no function of lambda and the degree.
      minimal lambda       it suffices, and nothing strictly coarser does.
@@ -20,11 +21,12 @@
      adequate u           the word u is primitive (Words.v) and not blank.
      position_word, directional_word, door_word   position: 1 ... 1; directional: 1 2 ... d; the door:
                           1 0 ... 0, one bit.
-     half_word, distance_word, remainder_word q   in which half the door is; how far it is, the side not told; the
-                          bearing modulo q.
+     half_word, distance_word, remainder_word q   in which half the door is; how far it is, the side not
+                          told; the bearing modulo q.
 
-     sufficient_finer       what is finer than a sensor that suffices suffices.
+     sufficient_finer     what is finer than a sensor that suffices suffices.
      at_v0_invariant      a sensor at v0 is a sensor.
+     rigid_isomorphic     two indistinguishable worlds that are rigid are isomorphic with their starts.
      adequate_suffices    two indistinguishable worlds are isomorphic with their starts, and the door is
                           kept, if the word for the degree of v0 is adequate.
    --------------------------------------------------------------------------------------------- *)
@@ -51,6 +53,9 @@ Definition indistinguishable A (lambda : sensor A) (W W' : lighthouse_world) :=
 
 Definition sufficient A (lambda : sensor A) := forall W W' : lighthouse_world,
   indistinguishable lambda W W' -> isomorphic (rooted (@start W)) (rooted (@start W')).
+
+Definition rigid (A : eqType) (lambda : sensor A) (W : lighthouse_world) := forall x y : W,
+  indistinct (percept_by lambda (W := W)) (percept_by lambda (W := W)) x y -> x = y.
 
 Definition coarser A B (lambda : sensor A) (mu : sensor B) :=
   forall (G : combinatorial_map) (r x : G) (H : combinatorial_map) (s y : H),
@@ -140,9 +145,9 @@ End Alike.
 
 (* in a world whose word is adequate no two darts look alike *)
 Lemma adequate_rigid w (W : lighthouse_world) : adequate (word w (degree (@start W))) ->
-  forall x y : W, indistinct (percept_by (at_v0 w) (W := W)) (percept_by (at_v0 w) (W := W)) x y -> x = y.
+  rigid (at_v0 w) W.
 Proof.
-case=> Pr /allPn[l]; set d := degree _ in Pr *; set alike := indistinct _ _.
+rewrite /rigid; case=> Pr /allPn[l]; set d := degree _ in Pr *; set alike := indistinct _ _.
 rewrite /word => /(nthP 0)[b]; rewrite size_mkseq => bd; rewrite nth_mkseq // => <- nb.
 have Dp : degree (@pointed W) = d by rewrite (degree_same (@pointed_at_v0 W)).
 pose x0 : W := iter (d - b) sigma pointed; have E0 : iter b sigma x0 = pointed.
@@ -162,46 +167,57 @@ have mem u : alike x u -> u = z by move=> H; apply/set1P; rewrite -Z mem_class.
 by rewrite (mem y A) (mem x) //; exact: indistinct_refl.
 Qed.
 
-(* ---- Theorem 1, if ---- *)
-Theorem adequate_suffices w (W W' : lighthouse_world) : adequate (word w (degree (@start W))) ->
-  indistinguishable (at_v0 w) W W' ->
-  isomorphic (rooted (@start W)) (rooted (@start W')) /\ first_bearing W = first_bearing W'.
+(* ---- Where no two darts of a world look alike, it has no twin ---- *)
+Section Rigid.
+Variables (A : eqType) (lambda : sensor A) (W W' : lighthouse_world).
+Local Notation sW := (percept_by lambda (W := W)).
+Local Notation sW' := (percept_by lambda (W := W')).
+
+Lemma indistinguishable_starts : indistinguishable lambda W W' -> indistinct sW sW' start start.
 Proof.
-move=> Ad [R [Ro Rs Ra R0]].
-pose sW := percept_by (at_v0 w) (W := W); pose sW' := percept_by (at_v0 w) (W := W').
-have A : indistinct sW sW' start start.
-  apply/(indistinct_alikeP sW sW' start start).
-  apply: (@bisimulation_alike _ (rooted start) (rooted start) sW sW' R) => // x y Rxy.
-  by split=> //; exact: Ro.
-have [D _] := indistinct_senses A; have [Pr _] := Ad; split; last first.
-  exact: (alike_bearing Pr A (@pointed_at_v0 W) (@pointed_at_v0 W')).
-have Ad' : adequate (word w (degree (@start W'))) by rewrite -D.
-have pick (x : W) (y : W') : indistinct sW sW' x y ->
-    forall v, percepts_in (M := rooted (@start W)) sW v x = percepts_in (M := rooted (@start W')) sW' v y.
-  by case/(indistinct_alikeP sW sW' start start).
-have right_one x y y' : indistinct sW sW' x y -> indistinct sW sW' x y' -> y = y'.
-  move=> /pick E /pick E'; apply: (adequate_rigid Ad'); apply/(indistinctP sW' start) => v.
-  by rewrite -E E'.
-have left_one x x' y : indistinct sW sW' x y -> indistinct sW sW' x' y -> x = x'.
-  move=> /pick E /pick E'; apply: (adequate_rigid Ad); apply/(indistinctP sW start) => v.
-  by rewrite E E'.
-have some (x : W) : exists y, indistinct sW sW' x y.
-  apply: (everywhere (A := fun x => exists y, indistinct sW sW' x y) (d := start)) x.
+case=> R [Ro Rs Ra R0]; apply/(indistinct_alikeP sW sW' start start).
+apply: (@bisimulation_alike _ (rooted start) (rooted start) sW sW' R) => // x y Rxy.
+by split=> //; exact: Ro.
+Qed.
+
+Theorem rigid_isomorphic : rigid lambda W -> rigid lambda W' -> indistinguishable lambda W W' ->
+  isomorphic (rooted (@start W)) (rooted (@start W')).
+Proof.
+move=> Rg Rg' /indistinguishable_starts I; pose R := indistinct sW sW'.
+have pick x y : R x y -> forall v, percepts_in (M := rooted (@start W)) sW v x
+    = percepts_in (M := rooted (@start W')) sW' v y by case/(indistinct_alikeP sW sW' start start).
+have right_one x y y' : R x y -> R x y' -> y = y'.
+  by move=> /pick E /pick E'; apply: Rg'; apply/(indistinctP sW' start) => v; rewrite -E E'.
+have left_one x x' y : R x y -> R x' y -> x = x'.
+  by move=> /pick E /pick E'; apply: Rg; apply/(indistinctP sW start) => v; rewrite E E'.
+have some (x : W) : exists y, R x y.
+  apply: (everywhere (A := fun x => exists y, R x y) (d := start)) x => [|x [y H]|x [y H]].
   - by exists start.
-  - by move=> x [y H]; exists (sigma y); exact: indistinct_sigma.
-  by move=> x [y H]; exists (alpha y); exact: indistinct_alpha.
-have some' (y : W') : exists x, indistinct sW sW' x y.
-  apply: (everywhere (A := fun y => exists x, indistinct sW sW' x y) (d := start)) y.
+  - by exists (sigma y); exact: indistinct_sigma.
+  by exists (alpha y); exact: indistinct_alpha.
+have some' (y : W') : exists x, R x y.
+  apply: (everywhere (A := fun y => exists x, R x y) (d := start)) y => [|y [x H]|y [x H]].
   - by exists start.
-  - by move=> y [x H]; exists (sigma x); exact: indistinct_sigma.
-  by move=> y [x H]; exists (alpha x); exact: indistinct_alpha.
+  - by exists (sigma x); exact: indistinct_sigma.
+  by exists (alpha x); exact: indistinct_alpha.
 pose f x := xchoose (some x); pose g y := xchoose (some' y).
-have fP x : indistinct sW sW' x (f x) by exact: (xchooseP (some x)).
-have gP y : indistinct sW sW' (g y) y by exact: (xchooseP (some' y)).
+have fP x : R x (f x) by exact: (xchooseP (some x)).
+have gP y : R (g y) y by exact: (xchooseP (some' y)).
 exists f, g; split=> /= [x _|y _|].
 - split=> //; first exact: left_one (gP _) (fP _).
     by apply: right_one (fP _) _; exact: indistinct_sigma.
   by apply: right_one (fP _) _; exact: indistinct_alpha.
 - by split=> //; exact: right_one (fP _) (gP _).
-exact: right_one (fP _) A.
+exact: right_one (fP _) I.
+Qed.
+End Rigid.
+
+(* ---- Theorem 1, if ---- *)
+Theorem adequate_suffices w (W W' : lighthouse_world) : adequate (word w (degree (@start W))) ->
+  indistinguishable (at_v0 w) W W' ->
+  isomorphic (rooted (@start W)) (rooted (@start W')) /\ first_bearing W = first_bearing W'.
+Proof.
+move=> Ad I; have A := indistinguishable_starts I; have [D _] := indistinct_senses A; split.
+  by apply: rigid_isomorphic I; apply: adequate_rigid; rewrite // -D.
+by have [Pr _] := Ad; exact: (alike_bearing Pr A (@pointed_at_v0 W) (@pointed_at_v0 W')).
 Qed.

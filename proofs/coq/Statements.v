@@ -554,6 +554,11 @@ Check (@each_degree_by_itself :
   0 < d ->
   sufficient_at (at_v0 w) d <-> primitive (word w d) /\ ~~ blank (word w d)).
 
+Check (@rigid_worlds_have_no_twins :
+  forall (A : eqType) (lambda : sensor A) (W W' : lighthouse_world),
+  rigid lambda W -> rigid lambda W' -> indistinguishable lambda W W' ->
+  isomorphic (rooted (@start W)) (rooted (@start W'))).
+
 Check (@sizes_of_these_twins :
   forall w,
   (forall d k v, 0 < d -> 1 < k -> word w d = flatten (nseq k v) -> exists W W' : lighthouse_world,
@@ -571,7 +576,8 @@ Check (@letters_are_invariant :
 Check (@order_of_sensors :
   [/\ sufficient (at_v0 directional_word), strictly_coarser (at_v0 door_word) (at_v0 directional_word),
       ~ sufficient (at_v0 position_word) &
-      forall A B (lambda : sensor A) (mu : sensor B), coarser lambda mu -> sufficient lambda -> sufficient mu]).
+      forall A B (lambda : sensor A) (mu : sensor B),
+      coarser lambda mu -> sufficient lambda -> sufficient mu]).
 
 Check (@other_sensors_at_v0 :
   [/\ sufficient (at_v0 half_word), sufficient (at_v0 distance_word) &
