@@ -124,6 +124,7 @@ def proofs(session: nox.Session) -> None:
         ("python", "proofs/certified.py"),
         ("python", "proofs/certified.py", "--certificate", certificate, "algorithm1"),
         ("python", "proofs/certified.py", "--check", certificate, "algorithm1"),
+        ("python", "proofs/certified.py", "--verify", certificate, "algorithm1"),
         ("python", "proofs/certified_trees.py"),
     )
     for step in steps:

@@ -42,6 +42,7 @@ from allworlds.outcome import Verdict
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
 from allworlds.words import plural
+from certificate_file import NoVerdict
 
 HERE = Path(__file__).resolve().parent
 CHECKER = HERE / "coq" / "checker"
@@ -55,10 +56,6 @@ REFUSED = 2
 
 Key = tuple[int, tuple[int, ...], tuple[int, ...], int]
 """The order of findings with equal numbers of edges: vertices, sigma, alpha, place."""
-
-
-class NoVerdict(Exception):
-    """A program has come to none; the message says why."""
 
 
 def asked(

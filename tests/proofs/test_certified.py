@@ -11,15 +11,17 @@ IMPOSTOR = Path(__file__).parents[1] / "support" / "explorers_for_tests" / "impo
 
 @pytest.fixture
 def certified(proofs, monkeypatch):
-    """The module ``certified.py``, loaded anew."""
+    """The module ``certified_programs.py``, loaded anew."""
     monkeypatch.syspath_prepend(str(proofs))
-    specification = importlib.util.spec_from_file_location("certified", proofs / "certified.py")
+    specification = importlib.util.spec_from_file_location(
+        "certified_programs", proofs / "certified_programs.py"
+    )
     module = importlib.util.module_from_spec(specification)
     # Dataclasses look their module up.
-    sys.modules["certified"] = module
+    sys.modules["certified_programs"] = module
     specification.loader.exec_module(module)
     yield module
-    del sys.modules["certified"]
+    del sys.modules["certified_programs"]
 
 
 def compared(certified, how, pair, policy, edges=3):
