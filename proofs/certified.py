@@ -16,8 +16,11 @@ asks the certified checker whether a program is right (``certified_checker.py``)
 
     python proofs/certified.py [--edges 4] ...
 
-compares the extracted programs with the package, in every world to a bound
-(``certified_programs.py``).  The last two need the programs that
+compares the extracted programs with the package, in every world (``certified_programs.py``), and
+
+    python proofs/certified.py --sample [RUNS] [--seed 0]
+
+in a sample of larger ones (``certified_sample.py``).  The last three need the programs that
 ``make -C proofs/coq explorer`` builds.  ``--help`` behind any of these words says more.  Exit code
 1: refused, or different; 2: bad arguments, or something is missing; 3: it could not be decided, and
 a line says why.
@@ -42,6 +45,10 @@ def main() -> int:
         return write_certificate(arguments)
     import certified_programs
 
+    if "--sample" in asked:
+        from certified_sample import compare_sample
+
+        return 2 if certified_programs.missing() else compare_sample(arguments)
     if "--exec" in asked:
         from certified_checker import judge_program
 

@@ -55,6 +55,7 @@ from certified_shield import shields_agree
 
 HERE = Path(__file__).resolve().parent
 EXPLORER, JUDGE = HERE / "coq" / "explorer", HERE / "coq" / "judge"
+RUNS = HERE / "coq" / "runs"
 POLICIES = ("fifo", "lifo", "nearest")
 """Those that the certified explorers know."""
 
@@ -204,7 +205,7 @@ def _cases(edges: int) -> Iterator[tuple[str, Case]]:
 
 def missing() -> list[Path]:
     """The programs that are not there; each is named on stderr."""
-    programs = [p for p in (EXPLORER, JUDGE, CHECKER, FOLDING) if not p.exists()]
+    programs = [p for p in (EXPLORER, JUDGE, CHECKER, FOLDING, RUNS) if not p.exists()]
     for program in programs:
         print(f"{program} is missing: make -C proofs/coq explorer", file=sys.stderr)
     return programs
