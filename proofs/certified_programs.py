@@ -18,7 +18,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import subprocess
 import sys
 import time
 from collections import Counter
@@ -42,12 +41,13 @@ from allworlds.protocol.choices import Choices, policy_named
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckRow
 from allworlds.world import worlds
-from certificate_file import NoVerdict
 from certified_checker import (
     CHECKER,
     agreement,
+    answered_by,
     checkers_agree,
     finished,
+    not_lost,
     outcome,
 )
 from certified_folding import FOLDING, foldings_agree
@@ -98,6 +98,8 @@ def explorers_agree(pair: Pair, edges: int, workers: int) -> bool:
     )
     start = time.monotonic()
     certified = finished(checked(f"exec:{EXPLORER} fifo {pair.name}").uninterrupted())
+    for finding in certified.findings:
+        not_lost("the certified explorer", finding)
     seconds = time.monotonic() - start
     agree = certified.verdict in (Verdict.HOLDS, Verdict.VACUOUS)
     print(
@@ -130,6 +132,7 @@ def transcripts_agree(pair: Pair, policy: str, edges: int) -> bool:
                 play(world, player, Choices(policy_named(policy)), budget) for player in players
             )
             runs += 1
+            not_lost("the certified explorer", extracted.ending)
             # Two that run into the budget alike do not agree: neither has said anything.
             if (
                 not isinstance(built_in.ending, Answered)
@@ -151,7 +154,7 @@ def _rows(rows: Sequence[CheckRow]) -> list[tuple[int, ...]]:
 def judges_agree(edges: int) -> bool:
     """Whether the certified judge gives the Python judge's verdict on every answer."""
     cases = list(_cases(edges))
-    lines = "".join(
+    lines = [
         json.dumps(
             {
                 "world": case.map.to_json(),
@@ -161,13 +164,8 @@ def judges_agree(edges: int) -> bool:
         )
         + "\n"
         for _, case in cases
-    )
-    answered = subprocess.run(
-        [str(JUDGE)], input=lines, capture_output=True, text=True, check=True, timeout=600
-    )
-    verdicts = [json.loads(line)["verdict"] for line in answered.stdout.splitlines()]
-    if len(verdicts) != len(cases):
-        raise NoVerdict(f"certified judge: {len(verdicts)} verdicts on {len(cases)} answers")
+    ]
+    verdicts = [json.loads(line)["verdict"] for line in answered_by(JUDGE, lines)]
     told: Counter[str] = Counter(verdicts)
     wrong = [
         (name, case, verdict)

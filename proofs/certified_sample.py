@@ -25,7 +25,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import subprocess
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -40,7 +39,7 @@ from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.records import Level, Rows
 from allworlds.engines.units import LevelUnit, drawn_units
 from allworlds.explorers.loading import load
-from allworlds.judging.episode import Answered, Episode, Fault, play
+from allworlds.judging.episode import Answered, Episode, play
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.law_table import Case
@@ -51,8 +50,7 @@ from allworlds.maps.enumeration import history, prefixes
 from allworlds.protocol.actions import Estimate, Percept, Player
 from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import Directional, World
-from certificate_file import NoVerdict
-from certified_checker import agreement, outcome
+from certified_checker import agreement, answered_by, not_lost, outcome
 
 COQ = Path(__file__).resolve().parent / "coq"
 POLICIES = ("fifo", "lifo", "nearest")
@@ -179,23 +177,6 @@ def sample(runs: int, edges: int, policy: str, random: Random) -> Iterator[tuple
 # ---- One run, by all of them ----
 
 
-def answered_by(program: str, lines: Sequence[str], *arguments: str) -> list[str]:
-    """The lines with which an extracted program answers.
-
-    Raises:
-        NoVerdict: if it does not answer each.
-    """
-    command = [str(COQ / program), *arguments]
-    run = subprocess.run(
-        command, input="".join(lines), capture_output=True, text=True, check=False, timeout=600
-    )
-    answers = run.stdout.splitlines()
-    if run.returncode or len(answers) != len(lines):
-        what = f"{len(answers)} answers to {len(lines)} lines, exit code {run.returncode}"
-        raise NoVerdict(f"{program}: {what}; {run.stderr.strip()}")
-    return answers
-
-
 def line(**values: object) -> str:
     """The values as the extracted programs write them."""
     return json.dumps(values, separators=(",", ":")) + "\n"
@@ -218,8 +199,7 @@ def log_of(name: str, world: World, player: Player, policy: str) -> tuple[str, C
     """
     budget = 8 * paper_bound(world.map.vertex_count, world.map.edge_count) + 100
     episode: Episode = play(world, player, Choices(policy_named(policy)), budget)
-    if isinstance(episode.ending, Fault) and episode.ending.law in ("crash", "timeout"):
-        raise NoVerdict(f"{name}: {episode.ending.law}: {episode.ending.seen}")
+    not_lost(name, episode.ending)
     answer = episode.ending.answer if isinstance(episode.ending, Answered) else None
     log = episode.transcript
     case = Case(world.map, world.start, log, episode.checkpoints, answer)
@@ -279,13 +259,13 @@ def runs_agree(
             judged.append(line(world=map_, estimate=estimate_shown(near), end=case.trail[-1]))
             again = Case(case.map, case.start, case.transcript, case.checkpoints, near)
             verdicts.append(again.answer)
-    answers = answered_by("runs", asked, policy)
+    answers = answered_by(COQ / "runs", asked, policy)
     for (where, log), within, short in zip(logs, answers[::2], answers[1::2], strict=True):
         if within != log + ',"finding":"right"}':
             apart.append(f"{where}: the extracted model has another log, or another verdict")
         if not short.endswith(',"finding":"none"}'):
             apart.append(f"{where}: right within one motion less")
-    said = [json.loads(each)["verdict"] for each in answered_by("judge", judged)]
+    said = [json.loads(each)["verdict"] for each in answered_by(COQ / "judge", judged)]
     for i, (verdict, ours) in enumerate(zip(said, verdicts, strict=True)):
         if verdict != ours:
             apart.append(f"{logs[i // 3][0]}: the judge says {ours}, the extracted one {verdict}")
@@ -326,7 +306,7 @@ def sums_apart(unit: LevelUnit, policy: str) -> tuple[list[str], int]:
     ]
     sums: dict[int, list[int]] = {}
     found = []
-    for map_, answer in zip(maps, answered_by("runs", asked, policy), strict=True):
+    for map_, answer in zip(maps, answered_by(COQ / "runs", asked, policy), strict=True):
         run = json.loads(answer)
         row = sums.setdefault(map_.vertex_count, [0, 0, 0])
         row[0] += 1

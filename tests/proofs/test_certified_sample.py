@@ -57,7 +57,7 @@ def honest(samples, program, lines, policy="fifo"):
     """The answers of the extracted programs, as the package would give them."""
     answers = []
     for each in map(json.loads, lines):
-        if program == "judge":
+        if program.name == "judge":
             answers.append(json.dumps({"verdict": verdict_of(samples, each)}))
             continue
         map_ = samples.CombinatorialMap(each["sigma"], each["alpha"])
@@ -111,7 +111,7 @@ def few(samples, monkeypatch):
     def compared(changed="", change=str, players=(ALGORITHM1, ALGORITHM1)):
         def answered_by(program, lines, *policy):
             answers = honest(samples, program, lines, *policy)
-            return [change(a) for a in answers] if program == changed else answers
+            return [change(a) for a in answers] if program.name == changed else answers
 
         monkeypatch.setattr(samples, "answered_by", answered_by)
         return samples.runs_agree(every, "fifo", players, Random(1))
@@ -144,18 +144,18 @@ def test_another_explorer_behind_the_pipe_is_seen(few):
     assert any("walks or answers otherwise" in each for each in apart)
 
 
-def test_of_a_program_that_is_lost_nothing_is_decided(samples, monkeypatch, tmp_path):
-    monkeypatch.setattr(samples, "COQ", tmp_path)
+def test_of_a_program_that_is_lost_nothing_is_decided(samples, checkers, tmp_path):
+    lost = checkers("certificate_file").NoVerdict
     program = tmp_path / "runs"
     program.write_text("#!/bin/sh\nread line; echo $line; echo why >&2; exit 3\n")
     program.chmod(0o755)
-    with pytest.raises(samples.NoVerdict, match="1 answers to 2 lines, exit code 3; why"):
-        samples.answered_by("runs", ["a\n", "b\n"])
+    with pytest.raises(lost, match="1 answers to 2 lines, exit code 3; why"):
+        samples.answered_by(program, ["a\n", "b\n"])
 
     def crashes(_first, _choices, _told):
         raise MemoryError
         yield
 
     world = World(samples.uniform(5, Random(1)), Directional(0))
-    with pytest.raises(samples.NoVerdict, match="it: crash: "):
+    with pytest.raises(lost, match="it: crash: "):
         samples.log_of("it", world, crashes, "fifo")
