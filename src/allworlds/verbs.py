@@ -235,6 +235,27 @@ VERBS = (
         ),
     ),
     Verb(
+        "ambiguity sensors",
+        "ambiguity-sensors",
+        "Compare sensors: where each fails first, which tells more.",
+        example="position door directional --edges 4",
+        help=(
+            "Lighthouses side by side: which of them suffice in every small world? A sensor "
+            "suffices if no two worlds look alike: two maps, or one map from two starts. The "
+            "report has the smallest two, and of sensors with equal places which tells more."
+        ),
+    ),
+    Verb(
+        "ambiguity weakest",
+        "ambiguity-weakest",
+        "Find the weakest sensors that suffice, of all coarsenings.",
+        example="papers/minimal_information/sensors.py:Features --edges 4",
+        help=(
+            "Go through every coarsening of a sensor that tells several features apart: which "
+            "suffice in every small world, and which of these are minimal?"
+        ),
+    ),
+    Verb(
         "ledger",
         "ledger",
         "Check the sentences of a paper, each by its own function.",
