@@ -88,7 +88,7 @@ def test_a_claim_holds_in_a_small_scope_too(name):
     [
         ("movable-marker-multigraphs", {"edges": 2}),
         ("natural-multigraphs", {"edges": 4}),
-        ("transit-explains", {"families": ["lattice:4x4"], "seeds": 1, "share": 0.5}),
+        ("gap-parts", {"families": ["lattice:4x4"], "seeds": 1, "share": 0.9}),
         ("order-reached", {"family": "thick:4", "to": 30, "growing": 9.0}),
     ],
 )
