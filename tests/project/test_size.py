@@ -21,8 +21,8 @@ class Size(NamedTuple):
 
 
 MOST = {
-    "": Size(code=25_250, lines=43_200, files=173),
-    "engines": Size(code=6_060, lines=9_960, files=32),
+    "": Size(code=24_750, lines=42_500, files=173),
+    "engines": Size(code=5_990, lines=9_900, files=32),
     "engines/kernel": Size(code=2_350, lines=3_650, files=13),
 }
 """Of folders of ``src/allworlds``; the whole has the name of none."""

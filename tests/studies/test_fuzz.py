@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds import merge
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.reports.content.check import scope_words, size_table
 from allworlds.reports.formats import file_of, text as text_of
@@ -88,7 +88,7 @@ def test_a_least_number_of_edges_that_no_world_can_have_is_refused(least, words)
 def test_whoever_listens_is_told_of_every_world():
     told = []
 
-    class Listening(Silent):
+    class Listening(Listener):
         def level(self, edges, size):
             told.append((edges, size))
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from allworlds.engines.lane import GOES_BY_HASHES, SECOND
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.run import replay
@@ -42,7 +42,7 @@ CHECKS = {
 }
 
 
-class Ends(Silent):
+class Ends(Listener):
     """Interrupts the job when it has done so many worlds."""
 
     def __init__(self, worlds):

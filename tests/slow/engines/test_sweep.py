@@ -7,7 +7,7 @@ import pytest
 import allworlds
 from allworlds import fuzz
 from allworlds.engines import sweep
-from allworlds.engines.limits import Silent, TimeIsUp
+from allworlds.engines.limits import Listener, TimeIsUp
 from allworlds.engines.players import Unsettled
 from clusters import cluster_here
 from engines import test_sweep as quick
@@ -100,7 +100,7 @@ def undisturbed():
     return of
 
 
-class Interrupts(Silent):
+class Interrupts(Listener):
     """Interrupts at the part that comes after so many parts of units, kept ones among them."""
 
     def __init__(self, parts):
@@ -189,7 +189,7 @@ def test_the_status_of_every_verb_is_told(name, cli, tmp_path):
     assert "finished" in out
 
 
-class Counts(Silent):
+class Counts(Listener):
     """Counts how many worlds were announced for each level, and how many were done."""
 
     def __init__(self):
