@@ -40,6 +40,7 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     blocks: list[parts.Block] = [
         parts.Table(header, rows, "Sensors"),
         parts.fact("scope", _scope(found.extent)),
+        parts.FactList([(row.lighthouse, row.tried or "") for row in found.rows]),
     ]
     ordered: list[parts.Block] = [parts.Paragraph(said), parts.Quote("order", "The order", order)]
     sections = [parts.Section("seen", "", blocks)]
