@@ -141,7 +141,7 @@ class AmbiguitySensors(doc.Report, kw_only=True):
 
 
 class Sensor(Struct):
-    """What a sensor shows in every world.
+    """A sensor, with all that it shows in every world.
 
     Attributes:
         kind: the lighthouse.
