@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds.document import replace
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Disagreement
@@ -70,7 +70,7 @@ def test_the_document_has_the_promised_parts():
 
 
 def test_the_listener_hears_every_rooted_map():
-    class Listener(Silent):
+    class Hears(Listener):
         def __init__(self):
             self.heard = []
 
@@ -83,7 +83,7 @@ def test_the_listener_hears_every_rooted_map():
         def notice(self, text):
             raise AssertionError(text)
 
-    listener = Listener()
+    listener = Hears()
     census(edges=3, listener=listener)
     # 2, 10, 74 rooted maps (A000698).
     assert listener.heard == [[1, 2, 2], [2, 10, 10], [3, 74, 74]]

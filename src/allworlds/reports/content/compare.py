@@ -244,9 +244,8 @@ WORLD |= {"mean": float, "worst": int, "bound": int, "ratio": float}
 
 def _names(one: entrants.InWorld) -> list[parts.Value]:
     """The words by which ``run`` finds the world, and its size."""
-    family, _, seed = one.member.partition(" --seed ")
-    family, _, holes = family.partition(" --holes ")
-    words = [family or None, holes or None, int(seed) if seed else None]
+    member = growth.member_named(one.member) if one.member else None
+    words = [member.text, member.holes, member.seed] if member else [None] * 3
     return [code_of(one.map), *words, one.map.edge_count, one.map.vertex_count]
 
 

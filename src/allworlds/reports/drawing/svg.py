@@ -47,15 +47,13 @@ def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.
     for key, value in attributes.items():
         if value is not None:
             element.set(key.rstrip("_").replace("_", "-"), legal(escaped(str(value))))
-    last: ET.Element | None = None
     for child in children:
         if isinstance(child, ET.Element):
             element.append(child)
-            last = child
-        elif last is None:
-            element.text = (element.text or "") + legal(escaped(child))
+        elif len(element):
+            element[-1].tail = (element[-1].tail or "") + legal(escaped(child))
         else:
-            last.tail = (last.tail or "") + legal(escaped(child))
+            element.text = (element.text or "") + legal(escaped(child))
     if name not in _INLINE:
         element.tail = "\n"
     return element
@@ -347,14 +345,10 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
     Raises:
         InputError: for anything else.
     """
-    match shown:
-        case World():
-            scene, map_ = scene_of(shown), shown.map
-        case CombinatorialMap():
-            scene, map_ = Scene(shown), shown
-        case _:
-            raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
-    where = size(map_.edge_count, map_.vertex_count)
+    if not isinstance(shown, CombinatorialMap | World):
+        raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
+    scene = scene_of(shown) if isinstance(shown, World) else Scene(shown)
+    where = size(scene.map.edge_count, scene.map.vertex_count)
     title = f"A {'world' if isinstance(shown, World) else 'map'} with {where}"
     style = (files("allworlds.reports.drawing") / "alone.css").read_text(encoding="utf-8")
 

@@ -342,7 +342,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         extent = self.extent
         every = extent.map_class is classes.MapClass.MAPS and not (extent.where or extent.given)
         engine = PartBySensing(extent, self.kind, every and self.kind.name == Position.kind)
-        return ReadyEngine(local_or_dask(self.request.cluster, self.deadline), engine)
+        return ReadyEngine(local_or_dask(self.request.dask, self.deadline), engine)
 
     @override
     def finish(self, level: units.SweptLevel, total: SensedParts) -> None:

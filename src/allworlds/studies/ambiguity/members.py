@@ -454,7 +454,7 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 
 
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
-    """The members by code. Beyond the limit, only the given world and the first others."""
+    """The members by code. Beyond the limit, the first that are not the given world."""
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}
     for lift in lifts(quotient):
@@ -463,7 +463,6 @@ def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, Le
         if len(found) < limit - (own.code not in found) or rooting.code == own.code:
             found[rooting.code] = rooting
         elif rooting.code not in found:
-            found[own.code] = own
             break
     return found
 

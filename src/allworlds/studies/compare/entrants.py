@@ -40,7 +40,7 @@ from allworlds.engines.units import (
 )
 from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
-from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup, as_json
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps import classes, combinatorial, families
@@ -153,6 +153,13 @@ class CompareRequest(
     ] = ()
 
 
+def ensure_unnamed(request: CompareRequest, names: Iterable[str], of: str) -> None:
+    """Raise InputError if one of these options is given, which has no effect there."""
+    for name in names:
+        if (value := getattr(request, name)) is not None:
+            raise InputError(f"{name} = {show(as_json(value))} has no effect on {of}")
+
+
 MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]
 """Numbers of edges and vertices, sigma and alpha: sorts rooted maps from small to large."""
 
@@ -257,7 +264,7 @@ class CostsOfAll(Struct):
 class SideBySide:
     """The transports of all entrants, by their numbers, as one."""
 
-    def __init__(self, transports: Sequence[Transport[Any]]) -> None:
+    def __init__(self, transports: Sequence[Transport]) -> None:
         self._transports, self._stack = transports, ExitStack()
 
     def __enter__(self) -> Self:
@@ -273,7 +280,7 @@ class SideBySide:
 
     def map(
         self, engine: Sequence[CostEngine], given: Iterable[UnitOfOne]
-    ) -> Iterator[PartialResult[UnitOfOne, CostsOfAll]]:
+    ) -> Iterator[PartialResult]:
         """Yield the parts of all units as they come. The units of an entrant stand together."""
         for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
@@ -350,16 +357,11 @@ def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
         return explore, None
 
 
-class ComparedName(doc.Document):
-    """An explorer by its name."""
-
-    name: Annotated[doc.Text, doc.about("the explorer's, with `@` and a lighthouse if so named")]
-
-
 @doc.with_options(selection.LighthouseOptions, RuleOptions)
-class Compared(ComparedName):
+class Compared(doc.Document):
     """An explorer of a comparison, with the rules of its runs."""
 
+    name: Annotated[doc.Text, doc.about("the explorer's, with `@` and a lighthouse if so named")]
     places: TriedPlaces
     shared_file: SharedFile
 
@@ -406,7 +408,7 @@ class ContestReport(SweptReport, kw_only=True):
     @doc.computed
     def scope(self) -> ContestScope:
         """The worlds in which they were run."""
-        return told_scope(ContestScope, self.request, shard=str(self.portion))
+        return told_scope(ContestScope, self.request)
 
     @property
     @override
@@ -455,7 +457,7 @@ class Contest(Sweep[CostsOfAll, Answer]):
 
     @override
     def ready(self) -> ReadyEngine:
-        limits, cluster, notice = self.request.limits, self.request.cluster, self.listener.notice
+        limits, cluster, notice = self.request.limits, self.request.dask, self.listener.notice
         engines = [CostEngine(one.scope(self.bounds), 1) for one in self.entrants]
         transports = [
             players_for(Job(engine.scope, one.subject, limits, 1, self.deadline, notice, cluster))

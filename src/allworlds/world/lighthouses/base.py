@@ -209,12 +209,10 @@ class Lighthouse(ABC):
         if code is not None:
             given = code.arguments or values_in(self)
             return {"kind": code.plain, "options": given, "digest": code.digest, **where}
-        usual = [
-            key
-            for key, option in options_of(kind).items()
-            if not option.always and where[key] == option.default
-        ]
-        return {"kind": self.kind, **{key: where[key] for key in where if key not in usual}}
+        options = options_of(kind)
+        usual = [key for key in options if where[key] == options[key].default]
+        kept = [key for key in where if key not in usual or options[key].always]
+        return {"kind": self.kind, **{key: where[key] for key in kept}}
 
     @classmethod
     def at(cls, **where: Any) -> Lighthouse:
