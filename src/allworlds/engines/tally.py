@@ -17,7 +17,12 @@ from allworlds.engines import job_records, units
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import show
 from allworlds.judging.episode import Answered, Episode, Fault, play
-from allworlds.judging.findings.finding import Finding, canonical_world, place_of
+from allworlds.judging.findings.finding import (
+    Believed,
+    Finding,
+    canonical_world,
+    place_of,
+)
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import LAWS, Case, Violation, first_wrong, judge
 from allworlds.maps.combinatorial import rooted_code
@@ -97,10 +102,12 @@ class Referee:
         """The finding of a refuting outcome, in canonical numbering."""
         assert outcome.violation is not None
         violation, ending = outcome.violation, outcome.episode.ending
-        canonical = canonical_world(world)
-        wrong = None
+        canonical, step, wrong = canonical_world(world), violation.step, ""
         if isinstance(ending, Fault):
-            wrong = self._wrong_checkpoint(world, outcome.episode)
+            if "invariant-1" in self.rules.applying and (
+                first := first_wrong(_shown(world, outcome.episode))
+            ):
+                step, wrong = outcome.episode.checkpoints[first[0]][0], first[1]
         else:
             # What was expected and seen may name darts: judge again under the canonical names.
             again = self.verdict(canonical, outcome.episode, outcome.bound)
@@ -119,19 +126,37 @@ class Referee:
             expected=violation.expected,
             seen=violation.seen,
             detail=outcome.detail,
-            step=wrong[0] if wrong else violation.step,
-            wrong_checkpoint=wrong[1] if wrong else "",
+            step=step,
+            wrong_checkpoint=wrong,
+            believed=_believed(world, outcome.episode, step),
             machine=isinstance(ending, Fault) and ending.machine,
             hash_seed=outcome.hash_seed,
             output=outcome.output,
         )
 
-    def _wrong_checkpoint(self, world: World, episode: Episode) -> tuple[int, str] | None:
-        """The first wrong checkpoint of a run without an answer, and what is wrong with it."""
-        if "invariant-1" not in self.rules.applying:
-            return None
-        case = Case(world.map, world.start, episode.transcript, episode.checkpoints, None, None)
-        return first_wrong(case)
+
+def _shown(world: World, episode: Episode, step: int | None = None) -> Case:
+    """The case of the checkpoints after so many steps, or of all, in a run without an answer."""
+    shown = tuple([each for each in episode.checkpoints if step in (None, each[0])])
+    return Case(world.map, world.start, episode.transcript, shown, None, None)
+
+
+def _believed(world: World, episode: Episode, step: int | None) -> Believed | None:
+    """The first wrong checkpoint after so many steps, or of all; where none is wrong the last."""
+    case = _shown(world, episode, step)
+    if not case.checkpoints:
+        return None
+    wrong = first_wrong(case)
+    number = wrong[0] if wrong else len(case.checkpoints) - 1
+    steps, shown = case.checkpoints[number]
+    before = sum(1 for at, _ in episode.checkpoints if at < steps) if step is not None else 0
+    return Believed(
+        number=before + number,
+        step=steps,
+        sigma=tuple(shown.sigma),
+        alpha=tuple(shown.alpha),
+        here=shown.here,
+    )
 
 
 class Examiner(Referee):

@@ -101,11 +101,8 @@ def ending(how: str) -> Teller:
     return tell
 
 
-ANTICLOCKWISE = (
-    "A frequent cause is a bearing, a motion or a way back that is counted anticlockwise; all of "
-    "them count darts clockwise."
-)
-"""The advice for an answer that is no map."""
+CLOCKWISE = "Bearings, motions and ways back count darts clockwise."
+"""The reminder for an answer that is no map."""
 
 
 def tell_no_estimate(story: Story) -> Telling:
@@ -120,7 +117,7 @@ def tell_no_estimate(story: Story) -> Telling:
         sentences = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
         sentences += [f"The call is {line.removeprefix(playing.BUILT)}." for line in built]
         if "must be a permutation" in message:
-            sentences.append(ANTICLOCKWISE)
+            sentences.append(CLOCKWISE)
     return Telling([*sentences, *_tell_first_wrong(story), _say_last_step(story)], story.checkpoint)
 
 
@@ -151,7 +148,7 @@ def tell_budget(story: Story) -> Telling:
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Tell where the step budget comes from, and how to get another one."""
+    """Tell where the step budget comes from, and that it is right with a larger one."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
@@ -161,10 +158,15 @@ def tell_whose_budget(finding: Finding) -> str:
     origin = "the bound that the explorer names"
     if value == default_step_budget(new + closing):
         origin = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
-    return (
-        f"In a world with {world} the budget is {plural(value, 'traversal')}, {origin}. An "
-        "explorer that is right and walks more needs a larger budget: --step-budget N."
-    )
+    budget = f"In a world with {world} the budget is {plural(value, 'traversal')}, {origin}."
+    return " ".join([budget, *_say_tried(finding)])
+
+
+def _say_tried(finding: Finding) -> list[str]:
+    """Tell the option that helps; no sentence where none was tried, or none does."""
+    if not finding.tried:
+        return []
+    return [f"With {finding.tried} it breaks no law, here and elsewhere: that was tried."]
 
 
 def _say_progress(story: Walked) -> str:
@@ -493,19 +495,14 @@ def tell_bound(story: Story) -> Telling:
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell that the answer is right, whose bound it is, and how to check without it."""
+    """Tell that the answer is right, whose bound it is, and that it is right without it."""
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""
     if {"map", "pose"} <= {*others}:
         right = "The map and the pose are right; the walk is longer than the bound allows."
     else:
         right = f"The walk is longer than the bound allows{'; ' if rest else ''}{rest}."
-    other = "4*m" if finding.rules.the_bound.name == "2*m" else "2*m"
-    without = (
-        "The option --bound none checks the other laws alone; --bound EXPR checks another cost, "
-        f"such as --bound '{other}'."
-    )
-    return [right, _whose(finding), without]
+    return [right, _whose(finding), *_say_tried(finding)]
 
 
 def _whose(finding: Finding) -> str:

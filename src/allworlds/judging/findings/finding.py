@@ -47,6 +47,43 @@ EXPECTED, SEEN = (doc.read_by(Value, partial(_value, name)) for name in ("expect
 """How the values of two keys are read."""
 
 
+class Believed(doc.Document, forbid_unknown_fields=False):
+    """Believed.
+
+    A checkpoint of a refuting run: S, in the explorer's own darts.
+    """
+
+    number: Annotated[doc.Natural, doc.about("of the checkpoint in its run, from 0 on")]
+    step: Annotated[doc.Natural, doc.about("how many steps came before")]
+    sigma: Annotated[tuple[int, ...], doc.about("for each dart the next one clockwise")]
+    alpha: Annotated[tuple[int, ...], doc.about("the other end of its edge; itself: not explored")]
+    here: Annotated[int, doc.about("the robot's dart")]
+
+
+class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
+    """Lines of code.
+
+    The places in the user's Python code at which a refuting run was, as ``FILE:LINE``; empty where
+    a place is not the user's.
+    """
+
+    steps: Annotated[
+        tuple[str, ...],
+        doc.about("of each action, and, where the run came to an end by itself, of that"),
+    ]
+    checkpoints: Annotated[doc.IfAny[tuple[str, ...]], doc.about("of each checkpoint")] = ()
+    alone: Annotated[
+        doc.IfAny[tuple[str, ...]],
+        doc.about("lines that run here, and in none of some right runs"),
+    ] = ()
+    right: Annotated[doc.Natural, doc.about("how many right runs these were")]
+    sources: Annotated[tuple[str, ...], doc.about("each of these places with the text of its line")]
+
+    def source(self, place: str) -> str:
+        """The place with the text of its line, if that is known."""
+        return next((line for line in self.sources if line.startswith(f"{place}: ")), place)
+
+
 class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
@@ -115,6 +152,18 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
             "what the explorer printed in this run, to stdout and stderr; at most 4 KiB, of more "
             "the first and the last half, with control characters escaped"
         ),
+    ] = ""
+    believed: Annotated[
+        doc.IfAny[Believed | None],
+        doc.about("the first wrong checkpoint, else the last; left out where there is none"),
+    ] = None
+    code: Annotated[
+        doc.IfAny[CodeLines | None],
+        doc.about("the lines of the explorer's code, if it is in Python and ran again alike"),
+    ] = None
+    tried: Annotated[
+        doc.IfAny[str],
+        doc.about("options with which the check, as was tried, breaks no law"),
     ] = ""
     at: doc.NotInDocument[int | None] = None
     under: doc.NotInDocument[Rules | None] = None
