@@ -83,7 +83,8 @@ def tried_options(
     if finding.law == "bound" or (changes and rules.the_bound != NO_BOUND):
         others = tuple(law for law in rules.laws or () if law != "bound")
         changes |= {"bound": NO_BOUND, "laws": others or None}
-    if not changes or not finding.confirmed or rules.laws == ("bound",):
+    stands = finding.confirmed or not subject.importable  # which cannot be confirmed
+    if not (changes and stands) or rules.laws == ("bound",):
         return ""
     worlds, tried, least = list[Placed](), 0, finding.world.map.edge_count
     for edges in scope.extent.levels:

@@ -77,7 +77,11 @@ class Referee:
         """The first law that a finished episode breaks."""
         ending = episode.ending
         if isinstance(ending, Fault):
-            return Violation(ending.law, ending.expected, ending.seen)
+            expected = ending.expected
+            if ending.law == "budget" and self.rules.task.ends_runs:  # no answer is waited for
+                done = self.rules.task.asks.partition(";")[0]
+                expected = expected.replace("an answer within", f"{done} within")
+            return Violation(ending.law, expected, ending.seen)
         task, answer = self.rules.task, ending.answer if isinstance(ending, Answered) else None
         leaves_open = world.lighthouse.as_kind.leaves_open
         if task.is_map and isinstance(answer, actions.Ambiguous) and not leaves_open:
@@ -149,6 +153,8 @@ def _believed(world: World, episode: Episode, step: int | None) -> Believed | No
     wrong = first_wrong(case)
     number = wrong[0] if wrong else len(case.checkpoints) - 1
     steps, shown = case.checkpoints[number]
+    if min(*shown.sigma, *shown.alpha, shown.here, 0) < 0:  # such darts are none
+        return None
     before = sum(1 for at, _ in episode.checkpoints if at < steps) if step is not None else 0
     return Believed(
         number=before + number,

@@ -44,7 +44,7 @@ class TracedPlay:
         self._left: Place = NOWHERE
         self._walk: Generator[Any, Any, Any]
 
-    def player(self, player: actions.Player) -> actions.Player:
+    def player(self, player: actions.Player) -> Any:
         """The player, whose one run is traced here."""
 
         def play(*told: Any) -> Any:

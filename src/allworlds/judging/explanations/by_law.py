@@ -4,7 +4,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from allworlds.explorers.loading import is_program
+from allworlds.explorers.loading import is_library, is_program
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.explanations.story import (
@@ -62,6 +62,15 @@ KEPT = (
 """The questions about an explorer that does not repeat itself."""
 
 
+UNWRITTEN = (
+    "Does it read memory that nobody has written? Compile it with -g; then 'valgrind -q "
+    "--trace-children=yes --track-origins=yes' before the command below, with --start-timeout 600 "
+    "--answer-timeout 600 behind it, names the line. Memory that was freed is found sooner by "
+    "-fsanitize=address,undefined, with LD_PRELOAD=$(gcc -print-file-name=libasan.so)."
+)
+"""A further question about a shared library; that is how its line is found."""
+
+
 def _advice(finding: Finding) -> list[str]:
     """The cause that the kind of the fault makes likely; no sentence where there is none."""
     seen = str(finding.seen)
@@ -74,7 +83,9 @@ def _advice(finding: Finding) -> list[str]:
             "(a|the) line", seen
         ):
             return [STDOUT]
-    return [KEPT] if finding.law == "nondeterministic" else []
+    if finding.law != "nondeterministic":
+        return []
+    return [KEPT, UNWRITTEN] if is_library(finding.explorer) else [KEPT]
 
 
 def _say_message(finding: Finding) -> list[str]:
@@ -95,6 +106,7 @@ def ending(how: str) -> Teller:
     def tell(story: Story) -> Telling:
         finding = story.finding
         sentences = [how.format(seen=finding.seen), *_advice(finding), *_tell_first_wrong(story)]
+        sentences += _say_left(story) if finding.law == "task" else []
         sentences += [_say_last_step(story), *_say_message(finding)]
         return Telling(sentences, story.checkpoint)
 
@@ -143,7 +155,11 @@ def tell_budget(story: Story) -> Telling:
     if str(story.finding.seen).startswith("checkpoint "):
         why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
     else:
-        why = [_say_progress(story), *([SHOW] if story.finding.rules.task.is_map else [])]
+        why = [
+            _say_progress(story),
+            *_say_left(story),
+            *([SHOW] if story.finding.rules.task.is_map else []),
+        ]
     return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
 
 
@@ -180,6 +196,25 @@ def _say_progress(story: Walked) -> str:
     return f"{step} it had walked every edge of the world, and yet it went on."
 
 
+def _say_left(story: Story) -> list[str]:
+    """Name what was left out, under the tasks that ask for every vertex or every edge."""
+    map_, left, task = story.map, list[str](), story.finding.rules.task.name
+    if task in ("cover", "stop", "home"):
+        visited = {map_.vertex_of[dart] for dart in story.walked}
+        left = [story.vertex(v[0]) for v in map_.vertices if map_.vertex_of[v[0]] not in visited]
+    elif task == "cover:edges":
+        walked = {*story.walked[1:]}
+        left = [
+            f"the edge from {story.place(a)}, to {story.place(b)}"
+            for a, b in map_.edges
+            if not {a, b} & walked
+        ]
+    if len(left) > NAMED:
+        left[NAMED:] = [f"{len(left) - NAMED} more"]
+    verb = "walked along" if task == "cover:edges" else "visited"
+    return [f"It never {verb} {listed(left)}."] if left else []
+
+
 def _tell_first_wrong(story: Story) -> list[str]:
     """Tell the first checkpoint with a wrong S; no sentence where there is none."""
     if story.checkpoint is None:
@@ -192,11 +227,11 @@ def _tell_first_wrong(story: Story) -> list[str]:
 def _say_last_step(story: Walked) -> str:
     steps, place = story.transcript.steps, story.place(story.walked[-1])
     if not steps:
-        return f"It made no step: it stood at the start, {place}, and sensed '{story.sensed[0]}'."
+        start = story.in_words(story.sensed[0])
+        return f"It made no step: it stood at the start, {place}, and sensed '{start}'."
     action, percept = steps[-1]
-    return (
-        f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{percept}'."
-    )
+    sensed = story.in_words(percept)
+    return f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{sensed}'."
 
 
 # ---------------------------------------------------------------- the answer is wrong
@@ -273,7 +308,8 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
 
 
 def _say_misfit(belief: Belief, step: int) -> str:
-    expected, sensed = belief.walk.expected[step], belief.story.sensed[step]
+    seen = belief.walk.expected[step], belief.story.sensed[step]
+    expected, sensed = map(belief.story.in_words, seen)
     return f"it sensed '{sensed}', where the answer predicts '{expected}'"
 
 
@@ -359,7 +395,8 @@ def checkpoint(broken: str) -> Teller:
         if step is not None:
             sentences.append(
                 f"The checkpoint came after step {step}, where the robot stood at "
-                f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
+                f"{story.place(story.walked[step])}, and had sensed "
+                f"'{story.in_words(story.sensed[step])}'."
             )
         # Where a pass brings no progress S may be right: there the walks do not diverge.
         return Telling(sentences, None if story.finding.law == "variant" else step)

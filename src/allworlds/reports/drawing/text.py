@@ -49,7 +49,7 @@ def draw(scene: Scene, width: int = 80) -> str:
     Cost: O(m), and O(m^2) for a diagram, which has less than ``width`` darts.
     """
     map_, labels = scene.map, scene.labels
-    groups = _groups(map_, scene.start)
+    groups = _groups(map_, scene.root)
     names_of = _names(scene)
     names = {group[0]: names_of[map_.vertex_of[group[0]]] for group in groups}
     # Widths follow from the map alone, so that renaming the darts moves nothing.
@@ -100,7 +100,7 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
         texts = [*map(entry, first), *more, *map(entry, last)]
         return [names[map_.vertex_of[group[0]]], str(len(group)), *texts]
 
-    head, between, tail = _ends(_groups(map_, scene.start))
+    head, between, tail = _ends(_groups(map_, scene.root))
     rows = [*map(row, head), *map(row, tail)]
     name, degree = (max(len(row[i]) for row in rows) for i in (0, 1))
     cell = max(len(text) for row in rows for text in row[2:])
@@ -116,8 +116,8 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
 
 def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
     """The signs of single darts, each with its darts."""
-    robot = () if scene.robot is None else (scene.robot,)
-    return {"▲": tuple(scene.pointed), "S": (scene.start,), "R": robot}
+    start, robot = (() if d is None else (d,) for d in (scene.start, scene.robot))
+    return {"▲": tuple(scene.pointed), "S": start, "R": robot}
 
 
 def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:

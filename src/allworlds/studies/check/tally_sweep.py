@@ -279,7 +279,7 @@ def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Findin
         for part in workers.map(tally.RunCounter(scope, keep=1), [world]):
             for found in part.result.findings:
                 again = replace(found, world=labelled(found.world, [finding.world]))
-                return single.played_again(again, subject, limits)
+                return hints.located(single.played_again(again, subject, limits), subject, limits)
     return None
 
 
