@@ -1,4 +1,4 @@
-"""What more plays of a refuted explorer show: an option is told only if the check with it holds."""
+"""More plays of a refuted explorer: an option is told only if the check with it holds."""
 
 import re
 

@@ -6,13 +6,13 @@ Neither decides anything.  An option is told only if the check with it was made.
 import linecache
 import os
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 from typing import Any, TypeAlias
 
 import msgspec
-from msgspec import Struct
 
 from allworlds.document import replace
 from allworlds.engines import players
@@ -58,13 +58,7 @@ def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> 
 # ---------------------------------------------------------------- an option
 
 
-def tried_options(
-    finding: Finding,
-    subject: Subject,
-    limits: Limits,
-    scope: Scope,
-    clock: Callable[[], float] = time.monotonic,
-) -> str:
+def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> str:
     """The options with which the check breaks no law; empty if there are none, or it is not known.
 
     They name the worlds that were tried, too: all with at most so many edges, at least as many as
@@ -75,7 +69,6 @@ def tried_options(
         subject: its explorer.
         limits: of the check.
         scope: of the check.
-        clock: counts seconds.
     """
     rules, changes = finding.rules, dict[str, Any]()
     if finding.law == "budget" and rules.step_budget is None:
@@ -95,25 +88,20 @@ def tried_options(
     if tried < least:
         return ""
     own = [(finding.world, finding.place)]
-    try:
-        mirrored = finding.world.mirrored()
-        own.append((mirrored, place_of(mirrored)))
-    except InvalidWorld:  # the lighthouse cannot stand there
-        pass
+    with suppress(InvalidWorld):  # the lighthouse may be unable to stand there
+        own.append((finding.world.mirrored(), place_of(finding.world.mirrored())))
     changed = replace(scope, rules=replace(rules, **changes))
     alone = replace(limits, workers=1, time_limit=None)
-    job = Job(changed, subject, alone, 1, clock() + SECONDS, lambda _text: None)
+    job = Job(changed, subject, alone, 1, time.monotonic() + SECONDS, lambda _text: None)
+    units = GivenWorlds(tuple(own)), GivenWorlds(tuple(worlds))
     try:
         with players_for(job) as transport:
-            for some in (own, worlds):
-                given = GivenWorlds(tuple(some))
-                for part in transport.map(RunCounter(changed, keep=1), [given]):
-                    if part.result.findings:
-                        return ""
+            if any(each.result.findings for each in transport.map(RunCounter(changed, 1), units)):
+                return ""
     except (TimeIsUp, InputError, players.Unsettled):
         return ""
-    changes.pop("laws", None)
     told = {"edges": tried, **changes}
+    told.pop("laws", None)
     return " ".join(f"--{name.replace('_', '-')} {value}" for name, value in told.items())
 
 
@@ -128,18 +116,12 @@ def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
 # ---------------------------------------------------------------- lines
 
 
-class _Traced(Struct):
-    """The lines of a play, as :func:`allworlds.protocol.code_lines.written` has them."""
-
-    turns: list[tuple[bool, Place]]
-    ran: set[Place]
+Turns: TypeAlias = list[tuple[bool, Place]]
+"""The places of a play, turn by turn; see :func:`allworlds.protocol.code_lines.written`."""
 
 
 def located(
-    finding: Finding,
-    subject: Subject,
-    limits: Limits,
-    others: Iterable[Placed] = (),
+    finding: Finding, subject: Subject, limits: Limits, others: Iterable[Placed] = ()
 ) -> Finding:
     """The finding with the lines of its explorer's code, if that is in Python and runs alike again.
 
@@ -159,23 +141,21 @@ def located(
     due += [Due(i, place, world) for i, (world, place) in enumerate(islice(others, RIGHT), 1)]
     try:
         *logs, lines = plays.traced(due)
-        traced = msgspec.json.decode(lines, type=list[_Traced])
+        traced = msgspec.json.decode(lines, type=list[tuple[Turns, set[Place]]])
         judged = [plays.judge.judged(one, log) for one, log in zip(due, logs, strict=True)]
     except (InputError, msgspec.MsgspecError, ValueError):  # it may do something else now
         return finding
     walk = tuple(map(action_numbered, judged[0].log.actions))
     if walk[: len(finding.transcript.steps)] != finding.transcript.actions:
         return finding
-    right = [
-        play.ran
-        for play, one in zip(traced[1:], judged[1:], strict=True)
-        if one.outcome.violation is None
-    ]
-    alone = traced[0].ran.difference(*right) if right else set[Place]()
-    return replace(finding, code=_code(traced[0].turns, sorted(alone), len(right)))
+    (turns, ran), *plays_of_others = traced
+    pairs = zip(plays_of_others, judged[1:], strict=True)
+    right = [lines for (_, lines), one in pairs if one.outcome.violation is None]
+    alone = ran.difference(*right) if right else set[Place]()
+    return replace(finding, code=_code(turns, sorted(alone), len(right)))
 
 
-def _code(turns: list[tuple[bool, Place]], alone: list[Place], right: int) -> CodeLines:
+def _code(turns: Turns, alone: list[Place], right: int) -> CodeLines:
     shown = {place for _, place in turns} | {*alone} - {NOWHERE}
     sources = ((place, linecache.getline(*place).strip()) for place in sorted(shown))
     return CodeLines(

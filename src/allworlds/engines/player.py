@@ -172,13 +172,13 @@ def played(
     own, explorer = os.getpid(), player
     logs: list[bytes] = [b""] * batch["runs"]
     traced = list["TracedPlay"]()
+    if batch["lines"]:
+        from allworlds.protocol.code_lines import TracedPlay, written
     for number in batch["order"]:
         world, told, over, budget, name, script = batch["rows"][number]
         beat[0] = number
         around, choices = _around(batch["kind"], world, told, over), _choices(batch, name, script)
         if batch["lines"]:
-            from allworlds.protocol.code_lines import TracedPlay
-
             traced.append(TracedPlay())
             explorer = traced[-1].player(player)
         logs[number] = playing.play_run(
@@ -188,8 +188,6 @@ def played(
             # The explorer has forked this process; its copy must not go on with the work.
             os._exit(0)
     if traced:
-        from allworlds.protocol.code_lines import written
-
         logs[-1] = written(traced)
     return logs
 

@@ -106,13 +106,13 @@ class Referee:
         """The finding of a refuting outcome, in canonical numbering."""
         assert outcome.violation is not None
         violation, ending = outcome.violation, outcome.episode.ending
-        canonical, step, wrong = canonical_world(world), violation.step, ""
-        if isinstance(ending, Fault):
-            if "invariant-1" in self.rules.applying and (
-                first := first_wrong(_shown(world, outcome.episode))
-            ):
-                step, wrong = outcome.episode.checkpoints[first[0]][0], first[1]
-        else:
+        canonical, step = canonical_world(world), violation.step
+        believed, wrong = _believed(world, outcome.episode, step)
+        if not isinstance(ending, Fault) or "invariant-1" not in self.rules.applying:
+            wrong = ""
+        if believed and wrong:
+            step = believed.step
+        if not isinstance(ending, Fault):
             # What was expected and seen may name darts: judge again under the canonical names.
             again = self.verdict(canonical, outcome.episode, outcome.bound)
             if again and again.law == violation.law:
@@ -132,37 +132,30 @@ class Referee:
             detail=outcome.detail,
             step=step,
             wrong_checkpoint=wrong,
-            believed=_believed(world, outcome.episode, step),
+            believed=believed,
             machine=isinstance(ending, Fault) and ending.machine,
             hash_seed=outcome.hash_seed,
             output=outcome.output,
         )
 
 
-def _shown(world: World, episode: Episode, step: int | None = None) -> Case:
-    """The case of the checkpoints after so many steps, or of all, in a run without an answer."""
-    shown = tuple([each for each in episode.checkpoints if step in (None, each[0])])
-    return Case(world.map, world.start, episode.transcript, shown, None, None)
+def _believed(world: World, episode: Episode, step: int | None) -> tuple[Believed | None, str]:
+    """The first wrong checkpoint after so many steps, or of all, and what is wrong with it.
 
-
-def _believed(world: World, episode: Episode, step: int | None) -> Believed | None:
-    """The first wrong checkpoint after so many steps, or of all; where none is wrong the last."""
-    case = _shown(world, episode, step)
-    if not case.checkpoints:
-        return None
-    wrong = first_wrong(case)
-    number = wrong[0] if wrong else len(case.checkpoints) - 1
-    steps, shown = case.checkpoints[number]
-    if min(*shown.sigma, *shown.alpha, shown.here, 0) < 0:  # such darts are none
-        return None
-    before = sum(1 for at, _ in episode.checkpoints if at < steps) if step is not None else 0
-    return Believed(
-        number=before + number,
-        step=steps,
-        sigma=tuple(shown.sigma),
-        alpha=tuple(shown.alpha),
-        here=shown.here,
-    )
+    Where none is wrong it is the last.
+    """
+    at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
+    given = tuple([episode.checkpoints[i] for i in at])
+    wrong = first_wrong(Case(world.map, world.start, episode.transcript, given, None, None))
+    if not at:
+        return None, ""
+    number = at[wrong[0] if wrong else -1]
+    steps, shown = episode.checkpoints[number]
+    sigma, alpha, what = tuple(shown.sigma), tuple(shown.alpha), wrong[1] if wrong else ""
+    here = max(shown.here, 0)
+    if min((*sigma, *alpha, 0)) < 0:  # such darts are none
+        sigma, alpha = (), ()
+    return Believed(number=number, step=steps, sigma=sigma, alpha=alpha, here=here), what
 
 
 class Examiner(Referee):

@@ -106,4 +106,4 @@ def _yielding(walk: Any) -> Place:
 
 def written(plays: Sequence[TracedPlay]) -> bytes:
     """Traced plays, as a message holds them."""
-    return json.dumps([{"turns": one.turns, "ran": sorted(one.ran)} for one in plays]).encode()
+    return json.dumps([(one.turns, sorted(one.ran)) for one in plays]).encode()

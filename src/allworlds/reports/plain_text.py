@@ -155,7 +155,7 @@ def _walk(walk: parts.ShownWalk, width: int) -> Iterator[str]:
         half = (LONGEST_REFUTING if walk.sentences else LONGEST_WALK) // 2
         first, last = rows[:half], rows[-half:]
         if walk.sentences and walk.parting is not None:  # up to there
-            first, last = rows[: walk.parting + 1][-LONGEST_REFUTING:], []
+            first, last = rows[: walk.parting + 1][-LONGEST_WALK:], []
         more = len(rows) - len(first) - len(last)
         left_out = ["...", f"({more} more)", *[""] * (len(steps.header) - 2)]
         rows = [*first, left_out, *last]

@@ -101,13 +101,10 @@ def run(request: RunRequest) -> single.SingleRun:
     return _located(played, subject, limits)
 
 
-def _located(
-    played: single.SingleRun, subject: loading.Subject, limits: limits.Limits
-) -> single.SingleRun:
+def _located(run: single.SingleRun, subject: Any, limits: limits.Limits) -> single.SingleRun:
     """The run with the lines of the explorer's code in its finding, if it has one."""
-    if played.finding is None:
-        return played
-    return doc.replace(played, finding=hints.located(played.finding, subject, limits))
+    found = run.finding and hints.located(run.finding, subject, limits)
+    return doc.replace(run, finding=found)
 
 
 def _asked_hash_seed() -> int | None:

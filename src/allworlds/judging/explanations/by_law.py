@@ -19,6 +19,7 @@ from allworlds.judging.explanations.story import (
 )
 from allworlds.judging.findings.finding import Finding, Parting
 from allworlds.judging.laws import bounds, folding
+from allworlds.maps.build import completed
 from allworlds.maps.combinatorial import (
     CombinatorialMap,
     Dart,
@@ -498,12 +499,11 @@ def _completed(
     sigma, alpha = [*folded.sigma], [*folded.alpha]
     for a, b in pairs:
         alpha[a], alpha[b] = b, a
-    for dart in [dart for dart, end in enumerate(alpha) if dart == end]:
-        new = len(sigma)
-        alpha[dart] = new
-        sigma += [new] if dart != longer else [new + 1, new, new + 2]
-        alpha += [dart] if dart != longer else [dart, new + 2, new + 1]
-    return CombinatorialMap(sigma, alpha)
+    if longer is not None:
+        alpha[longer] = new = len(sigma)
+        sigma += [new + 1, new, new + 2]
+        alpha += [longer, new + 2, new + 1]
+    return completed(sigma, alpha)
 
 
 def tell_folding(story: Story) -> Telling:

@@ -288,8 +288,8 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
         yield "line", code.source(place)
     if code.alone:
         lines = [code.source(place) for place in code.alone[:MOST_LINES]]
-        if more := len(code.alone) - MOST_LINES:
-            lines += [words.plural(more, "other line")] if more > 0 else []
+        if (more := len(code.alone) - MOST_LINES) > 0:
+            lines.append(words.plural(more, "other line"))
         runs = words.plural(code.right, "right run")
         yield "only here", f"{'; '.join(lines)} (in none of {runs})"
 
