@@ -212,12 +212,13 @@ def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     walked, parts = walk.walked, i == walk.parting
     at = "" if walked.world.labels.vertices else "at "
     action = walked.transcript.steps[i - 1][0] if i else None
+    line = [tag("small", f" ({place})") for place in ["", *walk.lines][i : i + 1] if place]
     item = tag(
         "li",
         tag("a", str(i), href=f"#{name}", class_="step", aria_label=f"step {i}"),
         tag("span", str(action) if action else "start", class_="motion"),
         tag("span", f"{at}{walked.arrival(i)}", class_="place"),
-        tag("span", f"sensed: {walked.in_words(walked.sensed[i])}", class_="sensed"),
+        tag("span", f"sensed: {walked.in_words(walked.sensed[i])}", *line, class_="sensed"),
         id=name,
         class_="parting" if parts else None,
         data_moved="" if type(action) is Move else None,
@@ -228,8 +229,6 @@ def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
         item.append(
             tag("span", f"{sign} {walk.elsewhere.where}: {walked.in_words(other)}", class_=kind)
         )
-    if i and any(walk.lines[i - 1 : i]):
-        item.append(tag("span", f"line: {walk.lines[i - 1]}", class_="sensed"))
     if parts:
         item.append(tag("b", "belief and truth diverge here", class_="note"))
     return item
