@@ -6,7 +6,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from allworlds.cli.defaults import Defaults, beginning
+from allworlds.cli.defaults import Defaults, begin
 from allworlds.cli.output import emit, output_of
 from allworlds.reports.formats import file_of
 from allworlds.studies.check.exhaustive import check
@@ -141,8 +141,8 @@ def test_asking_whether_a_file_can_be_written_leaves_it_as_it_is(tmp_path):
 
 def test_without_a_file_nothing_is_written(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    with beginning([], Defaults()):
-        emit(check(edges=1), output_of("check")())
+    begin([], Defaults())
+    emit(check(edges=1), output_of("check")())
     assert list(tmp_path.iterdir()) == []
 
 
@@ -163,8 +163,8 @@ def test_half_a_file_is_no_file(tmp_path, monkeypatch, capsys):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(Path, "write_bytes", full)
-    with beginning([], Defaults()):
-        emit(check(edges=1), output_of("check")(files=[str(tmp_path / "report.xml")]))
+    begin([], Defaults())
+    emit(check(edges=1), output_of("check")(files=[str(tmp_path / "report.xml")]))
     assert [*tmp_path.iterdir()] == []
     assert capsys.readouterr().err.count("\n") == 1
 

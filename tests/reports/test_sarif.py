@@ -104,26 +104,6 @@ def test_a_verdict_without_a_finding_is_a_notification_unless_it_is_good(ending,
     assert run["results"] == []
 
 
-@pytest.mark.parametrize(
-    ("explorer", "options"),
-    [
-        ("exec:true", {}),
-        ("exec:python3 -m this", {}),
-        ("algorithm1", {"lighthouse": "position"}),
-    ],
-    ids=["on the PATH", "a module", "built in"],
-)
-def test_a_result_without_a_file_has_a_location_that_says_so(explorer, options):
-    """GitHub refuses a whole log if one of its results has no location with a URI."""
-    (result,) = run_of(check(explorer, edges=2, **options))["results"]
-    (location,) = result["locations"]
-    place = location["physicalLocation"]
-    assert place["artifactLocation"] == {"uri": "no%20file%20associated%20with%20this%20alert"}
-    assert place["region"] == {"startLine": 1}
-    for text in result["message"].values():
-        assert "No file with the explorer's code is known" in text.partition("\n")[0]
-
-
 def test_the_schema_is_not_one_that_takes_anything(refuted):
     document = json.loads(sarif(refuted))
     for spoil in (
