@@ -10,7 +10,7 @@ from random import Random
 from allworlds.cli.app import command_line
 from ground import grammar
 from ground.law import Case
-from recorded.record import LEAST, PLANTRI
+from recorded.record import HERE, LEAST, PLANTRI
 
 COSTLY = ("worst",)
 """Verbs that are tried with values alone that they refuse: what is legal takes seconds."""
@@ -113,7 +113,7 @@ def _least(verb: str) -> list[str]:
     return (
         LEAST[verb]
         .replace("{findings}/lucky-guess.json", "f.json")
-        .format(tmp=".", run="run", paper=".", plantri=PLANTRI)
+        .format(tmp=".", run="run", paper=".", plantri=PLANTRI, recorded=HERE)
         .split()
     )
 

@@ -19,12 +19,12 @@ from allworlds.maps.quotient import _uniform, pose_count
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity import class_of, projection_of
 from allworlds.studies.ambiguity.members import (
-    is_least_rooting,
     least_rooting,
     lifts,
     uniform_permutations,
 )
 from allworlds.world import Position, World
+from small import is_least_rooting
 
 
 @cache

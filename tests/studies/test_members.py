@@ -6,8 +6,8 @@ from allworlds.maps.build import lattice
 from allworlds.maps.quotient import pose_count
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import class_of, members, projection_of, twins
-from allworlds.studies.ambiguity.members import is_least_rooting
 from allworlds.world import Compass, Directional, Nothing, Position, World
+from small import is_least_rooting
 
 
 def world(name, start=0):

@@ -4,7 +4,7 @@ import networkx as nx
 import pytest
 from hypothesis import assume, strategies as st
 
-from allworlds.maps import CombinatorialMap, rooted_maps, unrooted_code
+from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps, unrooted_code
 from allworlds.world import State
 
 EDGE = CombinatorialMap((0, 1), (1, 0))
@@ -24,6 +24,12 @@ def stepped(world, dart, action):
     """The dart after an action of a robot without markers, and what is sensed there."""
     state, percept = world.step(State(dart), action)
     return state.dart, percept
+
+
+def is_least_rooting(map_):
+    """Whether no other dart at the vertex of dart 0 has a smaller code: one of a marked map has."""
+    codes = [rooted_code(map_.sigma, map_.alpha, dart) for dart in map_.vertices[0]]
+    return min(codes) == rooted_code(map_.sigma, map_.alpha, 0)
 
 
 def slow(*values):
