@@ -5,6 +5,7 @@ the use of a finished level.  The rest is here: kept units, listeners, endings b
 the report of all that was finished by then.
 """
 
+import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -210,6 +211,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         asked: the class of its requests.
         result: the class of its results, where it needs nothing but what was kept.
         portion: the part of the units that is done.
+        seconds: those that each finished level took.
         deadline: on the monotonic clock, or None.
         records: of the job, while it goes on.
     """
@@ -224,6 +226,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         self.listener: limits.Listener = request.listener
         self.portion: units.Shard = getattr(request, "shard", units.WHOLE)
         self.deadline = limits.deadline_after(request.time_limit)
+        self.seconds: list[float] = []
 
     @classmethod
     def known(
@@ -377,13 +380,14 @@ class Sweep(ABC, Generic[Total, Answer]):
                 units.tell_of_size(self.extent, self.listener, shards)
             for level in self.levels():
                 self.listener.level(level.edges, level.worlds // shards)
-                total = self.empty()
+                total, began = self.empty(), time.monotonic()
                 try:
                     undone = (unit for unit in level.units if not self._is_kept(unit, total))
                     gather(there, made.engine, undone, total, self.listener, self.records)
                 except BaseException:
                     self.leave(level, total)
                     raise
+                self.seconds.append(time.monotonic() - began)
                 if ending := self.finish(level, total):
                     return ending
         return None

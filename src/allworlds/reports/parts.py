@@ -404,6 +404,7 @@ class SuiteCase(Struct, frozen=True):
     kind: str = ""
     message: str = ""
     sections: Sequence[Section] = ()
+    seconds: float = 0
 
 
 class ReportContent(Struct, frozen=True):

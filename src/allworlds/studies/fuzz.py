@@ -171,6 +171,7 @@ class FuzzSweep(TallySweep[CheckReport]):
             asked=self.scope,
             tally=self._tally,
             levels=(),
+            seconds=tuple(self.seconds),
         )
 
 

@@ -300,6 +300,7 @@ class CheckReport(EndedReport):
     cells: NotInDocument[tuple[GateCell, ...]] = ()
     past: NotInDocument[tally_sweep.UserCorpus | None] = None
     symmetry: NotInDocument[str] = ""
+    seconds: NotInDocument[tuple[float, ...]] = ()
 
     @computed
     def verdict(self) -> Verdict:
@@ -392,6 +393,11 @@ class CheckReport(EndedReport):
     def findings(self) -> tuple[Finding, ...]:
         """Ascending by (edges, vertices, canonical code, place, choices)."""
         return tuple(self.tally.findings)
+
+    @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"level_seconds": [*self.seconds]}
 
     @property
     def portion(self) -> Shard:
