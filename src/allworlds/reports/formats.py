@@ -169,8 +169,8 @@ NO_FILE = "no file associated with this alert"
 
 HELP = (
     "{asked}\n\nThe message draws the smallest world in which the explorer breaks the law {law}, "
-    "and tells its walk. Keep the report with {kept}: then {explain} says in words where belief and "
-    "truth part, and {replay} runs the explorer there again, after a change too."
+    "and tells its walk. Keep the report with {kept}: then {explain} says in words where belief "
+    "and truth part, and {replay} runs the explorer there again, after a change too."
 )
 """The help of a rule."""
 
