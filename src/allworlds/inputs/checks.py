@@ -228,8 +228,8 @@ def read_text(path: str) -> str:
     """
     try:
         if path == "-":
-            return sys.stdin.read()
-        return a_path("file", path).read_text(encoding="utf-8")
+            return sys.stdin.read().removeprefix("\ufeff")
+        return a_path("file", path).read_text(encoding="utf-8-sig")
     except (OSError, UnicodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is no text"
         raise InputError(f"file {show(path)} cannot be read: {reason}") from None
