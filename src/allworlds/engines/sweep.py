@@ -42,7 +42,7 @@ def by_named(given: str | None) -> By | None:
     """
     if given in (None, "size", "world", "run"):
         return given  # type: ignore[return-value]  # one of these
-    raise checks.InputError(f"by {checks.show(given)} is not one of size, world, run")
+    raise checks.not_one_of("by", given, ("size", "world", "run"))
 
 
 class RowOptions(requests.Request):

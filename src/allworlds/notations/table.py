@@ -7,7 +7,7 @@ from typing import IO, Literal, TypeAlias, get_args
 
 from msgspec import Struct
 
-from allworlds.inputs.checks import InputError, a_path, in_file, one_of, show
+from allworlds.inputs.checks import InputError, a_path, in_file, not_one_of, one_of, show
 from allworlds.notations.edge_list import read_edge_list, write_edge_list
 from allworlds.notations.graphs import read_gml, read_graphml, read_yed
 from allworlds.notations.objects import fat_of, own_of, rotation_of
@@ -150,7 +150,7 @@ def entries(
 def _check(notation: Notation, order: str | None, y: str | None) -> None:
     for name, given, known in (("order", order, Order), ("y", y, YAxis)):
         if given is not None and given not in get_args(known):
-            raise InputError(f"{name} {show(given)} is neither {' nor '.join(get_args(known))}")
+            raise not_one_of(name, given, get_args(known))
     if y and not notation.y:
         raise InputError(f"y {y} has no effect on {notation.name}, where positions decide nothing")
 

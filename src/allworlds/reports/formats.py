@@ -21,7 +21,7 @@ from msgspec import Struct
 
 from allworlds import verbs, words
 from allworlds.explorers.sources import SourceLine, place_of_explorer
-from allworlds.inputs.checks import InputError, ensure_installed, show
+from allworlds.inputs.checks import InputError, did_you_mean, ensure_installed, show
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import ASKED
 from allworlds.notations.table import by_suffix, legal, to_write
@@ -486,7 +486,9 @@ def form_and_path(verb: str, name: str) -> tuple[str, str]:
         named = (each for each, made in forms.items() if name.endswith(made.suffix or "\0"))
         form, path = next(named, ""), name
     if form not in forms:
-        raise InputError(f"-o {show(name)} is no file that {verb} writes: {legal_files(verb)}")
+        known = [*forms, *(each.suffix for each in forms.values())]
+        legal_ones = legal_files(verb) + did_you_mean(form or Path(name).suffix, known)
+        raise InputError(f"-o {show(name)} is no file that {verb} writes: {legal_ones}")
     if library := forms[form].library:
         ensure_installed(*library)
     return form, path

@@ -19,7 +19,7 @@ from typing_extensions import override
 
 from allworlds import document as doc, outcome
 from allworlds.engines import limits, tally
-from allworlds.inputs.checks import InputError, a_path, read_text, show
+from allworlds.inputs.checks import InputError, a_path, not_one_of, read_text, show
 from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Converted, Option, answers
 from allworlds.protocol.importing import attribute_of, module_of_text, text_of
 from allworlds.studies.check.report import CheckReport
@@ -337,7 +337,7 @@ class LedgerReport(limits.RowsReport):
 
 def _budget(given: object) -> Budget:
     if given not in BUDGETS:
-        raise InputError(f"budget {show(given)} is not one of {', '.join(BUDGETS)}")
+        raise not_one_of("budget", given, BUDGETS)
     return cast("Budget", given)
 
 

@@ -15,6 +15,7 @@ from allworlds.inputs.checks import (
     an_integer,
     at_most,
     integer_of,
+    not_one_of,
     show,
 )
 from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Option
@@ -215,11 +216,11 @@ def question_of(request: SearchRequest) -> Question:
         InputError: naming the offending value and what would be legal.
     """
     if request.lighthouse not in SEARCHED:
-        raise InputError(
-            f"lighthouse {show(request.lighthouse)} is not one of {', '.join(SEARCHED)}, of which "
-            "there are formulas; 'ambiguity census' takes every lighthouse, and makes all small "
-            "worlds"
+        more = (
+            ", of which there are formulas; 'ambiguity census' takes every lighthouse, and makes "
+            "all small worlds"
         )
+        raise not_one_of("lighthouse", request.lighthouse, SEARCHED, more)
     asked = Question(
         request.lighthouse,
         request.map_class,

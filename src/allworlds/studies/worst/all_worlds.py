@@ -14,7 +14,14 @@ from allworlds.engines.engine_table import COMPILER, ReadyEngine, Threads
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import Subject, load
 from allworlds.explorers.sources import DEFAULT_EXPLORER
-from allworlds.inputs.checks import InputError, an_integer, ensure_installed, integer_of, show
+from allworlds.inputs.checks import (
+    InputError,
+    an_integer,
+    ensure_installed,
+    integer_of,
+    not_one_of,
+    show,
+)
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Converted, Option, Request, answers
 from allworlds.judging.episode import Answered, default_step_budget, play
 from allworlds.judging.findings.finding import Finding
@@ -56,7 +63,7 @@ def _edges(given: object) -> int | None:
 
 def _transit(given: object) -> Transit:
     if given not in get_args(Transit):
-        raise InputError(f"transit {show(given)} is not one of {', '.join(get_args(Transit))}")
+        raise not_one_of("transit", given, get_args(Transit))
     return cast("Transit", given)
 
 
