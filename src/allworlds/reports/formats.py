@@ -51,7 +51,7 @@ def _section(section: parts.Section) -> Iterator[str]:
         if isinstance(table, parts.Table) and table.rows:
             yield from [f"**{_plain(table.caption)}**"] if table.caption else []
             yield _table(table.header, table.texts, table.right)
-    others = [block for block in section.blocks if not isinstance(block, parts.Table)]
+    others = [b for b in section.blocks if not isinstance(b, parts.Table | parts.Curve)]
     if others:
         yield f"<details><summary>{_plain(section.title or 'More')}</summary>"
         for block in others:
@@ -400,6 +400,36 @@ def csv_rows(content: parts.ReportContent) -> str:
     return out.getvalue()
 
 
+LATEX = {sign: f"\\{sign}" for sign in "&%$#_{}"}
+LATEX |= {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+"""Characters that mean something to LaTeX, each as it is written."""
+
+
+def latex_rows(content: parts.ReportContent) -> str:
+    """The rows as a table of LaTeX that needs no package; empty if there is none."""
+    found = parts.rows_of(content)
+    if not found.columns:
+        return ""
+    shown = (("" if value is None else str(value) for value in row) for row in found.rows)
+    lines = (
+        " & ".join("".join(LATEX.get(sign, sign) for sign in cell) for cell in row) + r" \\"
+        for row in (found.columns, *shown)
+    )
+    head, *rest = (words.escaped(" ".join(line.split())) for line in lines)
+    sides = "".join("r" if kind in (int, float) else "l" for kind in found.columns.values())
+    begin = rf"\begin{{tabular}}{{{sides}}}"
+    return "\n".join([begin, r"\hline", head, r"\hline", *rest, r"\hline", r"\end{tabular}", ""])
+
+
+def curve_picture(content: parts.ReportContent) -> str:
+    """The curve as a picture by itself; an empty one where there are no two sizes."""
+    from allworlds.reports.drawing.curve import SVG, plot
+
+    blocks = (block for section in content.sections for block in section.blocks)
+    drawn = next((plot(block) for block in blocks if isinstance(block, parts.Curve)), None)
+    return ET.tostring(ET.Element("svg", xmlns=SVG) if drawn is None else drawn, "unicode") + "\n"
+
+
 def parquet_rows(content: parts.ReportContent) -> bytes:
     """A file of Parquet with these rows, a column for each name and of its type."""
     from pyarrow import BufferOutputStream, Table, bool_, float64, int64, schema, string
@@ -438,6 +468,8 @@ FORMATS = {
     "html": Format(html, ".html", (verbs.ROWS, verbs.PAGE)),
     "markdown": Format(markdown, ".md", summary="GITHUB_STEP_SUMMARY"),
     "csv": Format(csv_rows, ".csv"),
+    "latex": Format(latex_rows, ".tex"),
+    "svg": Format(curve_picture, ".svg", (verbs.CURVE,)),
     "json": Format(lambda content: document_text(content.result.to_json()), ".json", ()),
     "parquet": Format(parquet_rows, ".parquet", library=("pyarrow", "notebook", "a file .parquet")),
     "sarif": Format(sarif, ".sarif", (verbs.FINDINGS,)),
