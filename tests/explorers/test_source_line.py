@@ -46,7 +46,8 @@ def test_the_line_of_a_python_explorer_is_that_of_its_definition(folder, module,
     place = place_of_explorer(f"{module}:{attribute}")
     assert (place.file, place.line) == ((folder / "placed.py").resolve(), line)
     assert place.named_from(folder.resolve()) == "placed.py"
-    assert place.named_from(folder.resolve() / "deeper") == place.file.as_posix()
+    assert place.is_in(folder.resolve())
+    assert not place.is_in(folder.resolve() / "deeper")
 
 
 def test_of_a_file_without_an_attribute_the_place_is_the_file(folder):

@@ -183,10 +183,8 @@ class SourceLine(Struct, frozen=True):
         return self.file.is_relative_to(folder) and "site-packages" not in self.file.parts
 
     def named_from(self, folder: Path) -> str:
-        """The file relative to a folder, with ``/``; absolute if it is outside the folder."""
-        if self.file.is_relative_to(folder):
-            return self.file.relative_to(folder).as_posix()
-        return self.file.as_posix()
+        """The file relative to a folder above it, with ``/``."""
+        return self.file.relative_to(folder).as_posix()
 
 
 def files_of_explorer(name: str) -> list[Path]:

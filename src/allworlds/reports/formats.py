@@ -168,32 +168,22 @@ NO_FILE = "no file associated with this alert"
 """The location of a result where there is no file at all: GitHub refuses one without."""
 
 HELP = (
-    "{asked}\n\nThe message draws the smallest world in which the explorer breaks the law {law}, "
-    "and tells its walk. Keep the report with {kept}: then {explain} says in words where belief "
-    "and truth part, and {replay} runs the explorer there again, after a change too."
+    "\n\nThe message draws the smallest world in which the explorer breaks this law, and tells its "
+    "walk. Keep the report, with `allworlds check ... --json > report.json`: then `allworlds "
+    "explain report.json` says in words where belief and truth part, and `allworlds replay "
+    "report.json` runs the explorer there again, after a change too."
 )
-"""The help of a rule."""
+"""The help of each rule, after what the law asks."""
 
 
 def _rule(law: str, asked: str) -> dict[str, Any]:
     """A law as a rule, with all that code scanning asks for."""
-    commands = {
-        "law": law,
-        "kept": "allworlds check ... --json > report.json",
-        "explain": "allworlds explain report.json",
-        "replay": "allworlds replay report.json",
-    }
-    marked = {name: f"`{command}`" for name, command in commands.items()}
     full = f"{asked} A result is the smallest world in which an explorer breaks this law."
     return {
         "id": law,
-        "name": law,
         "shortDescription": {"text": asked},
         "fullDescription": {"text": full},
-        "help": {
-            "text": HELP.format(asked=asked, **commands),
-            "markdown": HELP.format(asked=asked, **marked),
-        },
+        "help": {"text": asked + HELP, "markdown": asked + HELP},
         "defaultConfiguration": {"level": "error"},
     }
 
