@@ -14,9 +14,7 @@ from allworlds.explorers import program
 from allworlds.explorers.program import SAYINGS
 from allworlds.explorers.shared_library import INTERFACE_VERSION
 from allworlds.judging.laws.law_table import PRECEDENCE
-from allworlds.protocol import playing
 from allworlds.reports.web import sections as frame
-from allworlds.studies.check import exhaustive
 from enumerators import BROKEN_ENUMERATORS
 from errands import WEAK_TASK_JUDGES, WRONG_ERRANDS
 from judges import WEAK_JUDGES
@@ -56,7 +54,6 @@ def test_the_page_of_proofs_says_how_many_mutants_there_are():
         ("verdicts.md", r"step budgets \| up to ([\d,]+)", capabilities.MOST_BUDGET),
         ("verdicts.md", r"one line of at most (\d+) characters", output.LONGEST),
         ("verdicts.md", r"is smaller than (\d+) MB", frame.LARGEST // 1_000_000),
-        ("trust.md", r"at most ([\d,]+) darts of an answer", playing.MOST_DARTS),
         ("trust.md", r"`PYTHONHASHSEED` 0, the second (\d)", lane.SECOND),
         (
             "how-to/languages.md",
@@ -66,12 +63,6 @@ def test_the_page_of_proofs_says_how_many_mutants_there_are():
         ("how-to/languages.md", r"a line of more than (\d+) MiB", program.LONGEST_LINE >> 20),
         ("how-to/languages.md", r"more memory than (\d) GB", players.NATIVE_MEMORY >> 10),
         ("how-to/languages.md", r"`ALLWORLDS_VERSION` (\d) \|", INTERFACE_VERSION),
-        ("how-to/bound.md", r"more than ([\d,]+) worlds", exhaustive.MANY["python"]),
-        (
-            "how-to/bound.md",
-            r"compiled engine: (\d+) million",
-            exhaustive.MANY["compiled"] // 10**6,
-        ),
     ],
 )
 def test_a_limit_in_the_prose_is_that_of_the_program(page, pattern, number):

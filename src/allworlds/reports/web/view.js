@@ -51,11 +51,13 @@ function acting(made, label, act) {
 
 const now = () => sensed(world, states[states.length - 1]);
 
-// The place where the robot stands, as the robot sees it: dart 0 is behind it, below.
+// The place where the robot stands; its darts lead as they do in the notes.
 function drawSensed() {
   const { degree, marks, bearing } = now();
   const [cx, cy, reach] = [150, 150, 100];
-  const way = (k) => Math.PI / 2 + (2 * Math.PI * k) / degree;
+  const map = known();
+  const behind = seated(map).get(map.here).angle;
+  const way = (k) => behind + (2 * Math.PI * k) / degree;
   const parts = [];
   for (let k = 0; k < degree; k += 1) {
     const [x, y] = polar(cx, cy, reach, way(k));
