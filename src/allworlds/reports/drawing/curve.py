@@ -27,7 +27,7 @@ def plot(curve: Curve) -> ET.Element:
     made = [tag("path", d=f"M{LEFT} {ABOVE}V{BELOW}H{RIGHT}", fill="none", stroke="currentColor")]
     for x in _ticks([x for x, *_ in points]):
         made.append(_text(across(x), BELOW + 18, f"{x:,g}", "middle"))
-    for y in _ticks([y for _, *ys in points for y in ys])[-6:]:
+    for y in _ticks([y for _, *ys in points for y in ys]):
         made.append(_text(LEFT - 8, up(y) + 4, f"{y:,g}", "end"))
         made.append(tag("path", d=f"M{LEFT} {up(y)}H{RIGHT}", stroke="#8884"))
     made.append(_text((LEFT + RIGHT) / 2, HEIGHT - 6, curve.across, "middle"))
